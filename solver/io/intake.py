@@ -1,0 +1,126 @@
+"""From raw polygons to a usable quad mesh: what can be mended is mended and said."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from solver.errors import InputError
+from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+# A face whose area vector is below this part of its squared diagonals has no direction.
+_ZERO_AREA = 1e-12
+
+
+def quad_mesh(
+    vertices: FloatArray, polygons: Sequence[Sequence[int]]
+) -> tuple[QuadMesh, list[str]]:
+    """Check polygons and build a consistently oriented quad mesh from them.
+
+    Vertex and face order are kept. Faces that disagree with their neighbours' orientation are
+    reversed, the larger part of each component keeping its own.
+
+    Args:
+        vertices: (V, 3) coordinates.
+        polygons: vertex numbers of each face, counted from 0.
+
+    Returns:
+        The mesh, and remarks in plain words on what was mended or is unusual.
+
+    Raises:
+        InputError: faces that are not quads, bad numbers, non-manifold or non-orientable edges.
+    """
+    faces = _quads(polygons, len(vertices))
+    remarks: list[str] = []
+    faces = _oriented(faces, len(vertices), remarks)
+    mesh = QuadMesh(vertices, Connectivity(faces, len(vertices)))
+    _refuse_empty_faces(mesh)
+    unused = np.flatnonzero(~mesh.connectivity.referenced)
+    if len(unused):
+        remarks.append(
+            f"{len(unused)} vertices belong to no face (first: {unused[0]}); kept where they are"
+        )
+    parts = int(mesh.connectivity.components.max()) + 1
+    if parts > 1:
+        remarks.append(f"{parts} separate components; each is treated on its own")
+    return mesh, remarks
+
+
+def _quads(polygons: Sequence[Sequence[int]], vertex_count: int) -> IntArray:
+    sizes = np.array([len(polygon) for polygon in polygons])
+    wrong = np.flatnonzero(sizes != 4)
+    if len(wrong):
+        triangles = int((sizes == 3).sum())
+        larger = int((sizes > 4).sum())
+        first = int(wrong[0])
+        counts = [f"{triangles} triangles"] * (triangles > 0)
+        counts += [f"{larger} faces with more than 4 corners"] * (larger > 0)
+        counts += ["faces with fewer than 3 corners"] * bool((sizes < 3).any())
+        raise InputError(
+            f"faces: expected 4 vertices a face, found {' and '.join(counts)} among "
+            f"{len(sizes)}; face {first} has {sizes[first]}; remesh to quads first"
+        )
+    return np.array(polygons, dtype=np.int64).reshape(-1, 4)
+
+
+def _oriented(faces: IntArray, vertex_count: int, remarks: list[str]) -> IntArray:
+    """Reverse faces until every inner edge runs in both directions."""
+    half = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    pairs, inverse, counts = np.unique(
+        np.sort(half, axis=1), axis=0, return_inverse=True, return_counts=True
+    )
+    if (counts > 2).any():
+        edge = pairs[np.argmax(counts > 2)].tolist()
+        raise InputError(
+            f"edges: {int((counts > 2).sum())} have more than two faces, the first is edge "
+            f"{edge[0]} - {edge[1]}; split the mesh there or remove double faces"
+        )
+    order = np.argsort(inverse.ravel(), kind="stable")
+    shared = np.flatnonzero(np.diff(inverse.ravel()[order]) == 0)
+    one, two = order[shared], order[shared + 1]
+    agrees = half[one, 0] != half[two, 0]
+    first, second = one // 4, two // 4
+    # Two copies of each face, as given and reversed: a component of copies is one orientation.
+    count = len(faces)
+    rows = np.concatenate([first, first + count])
+    columns = np.concatenate(
+        [np.where(agrees, second, second + count), np.where(agrees, second + count, second)]
+    )
+    graph = coo_array((np.ones(len(rows)), (rows, columns)), shape=(2 * count, 2 * count))
+    label = connected_components(graph, directed=False)[1]
+    as_given, reversed_ = label[:count], label[count:]
+    if (as_given == reversed_).any():
+        face = int(np.argmax(as_given == reversed_))
+        raise InputError(
+            f"faces: the component of face {face} cannot be oriented (a Moebius band); "
+            "cut it along one row of edges"
+        )
+    # Of the two orientations of a component, take the one that more of its faces already have.
+    votes = np.bincount(as_given, minlength=label.max() + 1)
+    first_seen = np.full(label.max() + 1, count)
+    np.minimum.at(first_seen, as_given, np.arange(count))
+    keep = votes[as_given] > votes[reversed_]
+    tie = votes[as_given] == votes[reversed_]
+    keep |= tie & (first_seen[as_given] < first_seen[reversed_])
+    if not keep.all():
+        remarks.append(
+            f"{int((~keep).sum())} faces were oriented against their neighbours "
+            f"(first: face {int(np.argmin(keep))}); reversed"
+        )
+    return np.where(keep[:, None], faces, faces[:, [0, 3, 2, 1]])
+
+
+def _refuse_empty_faces(mesh: QuadMesh) -> None:
+    points = mesh.vertices[mesh.faces]
+    diagonals = points[:, 2] - points[:, 0], points[:, 3] - points[:, 1]
+    size = sum((diagonal**2).sum(axis=1) for diagonal in diagonals)
+    empty = np.linalg.norm(mesh.face_area_vectors, axis=1) <= _ZERO_AREA * size
+    if empty.any():
+        raise InputError(
+            f"faces: {int(empty.sum())} have no area, the first is face {int(np.argmax(empty))}; "
+            "delete or repair them"
+        )

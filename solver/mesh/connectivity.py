@@ -1,0 +1,223 @@
+"""Connectivity of a quad mesh: who is next to whom, without any positions.
+
+Everything here depends on the faces alone, is computed at most once, and never changes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from solver.errors import InputError
+
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Connectivity:
+    """Faces of a quad mesh and all that follows from them.
+
+    A half-edge ``4 * f + k`` runs from corner ``k`` of face ``f`` to the next corner.
+
+    Args:
+        faces: (F, 4) vertex numbers, counter-clockwise, consistently oriented.
+        vertex_count: number of vertices V; vertices that no face uses are allowed.
+
+    Raises:
+        InputError: a vertex number is out of range, a face repeats a vertex, or an edge
+            has more than two faces or two faces of opposite orientation.
+    """
+
+    faces: IntArray
+    vertex_count: int
+
+    def __post_init__(self) -> None:
+        faces = np.ascontiguousarray(self.faces, dtype=np.int64)
+        if faces.ndim != 2 or faces.shape[1] != 4 or len(faces) == 0:
+            raise InputError(
+                f"faces: expected an array of shape (F, 4) with F > 0, got {faces.shape}; "
+                "give quads only"
+            )
+        faces.setflags(write=False)
+        object.__setattr__(self, "faces", faces)
+        out_of_range = ((faces < 0) | (faces >= self.vertex_count)).any(axis=1)
+        if out_of_range.any():
+            face = int(np.argmax(out_of_range))
+            raise InputError(
+                f"faces: face {face} names vertices {faces[face].tolist()}, but vertices are "
+                f"numbered 0 to {self.vertex_count - 1}; mend the face or add the vertices"
+            )
+        ordered = np.sort(faces, axis=1)
+        repeated = (ordered[:, 1:] == ordered[:, :-1]).any(axis=1)
+        if repeated.any():
+            face = int(np.argmax(repeated))
+            raise InputError(
+                f"faces: {int(repeated.sum())} repeat a vertex, the first is face {face} "
+                f"{faces[face].tolist()}; split or delete it"
+            )
+        key = self._half_edges[:, 0] * self.vertex_count + self._half_edges[:, 1]
+        unique, counts = np.unique(key, return_counts=True)
+        if (counts > 1).any():
+            bad = int(unique[np.argmax(counts > 1)])
+            raise InputError(
+                f"edges: edge {bad // self.vertex_count} - {bad % self.vertex_count} is used twice "
+                "in the same direction; unify the orientation and remove double faces"
+            )
+
+    @cached_property
+    def _half_edges(self) -> IntArray:
+        """(4F, 2) start and end vertex of every half-edge."""
+        return np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=2).reshape(-1, 2)
+
+    @cached_property
+    def twins(self) -> IntArray:
+        """(4F,) the opposite half-edge of each half-edge, -1 at the boundary."""
+        start, end = self._half_edges.T
+        forward = start * self.vertex_count + end
+        backward = end * self.vertex_count + start
+        order = np.argsort(forward)
+        place = np.searchsorted(forward, backward, sorter=order)
+        candidate = order[np.minimum(place, len(order) - 1)]
+        return np.where(forward[candidate] == backward, candidate, -1)
+
+    @cached_property
+    def _edge_table(self) -> tuple[IntArray, IntArray]:
+        pairs = np.sort(self._half_edges, axis=1)
+        edges, inverse = np.unique(pairs, axis=0, return_inverse=True)
+        return edges, inverse.reshape(-1, 4)
+
+    @property
+    def edges(self) -> IntArray:
+        """(E, 2) vertex pairs, the smaller number first, in lexicographic order."""
+        return self._edge_table[0]
+
+    @property
+    def face_edges(self) -> IntArray:
+        """(F, 4) edge number of each side; side k joins corners k and k + 1."""
+        return self._edge_table[1]
+
+    @cached_property
+    def edge_faces(self) -> IntArray:
+        """(E, 2) faces left and right of each edge seen from its smaller vertex, -1 for none."""
+        result = np.full((len(self.edges), 2), -1, dtype=np.int64)
+        start, end = self._half_edges.T
+        side = (start > end).astype(np.int64)
+        result[self.face_edges.ravel(), side] = np.repeat(np.arange(len(self.faces)), 4)
+        return result
+
+    @cached_property
+    def boundary_edges(self) -> BoolArray:
+        """(E,) true where an edge has one face only."""
+        return (self.edge_faces < 0).any(axis=1)
+
+    @cached_property
+    def boundary_vertices(self) -> BoolArray:
+        """(V,) true where a vertex lies on a boundary edge."""
+        result = np.zeros(self.vertex_count, dtype=bool)
+        result[self.edges[self.boundary_edges].ravel()] = True
+        return result
+
+    @cached_property
+    def referenced(self) -> BoolArray:
+        """(V,) true where at least one face uses the vertex."""
+        result = np.zeros(self.vertex_count, dtype=bool)
+        result[self.faces.ravel()] = True
+        return result
+
+    @cached_property
+    def face_valence(self) -> IntArray:
+        """(V,) number of faces at each vertex."""
+        return np.bincount(self.faces.ravel(), minlength=self.vertex_count)
+
+    @cached_property
+    def edge_valence(self) -> IntArray:
+        """(V,) number of edges at each vertex."""
+        return np.bincount(self.edges.ravel(), minlength=self.vertex_count)
+
+    @cached_property
+    def regular(self) -> BoolArray:
+        """(V,) true where parameter lines pass: four faces inside, two faces on the boundary."""
+        boundary = self.boundary_vertices
+        inside = ~boundary & (self.face_valence == 4)
+        rim = boundary & (self.face_valence == 2) & (self.edge_valence == 3)
+        return inside | rim
+
+    @cached_property
+    def corners(self) -> BoolArray:
+        """(V,) boundary vertices where no parameter line runs along the boundary."""
+        return self.boundary_vertices & ~self.regular
+
+    @cached_property
+    def continuation(self) -> IntArray:
+        """(4F,) the half-edge that goes straight on at the end of each half-edge, or -1."""
+        after = _next(np.arange(4 * len(self.faces)))
+        across = self.twins[after]
+        straight = np.where(across >= 0, _next(across), -1)
+        return np.where(self.regular[self._half_edges[:, 1]], straight, -1)
+
+    @cached_property
+    def line_triples(self) -> IntArray:
+        """(T, 3) consecutive vertices left, centre, right on a parameter line, each once."""
+        here = np.flatnonzero(self.continuation >= 0)
+        left, centre = self._half_edges[here].T
+        right = self._half_edges[self.continuation[here], 1]
+        triples = np.stack([np.minimum(left, right), centre, np.maximum(left, right)], axis=1)
+        return np.unique(triples, axis=0)
+
+    @cached_property
+    def double_patches(self) -> IntArray:
+        """(P, 4) outer corners a, c, b, d of each pair of neighbouring faces.
+
+        ``a - c`` and ``b - d`` are the diagonals of the one-by-two patch.
+        """
+        half = np.flatnonzero((self.twins >= 0) & (self.twins > np.arange(4 * len(self.faces))))
+        twin = self.twins[half]
+        d = self._half_edges[_next(half), 1]
+        a = self._half_edges[_next(_next(half)), 1]
+        e = self._half_edges[_next(twin), 1]
+        f = self._half_edges[_next(_next(twin)), 1]
+        return np.stack([a, f, d, e], axis=1)
+
+    @cached_property
+    def stars(self) -> IntArray:
+        """(S, 5) centre and its four neighbours in cyclic order, interior valence four only."""
+        return self._stars_and_corners[0]
+
+    @cached_property
+    def diagonal_stars(self) -> IntArray:
+        """(S, 5) centre and the four opposite corners of its faces, in the order of ``stars``."""
+        return self._stars_and_corners[1]
+
+    @cached_property
+    def _stars_and_corners(self) -> tuple[IntArray, IntArray]:
+        centres = np.flatnonzero(self.regular & ~self.boundary_vertices)
+        outgoing = np.full(self.vertex_count, -1, dtype=np.int64)
+        outgoing[self._half_edges[::-1, 0]] = np.arange(4 * len(self.faces))[::-1]
+        half = outgoing[centres]
+        star, diagonal = [centres], [centres]
+        for _ in range(4):
+            star.append(self._half_edges[half, 1])
+            diagonal.append(self._half_edges[_next(half), 1])
+            half = self.twins[_previous(half)]
+        return np.stack(star, axis=1), np.stack(diagonal, axis=1)
+
+    @cached_property
+    def components(self) -> IntArray:
+        """(F,) number of the connected component of each face."""
+        left, right = self.edge_faces[~self.boundary_edges].T
+        graph = coo_array((np.ones(len(left)), (left, right)), shape=(len(self.faces),) * 2)
+        return connected_components(graph, directed=False)[1].astype(np.int64)
+
+
+def _next(half: IntArray) -> IntArray:
+    return half - half % 4 + (half + 1) % 4
+
+
+def _previous(half: IntArray) -> IntArray:
+    return half - half % 4 + (half + 3) % 4

@@ -1,0 +1,100 @@
+"""A quad mesh: fixed connectivity and the positions of its vertices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solver.errors import InputError
+from solver.mesh.connectivity import Connectivity, IntArray
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class QuadMesh:
+    """Positions on a connectivity; immutable.
+
+    Args:
+        vertices: (V, 3) coordinates, float64, in the model's unit.
+        connectivity: the faces and what follows from them.
+
+    Raises:
+        InputError: wrong shape, or a coordinate that is not finite.
+    """
+
+    vertices: FloatArray
+    connectivity: Connectivity
+
+    def __post_init__(self) -> None:
+        vertices = np.array(self.vertices, dtype=np.float64, order="C")
+        if vertices.shape != (self.connectivity.vertex_count, 3):
+            raise InputError(
+                f"vertices: expected shape ({self.connectivity.vertex_count}, 3), "
+                f"got {vertices.shape}; give three coordinates a vertex"
+            )
+        finite = np.isfinite(vertices).all(axis=1)
+        if not finite.all():
+            raise InputError(
+                f"vertices: {int((~finite).sum())} have NaN or infinite coordinates, the first is "
+                f"vertex {int(np.argmin(finite))}; mend the file"
+            )
+        vertices.setflags(write=False)
+        object.__setattr__(self, "vertices", vertices)
+
+    @classmethod
+    def from_arrays(cls, vertices: ArrayLike, faces: ArrayLike) -> QuadMesh:
+        """Build a mesh from (V, 3) coordinates and (F, 4) vertex numbers."""
+        positions = np.asarray(vertices, dtype=np.float64)
+        return cls(positions, Connectivity(np.asarray(faces, dtype=np.int64), len(positions)))
+
+    @property
+    def faces(self) -> IntArray:
+        """(F, 4) vertex numbers."""
+        return self.connectivity.faces
+
+    def with_vertices(self, vertices: FloatArray) -> QuadMesh:
+        """Return the same connectivity with other positions."""
+        return QuadMesh(vertices, self.connectivity)
+
+    def scaled(self, factor: float) -> QuadMesh:
+        """Return the mesh with all coordinates multiplied by ``factor``."""
+        return self.with_vertices(self.vertices * factor)
+
+    @cached_property
+    def edge_lengths(self) -> FloatArray:
+        """(E,) lengths in the order of ``connectivity.edges``."""
+        start, end = self.connectivity.edges.T
+        return np.linalg.norm(self.vertices[end] - self.vertices[start], axis=1)
+
+    @property
+    def mean_edge(self) -> float:
+        """Mean edge length, the yardstick of every dimensionless measure."""
+        return float(self.edge_lengths.mean())
+
+    @cached_property
+    def face_area_vectors(self) -> FloatArray:
+        """(F, 3) half the cross product of the diagonals: direction the normal, length the area."""
+        a, b, c, d = (self.vertices[self.faces[:, k]] for k in range(4))
+        return 0.5 * np.cross(c - a, d - b)
+
+    @cached_property
+    def face_normals(self) -> FloatArray:
+        """(F, 3) unit normals; zero where a face has no area."""
+        return unit_rows(self.face_area_vectors)
+
+    @cached_property
+    def vertex_normals(self) -> FloatArray:
+        """(V, 3) unit normals, area-weighted mean of the faces; zero where no face is."""
+        total = np.zeros_like(self.vertices)
+        np.add.at(total, self.faces.ravel(), np.repeat(self.face_area_vectors, 4, axis=0))
+        return unit_rows(total)
+
+
+def unit_rows(vectors: FloatArray) -> FloatArray:
+    """Divide each row by its length; zero rows stay zero."""
+    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return vectors / np.where(length > 0, length, 1.0)
