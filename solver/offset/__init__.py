@@ -1,0 +1,1 @@
+"""Offsets of quad meshes: parallel meshes and the axes that they give."""
