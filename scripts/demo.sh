@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# The main job from end to end: a freeform roof becomes fabrication files. See usage below.
+set -euo pipefail
+# shellcheck source=scripts/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+usage() {
+  cat <<'TEXT'
+usage: bash scripts/demo.sh [OUT_DIR] [--mesh FILE.obj] [--unit mm|cm|m|in|ft]
+                            [--height MM] [--thickness MM]
+
+Installs what is missing, then turns a quad mesh into a principal mesh, torsion-free beams and
+flat panels, and writes into OUT_DIR (default: ./out/demo):
+
+  structure.step  every beam and panel as a named solid     parts.csv    the parts list
+  flat.dxf        their outlines for cutting                report.json  what was reached
+  model.FCStd     the model for FreeCAD                     preview.png  a picture of it
+  principal.obj   the optimised mesh
+
+  --mesh       a quad mesh of your own (default: examples/data/demo_roof.obj)
+  --unit       its unit (default: as its file says, else guessed from its edges and said)
+  --height     height of the beams (default: 200, or a fifth of the mean edge of small quads)
+  --thickness  thickness of beams and panels (default: 12, or as the height)
+TEXT
+}
+
+wrong() { fail "$1; see --help" 2; }
+
+positive() {
+  [[ "$2" =~ ^[0-9]*\.?[0-9]+$ && "$2" =~ [1-9] ]] || wrong "$1: expected millimetres above 0, got '$2'"
+}
+
+out=
+options=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    -h | --help) usage; exit 0 ;;
+    --mesh | --unit | --height | --thickness)
+      [ $# -ge 2 ] || wrong "$1 needs a value"
+      case "$1" in
+        --mesh) if [ ! -r "$2" ] || [ -d "$2" ]; then wrong "--mesh: no readable file '$2'"; fi ;;
+        --unit) [[ "$2" =~ ^(mm|cm|m|in|ft)$ ]] || wrong "--unit: expected mm, cm, m, in or ft, got '$2'" ;;
+        *) positive "$1" "$2" ;;
+      esac
+      options+=("$1" "$2")
+      shift 2
+      ;;
+    -*) wrong "unknown option '$1'" ;;
+    *)
+      [ -z "$out" ] || wrong "one OUT_DIR is enough, got '$out' and '$1'"
+      [ -n "$1" ] || wrong "OUT_DIR is empty"
+      out=$1
+      shift
+      ;;
+  esac
+done
+out=${out:-out/demo}
+if ! mkdir -p "$out" 2>/dev/null || [ ! -w "$out" ]; then
+  fail "$out: cannot be written; choose a folder that you may write to" 2
+fi
+
+bash "$root/scripts/setup.sh"
+# shellcheck source=/dev/null
+. "$venv/ortho-paths.sh"
+PYTHONPATH="$root${PYTHONPATH:+:$PYTHONPATH}" exec "$venv/bin/python" \
+  "$root/scripts/demo.py" "$out" ${options[@]+"${options[@]}"}

@@ -1,0 +1,91 @@
+"""The ten lines that close the demo, for an engineer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from solver.analysis import measures
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+
+def table(
+    drawn: QuadMesh,
+    principal: QuadMesh,
+    optimised: dict[str, Any],
+    parts: Sequence[dict[str, str]],
+    out: Path,
+    files: Sequence[str],
+    seconds: float,
+) -> str:
+    """Put the demo's result into ten lines.
+
+    Args:
+        drawn: the mesh as it came, in mm.
+        principal: the optimised mesh, in mm.
+        optimised: the report of the optimisation.
+        parts: rows of parts.csv.
+        out: folder that holds the files.
+        files: their names.
+        seconds: time for everything.
+    """
+    beams = [row for row in parts if row["kind"] == "beam"]
+    panels = [row for row in parts if row["kind"] == "panel"]
+    heights = numbers(beams, "height_mm")
+    moved = np.linalg.norm(principal.vertices - drawn.vertices, axis=1)
+    size = " x ".join(f"{side / 1000:.3g}" for side in np.ptp(drawn.vertices, axis=0))
+    orthogonality = [float(measures.orthogonality(mesh).max()) for mesh in (drawn, principal)]
+    planarity = [float(measures.planarity(mesh).max()) for mesh in (drawn, principal)]
+    warp = [float(out_of_plane(mesh).max()) for mesh in (drawn, principal)]
+    rows = [
+        ("mesh", f"{len(drawn.faces)} quads, {len(drawn.vertices)} vertices, {size} m"),
+        ("orthogonality", f"worst face {arrow(orthogonality)} (unequal diagonals, 0 is exact)"),
+        (
+            "planarity",
+            f"worst face {arrow(planarity)}, out of plane {warp[0]:.3g} mm -> {warp[1]:.2g} mm",
+        ),
+        (
+            "moved",
+            f"mean {moved.mean():,.0f} mm, most {moved.max():,.0f} mm; {optimised['status']} "
+            f"in {optimised['iterations']} steps, {optimised['seconds']:.1f} s",
+        ),
+        (
+            "beams",
+            f"{len(beams)} plates, {numbers(beams, 'length_mm').sum() / 1000:,.0f} m in all, "
+            f"{float(beams[0]['thickness_mm']):g} mm thick",
+        ),
+        (
+            "beam twist",
+            f"worst {numbers(beams, 'twist_deg').max():.1e} degrees (0 is torsion-free)",
+        ),
+        ("beam height", f"{heights.min():.1f} to {heights.max():.1f} mm"),
+        (
+            "panels",
+            f"{len(panels)} plates, {numbers(panels, 'area_mm2').sum() / 1e6:,.1f} m2, "
+            f"{float(panels[0]['thickness_mm']):g} mm thick",
+        ),
+        ("mass", f"{numbers(parts, 'mass_kg').sum() / 1000:,.3g} t, beams and panels together"),
+        ("files", f"{out}/: {', '.join(files)}; {seconds:.0f} s"),
+    ]
+    width = max(len(name) for name, _ in rows)
+    return "\n".join(f"{name:<{width}}  {text}" for name, text in rows)
+
+
+def numbers(rows: Sequence[dict[str, str]], column: str) -> FloatArray:
+    """Read one column of parts.csv."""
+    return np.array([float(row[column]) for row in rows])
+
+
+def arrow(values: Sequence[float]) -> str:
+    """Write a measure before and after."""
+    return f"{values[0]:.2g} -> {values[1]:.1e}"
+
+
+def out_of_plane(mesh: QuadMesh) -> FloatArray:
+    """Distance between the two diagonals of each face, in the mesh's unit."""
+    a, b, c, d = (mesh.vertices[mesh.faces[:, corner]] for corner in range(4))
+    normal = np.cross(c - a, d - b)
+    return np.abs(((b - a) * normal).sum(axis=1)) / np.linalg.norm(normal, axis=1)
