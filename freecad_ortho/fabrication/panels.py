@@ -1,0 +1,206 @@
+"""Panels: a plate in every face, shrunk by half the gap on each side.
+
+The gap is measured on the mesh. Where neighbours lean together, their plates come closer than that
+at one of their levels: by ``2 z tan(theta / 2)`` at level ``z`` for faces that meet at an angle
+``theta``. Each side shrinks by half the gap, and by more only where otherwise less than half of the
+gap would stay clear; so a flat pattern is the face less half the gap unless the plates would touch.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_ortho.fabrication.beams import LEFT_TOP, RIGHT_TOP, BeamGeometry
+from freecad_ortho.fabrication.part import FlatPattern, Mark, Part, fitted_text_size, part_names
+from freecad_ortho.fabrication.settings import PanelSettings
+from solver.errors import InputError
+from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+
+LOOPS = (
+    (4, 5, 6, 7),
+    (3, 2, 1, 0),
+    *((k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4) for k in range(4)),
+)
+# Sine of a corner's exterior angle below which its two sides count as one line.
+_STRAIGHT = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class PanelGeometry:
+    """All panels of a mesh as arrays, one row a face; mm.
+
+    Attributes:
+        points: (F, 8, 3) lower corners, then upper corners, counter-clockwise from above.
+        outline: (F, 4, 2) the plate in its plane, the first side of the face along x.
+        sides: (F, 4) how far each side moved inwards.
+        clear: (F, 4) gap that stays clear at the tightest level, inf at the boundary.
+        lift: (F,) from the parallel mesh to the plate's lower face; 0 without beams.
+    """
+
+    points: FloatArray
+    outline: FloatArray
+    sides: FloatArray
+    clear: FloatArray
+    lift: FloatArray
+
+
+def panel_geometry(
+    mesh: QuadMesh, settings: PanelSettings, beams: BeamGeometry | None = None
+) -> PanelGeometry:
+    """Compute the corners of all panels.
+
+    Args:
+        mesh: positions in mm; with beams, of the parallel mesh at the beams' upper level.
+        settings: thickness, gap and offset.
+        beams: when given, panels lie on them, lifted until no beam's upper side cuts a panel.
+
+    Raises:
+        InputError: a face that the gap leaves nothing of.
+    """
+    corner = mesh.vertices[mesh.faces]
+    middle = corner.mean(axis=1)
+    normal = mesh.face_normals
+    side = np.roll(corner, -1, axis=1) - corner
+    first = unit_rows(side[:, 0] - np.einsum("fk,fk->f", side[:, 0], normal)[:, None] * normal)
+    second = np.cross(normal, first)
+    frame = np.stack([first, second], axis=1)
+    flat = np.einsum("fck,fdk->fcd", corner - middle[:, None], frame)
+
+    lower = np.full(len(corner), settings.levels[0])
+    lift = np.zeros(len(corner))
+    if beams is not None:
+        lift = _lift(mesh.connectivity, beams, middle, normal)
+        lower = lift
+    upper = lower + settings.thickness
+    bend = _half_angle_tangents(mesh.connectivity, normal, side)
+    closing = np.maximum(np.maximum(-lower[:, None] * bend, -upper[:, None] * bend), 0.0)
+    sides = np.maximum(settings.gap / 2, closing + settings.gap / 4)
+    sides = np.where(np.isnan(bend), settings.gap / 2, sides)
+    clear = np.where(np.isnan(bend), np.inf, 2 * (sides - closing))
+
+    outline = _inset(flat, sides)
+    _refuse_gap(settings, flat, outline)
+    plane = middle[:, None] + np.einsum("fcd,fdk->fck", outline, frame)
+    levels = [plane + (level[:, None] * normal)[:, None] for level in (lower, upper)]
+    return PanelGeometry(np.concatenate(levels, axis=1), outline, sides, clear, lift)
+
+
+def panel_parts(
+    mesh: QuadMesh, settings: PanelSettings, geometry: PanelGeometry, density: float
+) -> list[Part]:
+    """Return one part a face, in the order of the faces; density in kg/m3."""
+    connectivity = mesh.connectivity
+    names = part_names("P", len(connectivity.faces))
+    across = _neighbours(connectivity).tolist()
+    faces = connectivity.faces.tolist()
+    parts = []
+    for face, name in enumerate(names):
+        beside = [names[other] if other >= 0 else "" for other in across[face]]
+        pattern = _flat_pattern(name, geometry.outline[face], beside)
+        length, height = pattern.size.tolist()
+        volume = pattern.area * settings.thickness
+        parts.append(
+            Part(
+                name=name,
+                kind="panel",
+                points=geometry.points[face],
+                loops=LOOPS,
+                pattern=pattern,
+                length=length,
+                height=height,
+                thickness=settings.thickness,
+                area=pattern.area,
+                volume=volume,
+                mass=volume * 1e-9 * density,
+                twist_deg=0.0,
+                vertices=tuple(faces[face]),
+                face=face,
+            )
+        )
+    return parts
+
+
+def _neighbours(connectivity: Connectivity) -> IntArray:
+    """(F, 4) face across each side, -1 at the boundary."""
+    twins = connectivity.twins
+    return np.where(twins >= 0, twins // 4, -1).reshape(-1, 4)
+
+
+def _half_angle_tangents(
+    connectivity: Connectivity, normal: FloatArray, side: FloatArray
+) -> FloatArray:
+    """(F, 4) tan(theta / 2) across each side, positive at a ridge, NaN at the boundary."""
+    across = _neighbours(connectivity)
+    other = normal[across]
+    sine = np.einsum("fck,fck->fc", np.cross(normal[:, None], other), unit_rows(side))
+    cosine = np.einsum("fk,fck->fc", normal, other)
+    tangent = sine / np.maximum(1 + cosine, 1e-6)
+    return np.where(across >= 0, tangent, np.nan)
+
+
+def _lift(
+    connectivity: Connectivity, beams: BeamGeometry, middle: FloatArray, normal: FloatArray
+) -> FloatArray:
+    """(F,) how far the beams' upper sides stand above each face of the parallel mesh."""
+    on_left = connectivity.edge_faces[connectivity.face_edges, 0]
+    on_left = on_left == np.arange(len(middle))[:, None]
+    top = np.where(
+        on_left[:, :, None, None],
+        beams.points[:, LEFT_TOP][connectivity.face_edges],
+        beams.points[:, RIGHT_TOP][connectivity.face_edges],
+    )
+    above = np.einsum("fcpk,fk->fcp", top - middle[:, None, None], normal)
+    return np.maximum(above.max(axis=(1, 2)), 0.0)
+
+
+def _inset(polygon: FloatArray, distance: FloatArray) -> FloatArray:
+    """Move side k of each polygon (F, 4, 2) inwards by ``distance[:, k]``."""
+    along = unit_rows(np.roll(polygon, -1, axis=1) - polygon)
+    before = np.roll(along, 1, axis=1)
+    here, last = distance, np.roll(distance, 1, axis=1)
+    sine = before[..., 0] * along[..., 1] - before[..., 1] * along[..., 0]
+    straight = np.abs(sine) < _STRAIGHT
+    divisor = np.where(straight, 1.0, sine)[..., None]
+    shift = (last[..., None] * along - here[..., None] * before) / divisor
+    mean = unit_rows(along + before)
+    inward = np.stack([-mean[..., 1], mean[..., 0]], axis=-1)
+    even = np.maximum(here, last)[..., None] * inward
+    return np.asarray(polygon + np.where(straight[..., None], even, shift))
+
+
+def _refuse_gap(settings: PanelSettings, polygon: FloatArray, outline: FloatArray) -> None:
+    side = np.roll(polygon, -1, axis=1) - polygon
+    left = np.roll(outline, -1, axis=1) - outline
+    kept = np.einsum("fcd,fcd->fc", left, side) / np.einsum("fcd,fcd->fc", side, side)
+    if kept.min() <= 1e-3:
+        face = int(np.argmin(kept.min(axis=1)))
+        largest = settings.gap / (1 - float(kept.min()))
+        raise InputError(
+            f"gap: {settings.gap:g} mm with panels {settings.thickness:g} mm thick leaves nothing "
+            f"of face {face}; take a gap below {largest:.3g} mm or thinner panels"
+        )
+
+
+def _flat_pattern(name: str, outline: FloatArray, beside: list[str]) -> FlatPattern:
+    """Outline seen from above, neighbours' names along the sides, a tick at the first corner."""
+    corner = outline - outline.min(axis=0)
+    side = np.roll(corner, -1, axis=0) - corner
+    length = np.linalg.norm(side, axis=1)
+    along = side / length[:, None]
+    inward = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    middle = corner.mean(axis=0)
+    # The circle around the middle that stays inside; text is kept in or outside of half of it.
+    radius = float(np.abs(np.einsum("kd,kd->k", inward, middle - corner)).min())
+    tick = corner[0] + 0.15 * (middle - corner[0])
+    marks = [Mark(np.stack([corner[0], tick]))]
+    for k, text in enumerate(beside):
+        if text:
+            size = fitted_text_size(text, 0.5 * float(length[k]), 0.3 * radius, 12.0)
+            place = (corner[k] + corner[(k + 1) % 4]) / 2 + 0.2 * radius * inward[k]
+            angle = float(np.degrees(np.arctan2(along[k, 1], along[k, 0])))
+            marks.append(Mark(place[None], text, size, angle))
+    label_size = min(1.1 * radius / float(np.hypot(len(name), 1)), 30.0)
+    return FlatPattern(corner, tuple(marks), middle, label_size)

@@ -1,0 +1,91 @@
+"""Closed solids straight from corner points, without boolean operations or sewing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from io import BytesIO
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from freecad_ortho.fabrication.part import Loops
+from solver.mesh.quadmesh import FloatArray
+
+if TYPE_CHECKING:
+    import cadquery
+
+
+def polyhedron_solid(points: FloatArray, loops: Loops) -> cadquery.Solid:
+    """Build a solid whose sides share their edges and corners.
+
+    Args:
+        points: (N, 3) corner points, mm.
+        loops: point numbers around each planar side, counter-clockwise seen from outside; every
+            pair of consecutive points appears once in each direction.
+    """
+    import cadquery
+    from OCP.BRep import BRep_Builder
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeVertex
+    from OCP.Geom import Geom_Plane
+    from OCP.gp import gp_Dir, gp_Pln, gp_Pnt
+    from OCP.TopoDS import TopoDS_Face, TopoDS_Shell, TopoDS_Solid, TopoDS_Wire
+
+    builder = BRep_Builder()
+    rows = points.tolist()
+    vertices = [BRepBuilderAPI_MakeVertex(gp_Pnt(*row)).Vertex() for row in rows]
+    edges: dict[tuple[int, int], Any] = {}
+    shell = TopoDS_Shell()
+    builder.MakeShell(shell)
+    for loop in loops:
+        wire = TopoDS_Wire()
+        builder.MakeWire(wire)
+        for start, end in zip(loop, loop[1:] + loop[:1], strict=True):
+            edge = edges.pop((end, start), None)
+            if edge is None:
+                edge = BRepBuilderAPI_MakeEdge(vertices[start], vertices[end]).Edge()
+                edges[start, end] = edge
+                builder.Add(wire, edge)
+            else:
+                builder.Add(wire, edge.Reversed())
+        wire.Closed(True)
+        middle, normal = plane_of(points[list(loop)])
+        plane = Geom_Plane(gp_Pln(gp_Pnt(*middle), gp_Dir(*normal)))
+        face = TopoDS_Face()
+        builder.MakeFace(face, plane, 1e-7)
+        builder.Add(face, wire)
+        builder.Add(shell, face)
+    shell.Closed(True)
+    solid = TopoDS_Solid()
+    builder.MakeSolid(solid)
+    builder.Add(solid, shell)
+    return cadquery.Solid(solid)
+
+
+def plane_of(loop: FloatArray) -> tuple[list[float], list[float]]:
+    """Mean point and unit normal (Newell) of a planar polygon (N, 3)."""
+    middle = loop.mean(axis=0)
+    arms = loop - middle
+    normal = np.cross(arms, np.roll(arms, -1, axis=0)).sum(axis=0)
+    return middle.tolist(), (normal / np.linalg.norm(normal)).tolist()
+
+
+def compound(solids: Iterable[cadquery.Solid]) -> cadquery.Compound:
+    """Return one shape that holds the solids in their order."""
+    import cadquery
+
+    return cadquery.Compound.makeCompound(list(solids))
+
+
+def brep_text(shape: cadquery.Shape) -> str:
+    """Return a shape as text that ``Part.Shape().importBrepFromString`` of FreeCAD reads.
+
+    The oldest format version is written, so that a FreeCAD with an older kernel can read it.
+    """
+    from OCP.BRepTools import BRepTools
+    from OCP.Message import Message_ProgressRange
+    from OCP.TopTools import TopTools_FormatVersion
+
+    stream = BytesIO()
+    version = TopTools_FormatVersion.TopTools_FormatVersion_VERSION_1
+    BRepTools.Write_s(shape.wrapped, stream, False, False, version, Message_ProgressRange())
+    return stream.getvalue().decode("ascii")
