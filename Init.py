@@ -1,0 +1,9 @@
+"""FreeCAD's first door: runs at every start, with and without a window."""
+
+import FreeCAD
+
+import freecad_ortho
+
+if freecad_ortho.shadowing_module():
+    FreeCAD.Console.PrintError(freecad_ortho.shadowing_module() + "\n")
+FreeCAD.addImportType("Quad mesh (*.obj)", "freecad_ortho.commands.open_file")

@@ -1,0 +1,41 @@
+"""FreeCAD's second door: registers the workbench; everything is loaded when it is first used."""
+
+import FreeCADGui
+
+
+class OrthoWorkbench(FreeCADGui.Workbench):
+    """From a freeform quad mesh to a building: optimise, beams, panels, fabrication files."""
+
+    def __init__(self):
+        from FreeCAD import Qt
+
+        from freecad_ortho.resources import icon
+
+        self.__class__.Icon = icon("workbench")
+        self.__class__.MenuText = Qt.translate("Workbench", "Ortho")
+        self.__class__.ToolTip = Qt.translate(
+            "Workbench", "Turn freeform quad meshes into buildings of flat beams and panels"
+        )
+
+    def Initialize(self):
+        """Register the commands and lay them out; FreeCAD calls this at the first activation."""
+        from FreeCAD import Qt
+
+        from freecad_ortho import commands
+
+        commands.register()
+        self.appendToolbar(Qt.translate("Workbench", "Ortho"), list(commands.NAMES))
+        self.appendMenu(Qt.translate("Workbench", "&Ortho"), list(commands.NAMES))
+
+    def Activated(self):
+        """Say at once when something that the workbench needs is missing."""
+        from freecad_ortho.commands import messages
+
+        messages.warn_about_missing_packages()
+
+    def GetClassName(self):
+        """Name the C++ class that carries a workbench written in Python."""
+        return "Gui::PythonWorkbench"
+
+
+FreeCADGui.addWorkbench(OrthoWorkbench())

@@ -1,0 +1,64 @@
+"""What the commands work on, and the lines that they record."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from freecad_ortho.objects.net import is_net
+from freecad_ortho.objects.structure import is_structure
+
+
+def nothing_open() -> bool:
+    """Tell whether no task panel is open."""
+    return not FreeCADGui.Control.activeDialog()
+
+
+def current_net() -> FreeCAD.DocumentObject | None:
+    """Give the net that is meant: the selected one, the selected structure's, or the only one."""
+    if FreeCAD.ActiveDocument is None:
+        return None
+    selected = FreeCADGui.Selection.getSelection()
+    nets = {item.Name: item for item in map(_net_of, selected) if item is not None}
+    if not nets:
+        nets = {item.Name: item for item in FreeCAD.ActiveDocument.Objects if is_net(item)}
+    return next(iter(nets.values())) if len(nets) == 1 else None
+
+
+def current_structures() -> list[FreeCAD.DocumentObject]:
+    """Give the structures that are meant: the selected ones, or all of the active document."""
+    if FreeCAD.ActiveDocument is None:
+        return []
+    selected = [item for item in FreeCADGui.Selection.getSelection() if is_structure(item)]
+    return selected or [item for item in FreeCAD.ActiveDocument.Objects if is_structure(item)]
+
+
+def run(function: str, *arguments: Any, **settings: Any) -> None:
+    """Run a function of freecad_ortho.api so that it is recorded in macros as one line.
+
+    Args:
+        function: its name.
+        arguments: positional arguments: document objects, lists of them, or plain values.
+        settings: keyword arguments of the same kinds.
+    """
+    words = [_source(value) for value in arguments]
+    words += [f"{name}={_source(value)}" for name, value in settings.items()]
+    FreeCADGui.addModule("freecad_ortho.api")
+    FreeCADGui.doCommand(f"freecad_ortho.api.{function}({', '.join(words)})")
+
+
+def _net_of(feature: Any) -> FreeCAD.DocumentObject | None:
+    if is_net(feature):
+        return feature
+    return feature.Net if is_structure(feature) else None
+
+
+def _source(value: Any) -> str:
+    """Write a value as Python source."""
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_source, value)) + "]"
+    if isinstance(value, FreeCAD.DocumentObject):
+        return f"FreeCAD.getDocument({value.Document.Name!r}).getObject({value.Name!r})"
+    return repr(value)

@@ -1,0 +1,46 @@
+"""File dialogs, apart from the commands so that tests can put answers in their place."""
+
+from __future__ import annotations
+
+import os
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+translate = FreeCAD.Qt.translate
+
+_PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Ortho"
+
+
+def ask_mesh_file() -> str | None:
+    """Ask for an OBJ file; None when the user cancels."""
+    path, _ = QtGui.QFileDialog.getOpenFileName(
+        FreeCADGui.getMainWindow(),
+        translate("Ortho", "Import quad mesh"),
+        _last_folder(),
+        translate("Ortho", "Quad mesh (*.obj)"),
+    )
+    return _remember(path)
+
+
+def ask_folder() -> str | None:
+    """Ask for the folder that fabrication files go to; None when the user cancels."""
+    path = QtGui.QFileDialog.getExistingDirectory(
+        FreeCADGui.getMainWindow(),
+        translate("Ortho", "Folder for the fabrication files"),
+        _last_folder(),
+    )
+    return _remember(path)
+
+
+def _last_folder() -> str:
+    return FreeCAD.ParamGet(_PREFERENCES).GetString("LastFolder", "")
+
+
+def _remember(path: str) -> str | None:
+    if not path:
+        return None
+    folder = path if os.path.isdir(path) else os.path.dirname(path)
+    FreeCAD.ParamGet(_PREFERENCES).SetString("LastFolder", folder)
+    return path

@@ -1,0 +1,38 @@
+"""The command Import quad mesh."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui
+
+from freecad_ortho.commands import context, dialogs, messages
+from freecad_ortho.resources import icon
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+
+class ImportNet:
+    """Ask for an OBJ file and make a Net of it."""
+
+    def GetResources(self) -> dict[str, str]:
+        """Text and icon."""
+        return {
+            "Pixmap": icon("import"),
+            "MenuText": QT_TRANSLATE_NOOP("Ortho_ImportNet", "Import quad mesh"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "Ortho_ImportNet", "Read an OBJ file and keep its quads as a net"
+            ),
+        }
+
+    def IsActive(self) -> bool:
+        """Always, unless a task panel is open."""
+        return context.nothing_open()
+
+    def Activated(self) -> None:
+        """Import the file that the user chooses."""
+        path = dialogs.ask_mesh_file()
+        if path is None:
+            return
+        with messages.errors_shown():
+            context.run("import_net", path)
+            FreeCADGui.SendMsgToActiveView("ViewFit")

@@ -1,0 +1,1 @@
+"""Document objects: nets and structures. All their state lives in properties."""

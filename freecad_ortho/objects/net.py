@@ -1,0 +1,116 @@
+"""The Net: a quad mesh as a document object, its quads kept as quads."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import FreeCAD
+
+from freecad_ortho.objects.properties import HIDDEN, NO_RECOMPUTE, READ_ONLY, Property, ensure
+from freecad_ortho.objects.properties import Stateless as _Stateless
+
+if TYPE_CHECKING:
+    from solver.mesh.quadmesh import QuadMesh
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+VERSION = 1
+COLOUR_MAPS = ("None", "Planarity", "Orthogonality")
+
+_PROPERTIES = (
+    Property(
+        "App::PropertyVectorList",
+        "Vertices",
+        "Net",
+        QT_TRANSLATE_NOOP("App::Property", "Positions of the vertices, in mm"),
+        flags=HIDDEN,
+    ),
+    Property(
+        "App::PropertyIntegerList",
+        "Faces",
+        "Net",
+        QT_TRANSLATE_NOOP("App::Property", "Vertex numbers of the quads, four a face"),
+        flags=HIDDEN,
+    ),
+    Property(
+        "App::PropertyString",
+        "Unit",
+        "Source",
+        QT_TRANSLATE_NOOP("App::Property", "Unit of the file that the net came from"),
+        flags=NO_RECOMPUTE,
+    ),
+    Property(
+        "App::PropertyFile",
+        "SourceFile",
+        "Source",
+        QT_TRANSLATE_NOOP("App::Property", "File that the net came from"),
+        flags=NO_RECOMPUTE,
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "ColourMap",
+        "Display",
+        QT_TRANSLATE_NOOP("App::Property", "Measure that colours the faces, blue good to red bad"),
+        default="Planarity",
+        choices=COLOUR_MAPS,
+        flags=NO_RECOMPUTE,
+    ),
+    Property(
+        "App::PropertyString",
+        "LastReport",
+        "Net",
+        QT_TRANSLATE_NOOP("App::Property", "Report of the last optimisation, as JSON"),
+        flags=NO_RECOMPUTE | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyInteger",
+        "Version",
+        "Net",
+        QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
+        default=VERSION,
+        flags=NO_RECOMPUTE | HIDDEN,
+    ),
+)
+
+
+class Net(_Stateless):
+    """Proxy of a net. The properties hold everything; others react when they change."""
+
+    def __init__(self, feature: FreeCAD.DocumentObject) -> None:
+        ensure(feature, _PROPERTIES)
+        feature.Proxy = self
+
+    def onDocumentRestored(self, feature: FreeCAD.DocumentObject) -> None:
+        """Give a net from an older document the properties that came later."""
+        ensure(feature, _PROPERTIES)
+        if feature.Version != VERSION:
+            feature.Version = VERSION
+
+    def execute(self, feature: FreeCAD.DocumentObject) -> None:
+        """Nothing follows from the properties of a net but what other objects make of them."""
+
+
+def create(document: FreeCAD.Document, mesh: QuadMesh, label: str) -> FreeCAD.DocumentObject:
+    """Add a net to a document.
+
+    Args:
+        document: where to.
+        mesh: positions in mm.
+        label: name in the tree.
+    """
+    from freecad_ortho import convert
+
+    feature = document.addObject("App::FeaturePython", "Net")
+    Net(feature)
+    feature.Label = label
+    convert.store_mesh(feature, mesh)
+    if FreeCAD.GuiUp:
+        from freecad_ortho.view.net_view import NetView
+
+        NetView(feature.ViewObject)
+    return feature
+
+
+def is_net(feature: object) -> bool:
+    """Tell whether a document object is a net."""
+    return isinstance(getattr(feature, "Proxy", None), Net)

@@ -1,0 +1,63 @@
+"""Tables of properties, added where they are missing: on new objects and on old documents."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+HIDDEN = 4
+# Does not make the object (and what follows from it) stale: how a net is shown, what was reported.
+NO_RECOMPUTE = 16
+READ_ONLY = 1
+
+
+@dataclass(frozen=True)
+class Property:
+    """One dynamic property of a document object or view provider.
+
+    Attributes:
+        kind: FreeCAD's type name.
+        name: the property's name.
+        group: heading in the property editor.
+        tooltip: one sentence, in English; FreeCAD translates it in the context "App::Property".
+        default: first value, or None to keep FreeCAD's own.
+        choices: the values of an enumeration.
+        flags: HIDDEN, NO_RECOMPUTE, READ_ONLY or a sum of them.
+    """
+
+    kind: str
+    name: str
+    group: str
+    tooltip: str
+    default: Any = None
+    choices: Sequence[str] = ()
+    flags: int = 0
+
+
+def ensure(owner: Any, properties: Sequence[Property]) -> None:
+    """Add those properties that the object does not have yet; touch no other."""
+    for item in properties:
+        if item.name in owner.PropertiesList:
+            continue
+        owner.addProperty(item.kind, item.name, item.group, item.tooltip, item.flags)
+        if item.choices:
+            setattr(owner, item.name, list(item.choices))
+        if item.default is not None:
+            setattr(owner, item.name, item.default)
+
+
+class Stateless:
+    """Base of proxies that keep nothing themselves, so there is nothing to save."""
+
+    def dumps(self) -> None:
+        """Save nothing: all state lives in properties."""
+        return None
+
+    def loads(self, state: object) -> None:
+        """Restore nothing."""
+        return None
+
+    # FreeCAD 0.20 asks for the old names.
+    __getstate__ = dumps
+    __setstate__ = loads

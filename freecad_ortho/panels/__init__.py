@@ -1,0 +1,1 @@
+"""Task panels: they ask for numbers and call the document functions."""

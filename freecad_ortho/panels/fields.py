@@ -1,0 +1,82 @@
+"""Input fields of the task panels."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from solver.errors import InputError
+
+
+class LengthField:
+    """A field for a length that speaks the user's unit system."""
+
+    def __init__(self, millimetres: float) -> None:
+        self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        self.widget.setProperty("unit", "mm")
+        self.widget.setProperty("minimum", 0.0)
+        self.millimetres = millimetres
+
+    @property
+    def millimetres(self) -> float:
+        """The length in mm."""
+        return float(self.widget.property("rawValue"))
+
+    @millimetres.setter
+    def millimetres(self, value: float) -> None:
+        self.widget.setProperty("rawValue", float(value))
+
+
+class ChoiceField:
+    """A list of words to choose from, shown translated."""
+
+    def __init__(self, words: dict[str, str], chosen: str, editable: bool = False) -> None:
+        self.widget = QtGui.QComboBox()
+        self.widget.setEditable(editable)
+        self._words = words
+        self.widget.addItems(list(words.values()))
+        self.widget.setCurrentText(words[chosen])
+
+    @property
+    def word(self) -> str:
+        """The untranslated word, or what the user typed."""
+        shown = self.widget.currentText().strip()
+        for word, text in self._words.items():
+            if text == shown:
+                return word
+        return shown
+
+
+class NumberField:
+    """A number that may be left empty, as in "let the solver choose"."""
+
+    def __init__(self, name: str, value: float | None = None) -> None:
+        self._name = name
+        self.widget = QtGui.QLineEdit("" if value is None else f"{value:g}")
+        if value is None:
+            self.widget.setPlaceholderText(FreeCAD.Qt.translate("Ortho", "automatic"))
+
+    @property
+    def number(self) -> float | None:
+        """The number, None when the field is empty.
+
+        Raises:
+            InputError: not a number.
+        """
+        text = self.widget.text().strip().replace(",", ".")
+        if not text:
+            return None
+        try:
+            return float(text)
+        except ValueError:
+            raise InputError(f"{self._name}: '{text}' is not a number; give one like 0.1") from None
+
+
+def offset_words() -> dict[str, str]:
+    """Where plates can lie, in the user's language."""
+    return {
+        "above": FreeCAD.Qt.translate("Ortho", "above"),
+        "centre": FreeCAD.Qt.translate("Ortho", "centre"),
+        "below": FreeCAD.Qt.translate("Ortho", "below"),
+    }

@@ -1,0 +1,1 @@
+"""How nets and structures look in the 3D view."""

@@ -1,0 +1,118 @@
+"""A colour scale in the corner of the 3D view, part of pictures too."""
+
+from __future__ import annotations
+
+import numpy as np
+from pivy import coin
+
+from freecad_ortho.view.colours import palette
+
+# Corners of the window are at -1 and +1.
+_LEFT, _RIGHT, _BOTTOM, _TOP = -0.95, -0.915, -0.45, 0.45
+_PLATE = (-0.975, -0.78, -0.53, 0.60)
+_STRIPES = 64
+
+
+class Legend:
+    """Coin nodes of a colour scale with a title and one label a decade.
+
+    Attributes:
+        root: node to add to a scene; it does not count for fitting the view or for picking.
+    """
+
+    def __init__(self) -> None:
+        self.root = coin.SoSwitch()
+        skip = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+        skip.getField("mode").set("EXCLUDE_BBOX")
+        self.root.addChild(skip)
+        overlay = coin.SoAnnotation()
+        skip.addChild(overlay)
+        pick = coin.SoPickStyle()
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        camera = coin.SoOrthographicCamera()
+        camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
+        camera.aspectRatio = 1.0
+        camera.height = 2.0
+        camera.position = (0, 0, 1)
+        camera.nearDistance, camera.farDistance = 0.5, 1.5
+        transform = coin.SoResetTransform()
+        for node in (transform, pick, light, camera, _plate(), _bar()):
+            overlay.addChild(node)
+        self._labels = coin.SoSeparator()
+        overlay.addChild(self._labels)
+        self.hide()
+
+    def show(self, title: str, lowest_decade: int, highest_decade: int) -> None:
+        """Show the scale with its labels."""
+        self._labels.removeAllChildren()
+        colour = coin.SoBaseColor()
+        colour.rgb = (0.1, 0.1, 0.12)
+        self._labels.addChild(colour)
+        font = coin.SoFont()
+        font.name = "Sans"
+        font.size = 14
+        self._labels.addChild(font)
+        self._labels.addChild(_text(title, _LEFT, _TOP + 0.07))
+        decades = range(lowest_decade, max(highest_decade, lowest_decade + 1) + 1)
+        for height, decade in zip(np.linspace(_BOTTOM, _TOP, len(decades)), decades, strict=True):
+            self._labels.addChild(_text(_power_of_ten(decade), _RIGHT + 0.015, height - 0.015))
+        self.root.whichChild = coin.SO_SWITCH_ALL
+
+    def hide(self) -> None:
+        """Show nothing."""
+        self.root.whichChild = coin.SO_SWITCH_NONE
+
+
+def _power_of_ten(exponent: int) -> str:
+    return f"{10.0**exponent:g}" if -4 <= exponent <= 4 else f"1e{exponent}"
+
+
+def _text(words: str, x: float, y: float) -> coin.SoSeparator:
+    separator = coin.SoSeparator()
+    place = coin.SoTranslation()
+    place.translation = (x, y, 0.0)
+    text = coin.SoText2()
+    text.string = words
+    separator.addChild(place)
+    separator.addChild(text)
+    return separator
+
+
+def _plate() -> coin.SoSeparator:
+    """A light ground that keeps the labels readable on any background."""
+    left, right, bottom, top = _PLATE
+    separator = coin.SoSeparator()
+    material = coin.SoMaterial()
+    material.diffuseColor = (1.0, 1.0, 1.0)
+    material.transparency = 0.25
+    points = coin.SoCoordinate3()
+    corners = [(left, bottom, -0.1), (right, bottom, -0.1), (right, top, -0.1), (left, top, -0.1)]
+    points.point.setValues(0, 4, corners)
+    faces = coin.SoFaceSet()
+    faces.numVertices = 4
+    for node in (material, points, faces):
+        separator.addChild(node)
+    return separator
+
+
+def _bar() -> coin.SoSeparator:
+    """The scale itself, blue at the bottom."""
+    separator = coin.SoSeparator()
+    heights = np.linspace(_BOTTOM, _TOP, _STRIPES)
+    points = np.zeros((2 * _STRIPES, 3))
+    points[0::2, 0], points[1::2, 0] = _LEFT, _RIGHT
+    points[:, 1] = np.repeat(heights, 2)
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, len(points), points)
+    binding = coin.SoMaterialBinding()
+    binding.value = coin.SoMaterialBinding.PER_VERTEX
+    material = coin.SoMaterial()
+    shades = np.repeat(palette(np.linspace(0, 1, _STRIPES)), 2, axis=0)
+    material.diffuseColor.setValues(0, len(shades), shades)
+    mesh = coin.SoQuadMesh()
+    mesh.verticesPerRow, mesh.verticesPerColumn = 2, _STRIPES
+    for node in (coordinates, binding, material, mesh):
+        separator.addChild(node)
+    return separator

@@ -1,0 +1,49 @@
+"""Pictures of a document's 3D view."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from pivy import coin
+from PySide import QtGui
+
+from solver.errors import InputError, OutputError
+
+# From the front right, 30 degrees above the horizon.
+_LOOK_FROM = coin.SbVec3f(0.45, -0.75, 0.5)
+
+
+def save(path: str, document: FreeCAD.Document, width: int, height: int, background: str) -> None:
+    """Turn the document's 3D view to the standard direction, fit it, and save it as a picture.
+
+    Raises:
+        InputError: the document has no 3D view.
+        OutputError: the file was not written.
+    """
+    view = three_d_view(document)
+    look(view)
+    QtGui.QApplication.processEvents()
+    view.saveImage(path, width, height, background)
+    if not QtGui.QImage(path).width():
+        raise OutputError(f"{path}: the picture could not be written; choose another folder")
+
+
+def look(view: Any) -> None:
+    """Turn a 3D view to the standard direction and fit everything in."""
+    camera = view.getCameraNode()
+    camera.pointAt(camera.position.getValue() - _LOOK_FROM, coin.SbVec3f(0, 0, 1))
+    view.fitAll()
+
+
+def three_d_view(document: FreeCAD.Document) -> Any:
+    """Give the document's 3D view.
+
+    Raises:
+        InputError: it has none.
+    """
+    views = FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")
+    if not views:
+        raise InputError(f"{document.Label}: has no 3D view; open one in the View menu")
+    return views[0]

@@ -1,0 +1,34 @@
+"""View provider of a structure: FreeCAD's own display of its solids, with colour and icon."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_ortho.objects.properties import Stateless
+from freecad_ortho.resources import icon
+
+_STEEL = (0.36, 0.41, 0.47)
+_GLASS = (0.62, 0.80, 0.88)
+
+
+class StructureView(Stateless):
+    """Proxy of a structure's view provider."""
+
+    def __init__(self, view_object: Any) -> None:
+        view_object.Proxy = self
+        panels = view_object.Object.System == "Panels"
+        view_object.ShapeColor = _GLASS if panels else _STEEL
+        view_object.LineColor = (0.15, 0.17, 0.20)
+        view_object.LineWidth = 1.0
+        view_object.PointSize = 1.0
+        # Every part is flat-faced: a coarse tessellation shows it exactly.
+        view_object.Deviation = 5.0
+
+    def attach(self, view_object: Any) -> None:
+        """Remember the object; the solids are shown by FreeCAD itself."""
+        self.Object = view_object.Object
+
+    def getIcon(self) -> str:
+        """Icon in the tree: the same picture as on the command."""
+        panels = self.Object.System == "Panels"
+        return icon("panels" if panels else "beams")
