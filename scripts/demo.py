@@ -21,6 +21,7 @@ from typing import IO, Any
 import demo_picture
 import demo_table
 
+from freecad_ortho.units import MILLIMETRES
 from solver.errors import OrthoError
 from solver.io.atomic import staged_folder
 from solver.io.intake import quad_mesh
@@ -28,7 +29,6 @@ from solver.io.obj import read_obj
 from solver.mesh.quadmesh import QuadMesh
 
 ROOT = Path(__file__).resolve().parents[1]
-MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
 FREECAD_SECONDS = 900
 FILES = (
     "structure.step",
@@ -182,6 +182,7 @@ def build_model(job: Job, folder: Path) -> dict[str, Path]:
     with tempfile.TemporaryDirectory(prefix="ortho-demo-") as home:
         result = Path(home) / "result.txt"
         order = {
+            "paths": [str(ROOT), str(ROOT / "scripts"), *packages()],
             "drawn": str(job.mesh),
             "principal": str(folder / "principal.obj"),
             "unit": job.unit,
@@ -228,19 +229,22 @@ def run_freecad(environment: dict[str, str], log: IO[str]) -> None:
 
 def freecad_command() -> list[str]:
     """FreeCAD with the document script, on a virtual screen where there is one."""
-    command = [os.environ["ORTHO_FREECAD"], str(ROOT / "scripts" / "demo_document.py")]
+    command = [os.environ["ORTHO_FREECAD"], str(ROOT / "scripts" / "demo_freecad.py")]
     if sys.platform.startswith("linux"):
         screen = ["xvfb-run", "-a", "-s", "-screen 0 1680x1050x24"]
         command = screen + command
     return command
 
 
+def packages() -> list[str]:
+    """Folders of the virtual environment's packages."""
+    return [path for path in sys.path if path.endswith("site-packages")]
+
+
 def freecad_environment(home: str, order: dict[str, Any]) -> dict[str, str]:
-    """The user's environment, with the project's packages and settings that touch nobody's own."""
-    packages = next(path for path in sys.path if path.endswith("site-packages"))
+    """The user's environment, with settings that touch nobody's own."""
     return {
         **os.environ,
-        "PYTHONPATH": os.pathsep.join([str(ROOT), packages]),
         "FREECAD_USER_HOME": home,
         # FreeCAD's start page refuses to run as root otherwise.
         "QTWEBENGINE_DISABLE_SANDBOX": "1",

@@ -1,14 +1,7 @@
-"""Run inside FreeCAD by demo.py: the model as a document, and pictures of it.
-
-The order comes as JSON in the environment variable ORTHO_DEMO; the answer is the word ``done`` or
-one line that says what went wrong, in the file that the order names.
-"""
+"""The demo's model as a FreeCAD document, and pictures of it."""
 
 from __future__ import annotations
 
-import json
-import os
-import traceback
 from pathlib import Path
 from typing import Any
 
@@ -22,11 +15,15 @@ from freecad_ortho import api, convert
 from freecad_ortho.view.colours import colours
 from solver.analysis import measures
 from solver.errors import OrthoError
+from solver.mesh.quadmesh import FloatArray
 
 # Twice the size of the preview, so that scaling down smooths the edges.
 WIDTH, HEIGHT = 3200, 2000
 # Where the camera stands, seen from the middle of the model.
-CAMERA = (0.75, -1.0, 0.62)
+CAMERA = (0.7, -1.0, 0.72)
+# Height of the view, a long lens, and the part of the sheet that the model fills.
+OPENING = 0.45
+MARGIN = 0.9
 # The part of the roof that is shown with its panels on; the rest shows the beams.
 CLAD = 0.6
 
@@ -44,30 +41,46 @@ def build(order: dict[str, Any]) -> dict[str, Any]:
     for feature in (drawn, net):
         feature.ViewObject.Visibility = False
     view = FreeCADGui.getDocument(document.Name).ActiveView
-    aim(view)
+    aim(view, np.concatenate([convert.array(feature.Vertices) for feature in (drawn, net)]))
     document.saveAs(order["model"])
     return {"view": view, "drawn": drawn, "net": net, "beams": beams, "panels": panels}
 
 
-def aim(view: Any) -> None:
-    """Look at everything that is visible from the corner, with perspective."""
+def aim(view: Any, points: FloatArray) -> None:
+    """Look at points, (N, 3), from the corner, as near as the picture's border lets us."""
     view.setCameraType("Perspective")
-    camera = view.getCameraNode()
     back = np.array(CAMERA) / np.linalg.norm(CAMERA)
     right = np.cross([0.0, 0.0, 1.0], back)
     right /= np.linalg.norm(right)
-    up = np.cross(back, right)
-    camera.orientation.setValue(
-        coin.SbRotation(
-            coin.SbMatrix(*(float(x) for row in (right, up, back) for x in (*row, 0.0)), 0, 0, 0, 1)
-        )
-    )
-    view.fitAll()
+    frame = np.array([right, np.cross(back, right), back])
+    seen = points @ frame.T
+    slopes = MARGIN * np.tan(OPENING / 2) * np.array([WIDTH / HEIGHT, 1.0])
+    # A point at (x, z) is inside the border where |x - centre| <= slope * (distance - z).
+    most = (seen[:, :2] + slopes * seen[:, 2:]).max(axis=0)
+    least = (seen[:, :2] - slopes * seen[:, 2:]).min(axis=0)
+    distance = ((most - least) / (2 * slopes)).max()
+    position = np.array([*(most + least) / 2, distance]) @ frame
+    camera = view.getCameraNode()
+    rows = (float(x) for row in frame for x in (*row, 0.0))
+    camera.orientation.setValue(coin.SbRotation(coin.SbMatrix(*rows, 0, 0, 0, 1)))
+    camera.position.setValue(*map(float, position))
+    camera.heightAngle = OPENING
+    depths = distance - seen[:, 2]
+    camera.nearDistance = float(depths.min() / 2)
+    camera.farDistance = float(depths.max() * 2)
+    camera.focalDistance = float(depths.mean())
+
+
+def light(view: Any) -> None:
+    """Add a light from above: FreeCAD's own comes from the camera and leaves the far side dark."""
+    sun = coin.SoDirectionalLight()
+    sun.direction = (-0.35, 0.3, -0.9)
+    sun.intensity = 0.25
+    view.getSceneGraph().insertChild(sun, 0)
 
 
 def picture(view: Any, path: str) -> None:
     """Save what is visible."""
-    aim(view)
     FreeCADGui.updateGui()
     view.saveImage(path, WIDTH, HEIGHT, "White")
     if not Path(path).exists():
@@ -112,26 +125,9 @@ def picture_after(model: dict[str, Any], path: str, decades: tuple[int, int]) ->
 
 
 def run(order: dict[str, Any]) -> None:
-    """Do what was ordered."""
+    """Write the model and the pictures that the order names."""
     model = build(order)
+    light(model["view"])
     decades = tuple(order["decades"])
     picture_before(model, order["pictures"]["before"], decades)
     picture_after(model, order["pictures"]["after"], decades)
-
-
-def main() -> None:
-    """Answer, then leave FreeCAD without being asked whether to save."""
-    order = json.loads(os.environ["ORTHO_DEMO"])
-    try:
-        run(order)
-        answer = "done"
-    except OrthoError as error:
-        answer = str(error)
-    except Exception as error:  # whatever it is, the demo has to hear of it
-        traceback.print_exc()
-        answer = f"FreeCAD: {type(error).__name__}: {error}"
-    Path(order["result"]).write_text(answer, encoding="utf-8")
-    os._exit(0)
-
-
-main()

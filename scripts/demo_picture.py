@@ -6,14 +6,16 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageChops, ImageDraw, ImageFont
 
 from freecad_ortho.view.colours import palette
 from solver.analysis import measures
 from solver.mesh.quadmesh import QuadMesh
 
 SIZE = (1600, 1000)
-INSET = (560, 350)
+INSET = (512, 320)
+# The main view is pasted a little smaller, low on the sheet: the title goes above it.
+MAIN = (1440, 900)
 MARGIN = 48
 INK = (38, 43, 51)
 GREY = (110, 118, 128)
@@ -30,22 +32,27 @@ def compose(target: Path, pictures: dict[str, Path], drawn: QuadMesh, principal:
         drawn: the mesh as it came.
         principal: the optimised mesh.
     """
-    with Image.open(pictures["after"]) as after:
-        sheet = after.convert("RGB").resize(SIZE)
-    with Image.open(pictures["before"]) as before:
-        inset = before.convert("RGB").resize(INSET)
-    corner = (SIZE[0] - MARGIN - INSET[0], SIZE[1] - MARGIN - INSET[1])
-    # Darker of the two: white grounds vanish, nothing of the result is covered.
-    under = sheet.crop((*corner, corner[0] + INSET[0], corner[1] + INSET[1]))
-    sheet.paste(Image.fromarray(np.minimum(np.asarray(under), np.asarray(inset))), corner)
+    sheet = Image.new("RGB", SIZE, "white")
+    paste(sheet, pictures["after"], MAIN, ((SIZE[0] - MAIN[0]) // 2, SIZE[1] - MAIN[1]))
+    corner = (SIZE[0] - MARGIN - INSET[0], MARGIN)
+    paste(sheet, pictures["before"], INSET, corner)
     draw = ImageDraw.Draw(sheet)
     title = f"{len(principal.faces)} flat panels on torsion-free beams"
     draw.text((MARGIN, MARGIN), title, font=font(34, bold=True), fill=INK)
     lines = [f"{name}: {worst(mesh)}" for name, mesh in (("as drawn", drawn), ("built", principal))]
     draw.text((MARGIN, MARGIN + 52), "\n".join(lines), font=font(20), fill=GREY, spacing=8)
-    draw.text((corner[0], corner[1] - 34), "as drawn", font=font(22, bold=True), fill=INK)
+    end = (corner[0] + INSET[0], corner[1])
+    draw.text(end, "as drawn", font=font(22, bold=True), fill=INK, anchor="ra")
     scale(sheet, draw)
     sheet.save(target, optimize=True)
+
+
+def paste(sheet: Image.Image, path: Path, size: tuple[int, int], corner: tuple[int, int]) -> None:
+    """Lay a picture on the sheet; its white ground covers nothing."""
+    with Image.open(path) as picture:
+        small = picture.convert("RGB").resize(size, Image.Resampling.LANCZOS)
+    box = (*corner, corner[0] + size[0], corner[1] + size[1])
+    sheet.paste(ImageChops.darker(sheet.crop(box), small), box)
 
 
 def worst(mesh: QuadMesh) -> str:
