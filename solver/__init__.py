@@ -1,0 +1,18 @@
+"""Discrete orthogonal structures: nets, terms and the Gauss-Newton solver. Knows no CAD."""
+
+from solver.errors import InputError, OrthoError, OutputError
+from solver.mesh.quadmesh import QuadMesh
+from solver.optimise import optimise, start_optimisation
+from solver.report import Outcome, Report, StepRecord
+
+__all__ = [
+    "InputError",
+    "OrthoError",
+    "Outcome",
+    "OutputError",
+    "QuadMesh",
+    "Report",
+    "StepRecord",
+    "optimise",
+    "start_optimisation",
+]

@@ -1,0 +1,1 @@
+"""Measures of a mesh: how far it is from each net."""

@@ -1,0 +1,1 @@
+"""Connectivity and positions."""

@@ -114,7 +114,7 @@ class Connectivity:
     @cached_property
     def boundary_edges(self) -> BoolArray:
         """(E,) true where an edge has one face only."""
-        return (self.edge_faces < 0).any(axis=1)
+        return np.asarray((self.edge_faces < 0).any(axis=1))
 
     @cached_property
     def boundary_vertices(self) -> BoolArray:

@@ -89,9 +89,10 @@ class QuadMesh:
     @cached_property
     def vertex_normals(self) -> FloatArray:
         """(V, 3) unit normals, area-weighted mean of the faces; zero where no face is."""
-        total = np.zeros_like(self.vertices)
-        np.add.at(total, self.faces.ravel(), np.repeat(self.face_area_vectors, 4, axis=0))
-        return unit_rows(total)
+        corners, count = self.faces.ravel(), len(self.vertices)
+        area = np.repeat(self.face_area_vectors, 4, axis=0)
+        total = [np.bincount(corners, area[:, k], count) for k in range(3)]
+        return unit_rows(np.stack(total, axis=1))
 
 
 def unit_rows(vectors: FloatArray) -> FloatArray:

@@ -1,0 +1,1 @@
+"""Energies, one a file: residual and Jacobian together."""

@@ -1,0 +1,139 @@
+"""What macros, toolbar commands and the command line call.
+
+The first half needs no FreeCAD. The functions on documents (``import_net`` and its kin) live in
+:mod:`freecad_ortho.documents` and are found here by name, so that a macro imports one module.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from freecad_ortho.units import millimetres_per
+from solver import QuadMesh, optimise, start_optimisation
+from solver.analysis.check import check
+from solver.io.intake import quad_mesh
+from solver.io.obj import read_obj, write_obj
+
+if TYPE_CHECKING:
+    from freecad_ortho.fabrication import Structure
+
+SYSTEMS = ("beams", "panels", "beams+panels")
+DEFAULT_UNIT = "mm"
+
+__all__ = [
+    "LoadedMesh",
+    "check",
+    "fabricate",
+    "optimise",
+    "read_mesh",
+    "start_optimisation",
+    "write_fabrication",
+    "write_mesh",
+]
+
+
+@dataclass(frozen=True)
+class LoadedMesh:
+    """A mesh from a file.
+
+    Attributes:
+        mesh: positions in the file's unit.
+        unit: mm, cm, m, in or ft.
+        remarks: what was mended or is unusual, in plain words.
+    """
+
+    mesh: QuadMesh
+    unit: str
+    remarks: tuple[str, ...]
+
+
+def read_mesh(path: str | os.PathLike[str], unit: str | None = None) -> LoadedMesh:
+    """Read a quad mesh; its unit is the one given, else the one the file names, else mm.
+
+    Raises:
+        InputError: the file is missing or is not a usable quad mesh.
+    """
+    data = read_obj(path)
+    chosen = unit or data.unit or DEFAULT_UNIT
+    millimetres_per(chosen)
+    mesh, remarks = quad_mesh(data.vertices, data.polygons)
+    return LoadedMesh(mesh, chosen, tuple(remarks))
+
+
+def write_mesh(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
+    """Write an OBJ file that keeps vertex and face order and every digit.
+
+    Raises:
+        OutputError: the file cannot be written.
+    """
+    write_obj(path, mesh, unit)
+
+
+def fabricate(
+    mesh: QuadMesh,
+    system: str = "beams+panels",
+    *,
+    height: float = 200.0,
+    thickness: float = 12.0,
+    panel_thickness: float | None = None,
+    gap: float = 10.0,
+    offset: str = "centre",
+    density: float = 7850.0,
+    unit: str = DEFAULT_UNIT,
+) -> Structure:
+    """Turn an optimised net into beams, panels or both.
+
+    Args:
+        mesh: the net, in ``unit``.
+        system: beams, panels or beams+panels.
+        height: height of the beams, mm.
+        thickness: thickness of the beams, mm.
+        panel_thickness: thickness of the panels, mm; by default that of the beams.
+        gap: clear distance between neighbouring panels, mm.
+        offset: where the structure lies relative to the net: above, centre or below.
+        density: kg/m3, for the masses.
+        unit: unit of the mesh's coordinates.
+
+    Raises:
+        InputError: a parameter that cannot be used or does not fit the net.
+    """
+    from freecad_ortho.fabrication import BeamSettings, PanelSettings, build
+    from solver.errors import InputError
+
+    if system not in SYSTEMS:
+        raise InputError(f"system: expected one of {', '.join(SYSTEMS)}, got '{system}'")
+    wanted = system.split("+")
+    plate = thickness if panel_thickness is None else panel_thickness
+    return build(
+        mesh.scaled(millimetres_per(unit)),
+        beams=BeamSettings(height, thickness, offset) if "beams" in wanted else None,
+        panels=PanelSettings(plate, gap, offset) if "panels" in wanted else None,
+        density=density,
+    )
+
+
+def write_fabrication(
+    structure: Structure,
+    folder: str | os.PathLike[str],
+    progress: Callable[[float, str], None] | None = None,
+) -> None:
+    """Write structure.step, flat.dxf, parts.csv and report.json, all or none.
+
+    Raises:
+        OutputError: the folder cannot be written.
+    """
+    from freecad_ortho.fabrication import write
+
+    write(structure, folder, progress)
+
+
+def __getattr__(name: str) -> Any:
+    """Find the functions on FreeCAD documents without importing FreeCAD before it is needed."""
+    from freecad_ortho import documents
+
+    if name.startswith("_") or not hasattr(documents, name):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(documents, name)

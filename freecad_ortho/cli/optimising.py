@@ -1,0 +1,74 @@
+"""The command ``optimise``: run, show progress, write mesh and report together."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import sys
+from collections.abc import Callable
+
+from freecad_ortho import api
+from freecad_ortho.cli import reporting
+from solver import InputError, Outcome, OutputError, StepRecord
+from solver.io.atomic import write_text
+from solver.report import CONVERGED
+
+
+def run(options: argparse.Namespace) -> bool:
+    """Optimise as the options say; return whether the net was reached."""
+    loaded = reporting.load(options)
+    _refuse_missing_folders(options.output, options.report)
+    with reporting.Progress(options.verbose) as progress:
+        outcome = api.optimise(
+            loaded.mesh,
+            options.net,
+            fairness=options.fairness,
+            closeness=options.closeness,
+            fix=options.fix,
+            tolerance=options.tolerance,
+            max_steps=options.max_steps,
+            callback=_follower(progress, options.tolerance),
+        )
+    api.write_mesh(options.output, outcome.mesh, loaded.unit)
+    if options.report:
+        write_text(options.report, json.dumps(outcome.report.as_dict(), indent=2) + "\n")
+    _tell(outcome, options.output)
+    return outcome.report.status == CONVERGED
+
+
+def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepRecord], None]:
+    """Turn step records into a bar that fills as the residual falls on a log scale."""
+    start: list[float] = []
+
+    def follow(record: StepRecord) -> None:
+        worst = max(record.worst, 1e-300)
+        start.append(worst)
+        whole = math.log10(max(start[0], 10 * tolerance) / tolerance)
+        done = 1.0 - math.log10(max(worst, tolerance) / tolerance) / whole
+        residuals = ", ".join(f"{name} {value:.1e}" for name, value in record.residuals.items())
+        progress(min(max(done, 0.0), 1.0), f"step {record.step}: {residuals}")
+
+    return follow
+
+
+def _refuse_missing_folders(*paths: str | None) -> None:
+    """Say before the work, not after it, that a result has nowhere to go."""
+    for path in paths:
+        if path is None:
+            continue
+        folder = os.path.dirname(os.path.abspath(path))
+        if os.path.isdir(path):
+            raise InputError(f"{path}: is a folder; name a file in it")
+        if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
+            raise OutputError(f"{folder}: does not exist or cannot be written; make it first")
+
+
+def _tell(outcome: Outcome, path: str) -> None:
+    report = outcome.report
+    stream = sys.stdout if report.status == CONVERGED else sys.stderr
+    stream.write(
+        f"{report.status}: {report.message}; moved {report.moved.mean:.3g} mean edges on average, "
+        f"{report.moved.max:.3g} at most; {report.seconds:.2f} s; {path}\n"
+    )

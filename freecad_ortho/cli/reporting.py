@@ -1,0 +1,74 @@
+"""What the command line says: remarks and progress on stderr, results on stdout."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING, Any
+
+from freecad_ortho import api
+
+if TYPE_CHECKING:
+    from freecad_ortho.fabrication import Structure
+
+_BAR = 30
+
+
+def load(options: argparse.Namespace) -> api.LoadedMesh:
+    """Read the input mesh and say on stderr what was mended."""
+    loaded = api.read_mesh(options.input, options.unit)
+    for remark in loaded.remarks:
+        sys.stderr.write(f"note: {remark}\n")
+    return loaded
+
+
+class Progress:
+    """A bar on a terminal, a line a message with ``verbose``, silence otherwise."""
+
+    def __init__(self, verbose: bool) -> None:
+        self._verbose = verbose
+        self._bar = sys.stderr.isatty() and not verbose
+
+    def __enter__(self) -> Progress:
+        """Begin."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Leave the terminal's line clean."""
+        if self._bar:
+            sys.stderr.write("\r\033[K")
+            sys.stderr.flush()
+
+    def __call__(self, fraction: float, words: str) -> None:
+        """Show that ``fraction`` (0 to 1) of the work is done."""
+        if self._bar:
+            full = round(_BAR * min(max(fraction, 0.0), 1.0))
+            sys.stderr.write(f"\r\033[K[{'#' * full}{'.' * (_BAR - full)}] {words}")
+            sys.stderr.flush()
+        elif self._verbose:
+            sys.stderr.write(f"{100 * fraction:3.0f} % {words}\n")
+
+
+def fabrication_line(structure: Structure, folder: str) -> str:
+    """One line that says what was made and where it is."""
+    report = structure.report()
+    kinds = [part.kind for part in structure.parts]
+    counts = [f"{kinds.count(kind)} {kind}s" for kind in ("beam", "panel") if kind in kinds]
+    return f"{', '.join(counts)}, {report['mass_kg']:.1f} kg; files are in {folder}"
+
+
+def check_table(result: dict[str, Any]) -> str:
+    """Measures of a mesh as a table for people."""
+    size = " x ".join(f"{length:.6g}" for length in result["size"])
+    lines = [
+        f"{result['file']}: {result['vertices']} vertices, {result['faces']} quads, "
+        f"{result['components']} component(s), {result['irregular_vertices']} irregular vertices",
+        f"size {size} {result['unit']}, mean edge {result['mean_edge']:.6g} {result['unit']}",
+        f"{'measure':<16}{'worst':>12}{'mean':>12}   worst at",
+    ]
+    for name, entry in result["measures"].items():
+        place = "-" if entry["worst"] is None else f"{entry['where']} {entry['worst']}"
+        lines.append(f"{name:<16}{entry['max']:>12.3e}{entry['mean']:>12.3e}   {place}")
+    lines.append(f"{'edge ratio':<16}{result['edge_ratio']:>12.3f}")
+    lines.append(f"{'folded faces':<16}{result['flipped_faces']:>12d}")
+    return "\n".join(lines)

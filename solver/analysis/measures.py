@@ -1,0 +1,136 @@
+"""Measures of a quad mesh, dimensionless, one value a face, edge or star.
+
+Definitions are those of the project's table of measures (docs/nets.md). Nothing here depends on
+the solver's own residuals, so that a result is judged by other code than made it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+
+
+def orthogonality(mesh: QuadMesh) -> FloatArray:
+    """(F,) difference of the diagonal lengths / mean diagonal length.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 3.
+    """
+    first, second = _diagonal_lengths(mesh)
+    return np.abs(first - second) / (0.5 * (first + second))
+
+
+def planarity(mesh: QuadMesh) -> FloatArray:
+    """(F,) distance between the lines of the diagonals / mean diagonal length.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, figure 8.
+    """
+    a, b, c, d = _corners(mesh)
+    first, second = _diagonal_lengths(mesh)
+    between = 0.5 * (a + c - b - d)
+    distance = np.abs(np.einsum("ij,ij->i", between, mesh.face_normals))
+    return np.asarray(distance / (0.5 * (first + second)))
+
+
+def circular(mesh: QuadMesh) -> FloatArray:
+    """(F,) abs(sum of opposite face angles - pi), the worse of both pairs, in radians."""
+    angles = face_angles(mesh)
+    excess = np.abs(angles[:, :2] + angles[:, 2:] - np.pi)
+    return np.asarray(excess.max(axis=1))
+
+
+def conical(mesh: QuadMesh) -> FloatArray:
+    """(S,) difference of the two sums of opposite angles at each interior star, in radians.
+
+    Source: Liu et al. (2006), Geometric modeling with conical meshes and developable surfaces.
+    """
+    angles = star_angles(mesh)
+    return np.abs(angles[:, 0] + angles[:, 2] - angles[:, 1] - angles[:, 3])
+
+
+def geodesic(mesh: QuadMesh) -> FloatArray:
+    """(S,) difference of the cosines of opposite angles at each interior star, the worse pair.
+
+    Source: Wunderlich (1951), via Dellinger, Li, Wang (2023), definition 6.
+    """
+    cosines = np.cos(star_angles(mesh))
+    return np.maximum(np.abs(cosines[:, 0] - cosines[:, 2]), np.abs(cosines[:, 1] - cosines[:, 3]))
+
+
+def chebyshev(mesh: QuadMesh) -> FloatArray:
+    """(E,) deviation of each edge length from the mean / mean."""
+    return np.abs(mesh.edge_lengths / mesh.mean_edge - 1.0)
+
+
+def asymptotic(mesh: QuadMesh) -> FloatArray:
+    """(S,) farthest neighbour of a star from the best plane through its centre / mean edge.
+
+    Source: Sauer (1937), via Dellinger, Li, Wang (2023), section 4.3.
+    """
+    spokes = star_spokes(mesh)
+    if not len(spokes):
+        return np.zeros(0)
+    normal = np.linalg.svd(spokes)[2][:, 2]
+    distance = np.abs(np.einsum("sij,sj->si", spokes, normal)).max(axis=1)
+    return np.asarray(distance / mesh.mean_edge)
+
+
+def edge_ratio(mesh: QuadMesh) -> float:
+    """Shortest edge / mean edge."""
+    return float(mesh.edge_lengths.min() / mesh.mean_edge)
+
+
+def flipped(mesh: QuadMesh) -> BoolArray:
+    """(F,) true where a face lies against its neighbours or turns a corner inside out."""
+    normals = mesh.face_normals
+    left, right = mesh.connectivity.edge_faces[~mesh.connectivity.boundary_edges].T
+    count = len(normals)
+    around = np.stack(
+        [
+            np.bincount(left, normals[right, k], count)
+            + np.bincount(right, normals[left, k], count)
+            for k in range(3)
+        ],
+        axis=1,
+    )
+    against = np.einsum("ij,ij->i", normals, around) < 0
+    points = mesh.vertices[mesh.faces]
+    ahead = np.roll(points, -1, axis=1) - points
+    turns = np.cross(np.roll(ahead, 1, axis=1), ahead)
+    inside_out = (np.einsum("fij,fj->fi", turns, normals) <= 0).any(axis=1)
+    return np.asarray(against | inside_out)
+
+
+def face_angles(mesh: QuadMesh) -> FloatArray:
+    """(F, 4) angle at each corner of each face, in radians."""
+    points = mesh.vertices[mesh.faces]
+    return _angles(np.roll(points, -1, axis=1) - points, np.roll(points, 1, axis=1) - points)
+
+
+def star_angles(mesh: QuadMesh) -> FloatArray:
+    """(S, 4) angles between consecutive edges of each interior star, in radians."""
+    spokes = star_spokes(mesh)
+    return _angles(spokes, np.roll(spokes, -1, axis=1))
+
+
+def star_spokes(mesh: QuadMesh) -> FloatArray:
+    """(S, 4, 3) vectors from the centre of each interior star to its neighbours."""
+    points = mesh.vertices[mesh.connectivity.stars]
+    return points[:, 1:] - points[:, :1]
+
+
+def _angles(one: FloatArray, two: FloatArray) -> FloatArray:
+    """Angle between vectors by the half-angle form, exact for tiny and flat angles alike."""
+    one, two = unit_rows(one), unit_rows(two)
+    return 2 * np.arctan2(np.linalg.norm(one - two, axis=-1), np.linalg.norm(one + two, axis=-1))
+
+
+def _corners(mesh: QuadMesh) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    points = mesh.vertices[mesh.faces]
+    return points[:, 0], points[:, 1], points[:, 2], points[:, 3]
+
+
+def _diagonal_lengths(mesh: QuadMesh) -> tuple[FloatArray, FloatArray]:
+    a, b, c, d = _corners(mesh)
+    return np.linalg.norm(c - a, axis=1), np.linalg.norm(d - b, axis=1)

@@ -1,0 +1,91 @@
+"""Judging a shape as a result: constraints met, nothing collapsed, nothing folded."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.analysis.measures import edge_ratio, flipped
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.problem import Problem
+from solver.report import Spread
+
+# A result with a shorter shortest edge, relative to the input's, is a collapse.
+COLLAPSED = 0.25
+# Below this, another attempt with stronger smoothing is worth its time.
+CRAMPED = 0.5
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A shape and what it is worth.
+
+    Attributes:
+        mesh: the shape in model units.
+        residuals: largest and mean value of each measure of the net.
+        edge_ratio: shortest / mean edge; ``edge_ratio_start`` the same of the input.
+        flipped: number of folded faces; ``flipped_start`` the same of the input.
+        met: every measure is within the tolerance on every face or star.
+    """
+
+    mesh: QuadMesh
+    residuals: dict[str, Spread]
+    edge_ratio: float
+    edge_ratio_start: float
+    flipped: int
+    flipped_start: int
+    met: bool
+
+    @property
+    def kept(self) -> float:
+        """Edge ratio relative to the input's."""
+        return self.edge_ratio / self.edge_ratio_start
+
+    @property
+    def sound(self) -> bool:
+        """Nothing collapsed and no face folded that was not folded at the start."""
+        return self.kept >= COLLAPSED and self.flipped <= self.flipped_start
+
+    @property
+    def valid(self) -> bool:
+        """A solution of the net."""
+        return self.met and self.sound
+
+    @property
+    def good(self) -> bool:
+        """A solution that no further attempt needs to improve."""
+        return self.valid and self.kept >= CRAMPED
+
+    @property
+    def worst(self) -> float:
+        """Largest of all measures."""
+        return max((spread.max for spread in self.residuals.values()), default=0.0)
+
+    @property
+    def rank(self) -> tuple[bool, bool, float]:
+        """Sorts candidates: solutions first, then sound shapes, then the smaller residual."""
+        return (self.valid, self.sound, self.kept if self.valid else -self.worst)
+
+
+def judge(problem: Problem, x: FloatArray, tolerance: float) -> Candidate:
+    """Measure the shape at the flat vector ``x``."""
+    mesh = problem.mesh_at(x)
+    residuals = {name: spread_of(measure(mesh)) for name, measure in problem.measures.items()}
+    return Candidate(
+        mesh=mesh,
+        residuals=residuals,
+        edge_ratio=edge_ratio(mesh),
+        edge_ratio_start=problem.edge_ratio_start,
+        flipped=int(flipped(mesh).sum()),
+        flipped_start=problem.flipped_start,
+        met=all(spread.max <= tolerance for spread in residuals.values()),
+    )
+
+
+def spread_of(values: FloatArray) -> Spread:
+    """Largest and mean of absolute values; zero where there are none."""
+    if not len(values):
+        return Spread(0.0, 0.0)
+    size = np.abs(values)
+    return Spread(float(size.max()), float(size.mean()))

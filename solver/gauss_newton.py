@@ -1,0 +1,263 @@
+"""Regularised Gauss-Newton with guides that fade to zero.
+
+Each step linearises all terms, solves one damped sparse system and accepts it if the energy falls.
+Guides (fairness and its kin) are multiplied by a factor that shrinks every step and ends at zero,
+so the constraints are met to rounding error. An attempt that ends folded, collapsed or stuck is
+repeated from the start with stronger smoothing; the best result of all attempts is kept.
+
+Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4; Tang et al. (2014),
+Form-finding with polyhedral meshes made simple.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.assembly import NormalEquations
+from solver.candidate import Candidate, judge
+from solver.linear import SingularSystemError, default_backend, symmetric_solver
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.problem import Problem
+from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
+from solver.summary import summarise
+from solver.terms.base import Linearisation
+
+# Factors on the smoothing guides of successive attempts.
+SMOOTHING = (1.0, 10.0, 100.0)
+_FADE = 0.3
+_FADE_END = 1e-6
+_DAMPING_START, _DAMPING_MIN, _DAMPING_MAX = 1e-3, 1e-8, 1e8
+# Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
+_PATIENCE = 15
+# Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
+_MARGIN = 1e-2
+
+
+@dataclass
+class _State:
+    """Where an attempt stands."""
+
+    x: FloatArray
+    linearisations: list[Linearisation]
+    damping: float = _DAMPING_START
+    fade: float = 1.0
+    best_worst: float = np.inf
+    idle: int = 0
+
+
+class Optimisation:
+    """An optimisation that is advanced one step at a time.
+
+    The problem is not changed. Between steps the current shape can be read from ``mesh``; after
+    any number of steps ``outcome`` gives the best mesh so far and its report.
+
+    Args:
+        problem: what is asked.
+        tolerance: largest measure of the net, over all faces or stars, that counts as zero.
+        max_steps: steps of all attempts together.
+        backend: name of the sparse solver, by default the fastest installed.
+        attempts: how many of the smoothing factors may be tried.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        tolerance: float = 1e-10,
+        max_steps: int = 200,
+        backend: str | None = None,
+        attempts: int = len(SMOOTHING),
+    ) -> None:
+        begin = time.perf_counter()
+        self.problem = problem
+        self.tolerance = tolerance
+        self.max_steps = max_steps
+        self.backend = backend or default_backend()
+        self.history: list[StepRecord] = []
+        self.status: str | None = None
+        self._attempt, self._attempts = 1, attempts
+        self._best: Candidate | None = None
+        self._terms = [*problem.constraints, *(guide.term for guide in problem.guides)]
+        self._system = NormalEquations(self._terms, problem.free)
+        self._solver = symmetric_solver(self._system.pattern, self.backend)
+        self._state = self._fresh_state()
+        self.seconds_setup = time.perf_counter() - begin
+        if not problem.free.any():
+            self._conclude(STALLED)
+
+    @property
+    def finished(self) -> bool:
+        """True when no further step will be taken."""
+        return self.status is not None
+
+    @property
+    def mesh(self) -> QuadMesh:
+        """Current shape in model units."""
+        return self.problem.mesh_at(self._state.x)
+
+    @property
+    def vertices(self) -> FloatArray:
+        """(V, 3) current positions in model units."""
+        return self.mesh.vertices
+
+    def step(self) -> StepRecord:
+        """Take one step and return its record; ``finished`` may turn true.
+
+        Raises:
+            RuntimeError: the optimisation has finished.
+        """
+        if self.finished:
+            raise RuntimeError("the optimisation has finished; start a new one")
+        begin = time.perf_counter()
+        state = self._state
+        weights = self._weights(state.fade)
+        damping = state.damping
+        energy, length, solve_seconds = self._advance(state, weights)
+        record = StepRecord(
+            step=len(self.history) + 1,
+            attempt=self._attempt,
+            energy=energy,
+            residuals=self._residuals(state.linearisations),
+            step_length=length,
+            damping=damping,
+            fade=state.fade,
+            seconds=time.perf_counter() - begin,
+            solve_seconds=solve_seconds,
+        )
+        self.history.append(record)
+        state.fade *= _FADE
+        if state.fade < _FADE_END:
+            state.fade = 0.0
+        self._decide(record)
+        return record
+
+    def stop(self) -> None:
+        """End here; the outcome is the best mesh so far."""
+        if not self.finished:
+            self._conclude(STOPPED)
+
+    def run(self) -> Outcome:
+        """Take all steps that are left and return the outcome."""
+        while not self.finished:
+            self.step()
+        return self.outcome()
+
+    def outcome(self) -> Outcome:
+        """Best mesh so far and its report; the status is ``stopped`` while steps are left."""
+        best = self._best or judge(self.problem, self._state.x, self.tolerance)
+        return summarise(self, best)
+
+    @property
+    def attempts(self) -> int:
+        """Number of the attempt that is running or was the last."""
+        return self._attempt
+
+    def _fresh_state(self) -> _State:
+        x = self.problem.start.copy()
+        return _State(x, [term.linearise(x) for term in self._terms])
+
+    def _weights(self, fade: float) -> FloatArray:
+        stronger = SMOOTHING[self._attempt - 1]
+        guides = [
+            fade * guide.weight * (stronger if guide.smoothing else 1.0)
+            for guide in self.problem.guides
+        ]
+        return np.array([1.0] * len(self.problem.constraints) + guides)
+
+    def _advance(self, state: _State, weights: FloatArray) -> tuple[float, float, float]:
+        """Move the state by one accepted step; return energy, step length, seconds of solving."""
+        pattern = self._system.pattern
+        matrix = self._system.matrix(state.linearisations, weights)
+        gradient = self._system.gradient(state.linearisations, weights)
+        before = _energy(state.linearisations, weights)
+        # Below this, changes of the energy are rounding and say nothing.
+        rounding = 1e-26 * max(1, len(gradient))
+        diagonal = pattern.indptr[:-1]
+        values = matrix[diagonal]
+        solve_seconds, rejected = 0.0, False
+        while True:
+            matrix[diagonal] = values + state.damping
+            begin = time.perf_counter()
+            try:
+                move = self._solver.solve(matrix, -gradient)
+            except SingularSystemError:
+                move = np.full(len(gradient), np.nan)
+            solve_seconds += time.perf_counter() - begin
+            if np.isfinite(move).all():
+                x = state.x.copy()
+                x[pattern.unknowns] += move
+                linearisations = self._linearise(x, state, weights)
+                after = _energy(linearisations, weights)
+                if after <= before * (1 + 1e-9) + rounding:
+                    state.x, state.linearisations = x, linearisations
+                    if not rejected:
+                        state.damping = max(state.damping / 4, _DAMPING_MIN)
+                    return after, float(np.abs(move).max(initial=0.0)), solve_seconds
+            if state.damping > _DAMPING_MAX:
+                state.idle = _PATIENCE
+                return before, 0.0, solve_seconds
+            state.damping = max(8 * state.damping, 1e-6)
+            rejected = True
+
+    def _linearise(self, x: FloatArray, state: _State, weights: FloatArray) -> list[Linearisation]:
+        """Linearise the terms that count; guides that have faded away keep their last values."""
+        return [
+            term.linearise(x) if weight > 0 else last
+            for term, weight, last in zip(self._terms, weights, state.linearisations, strict=True)
+        ]
+
+    def _residuals(self, linearisations: list[Linearisation]) -> dict[str, float]:
+        constraints = self.problem.constraints
+        return {
+            term.name: float(np.abs(linearisation.residual).max(initial=0.0))
+            for term, linearisation in zip(constraints, linearisations, strict=False)
+        }
+
+    def _decide(self, record: StepRecord) -> None:
+        """Finish the attempt where it has converged, is stuck, or the steps are used up."""
+        state = self._state
+        if record.worst < 0.5 * state.best_worst:
+            state.best_worst, state.idle = record.worst, 0
+        elif state.fade == 0.0:
+            state.idle += 1
+        # A shape that is still sound may be the best there will be, should the attempt fold later.
+        best = self._best
+        if best is None or (not best.valid and record.worst < best.worst):
+            self._consider(judge(self.problem, state.x, self.tolerance))
+        steps_left = self.max_steps - len(self.history)
+        if record.worst <= _MARGIN * self.tolerance or state.idle >= _PATIENCE:
+            self._end_attempt(steps_left)
+        elif steps_left <= 0:
+            self._conclude(STOPPED)
+
+    def _end_attempt(self, steps_left: int) -> None:
+        candidate = judge(self.problem, self._state.x, self.tolerance)
+        self._consider(candidate)
+        smoothing = any(guide.smoothing for guide in self.problem.guides)
+        if candidate.good or not smoothing or self._attempt >= self._attempts or steps_left <= 0:
+            best = self._best or candidate
+            self._conclude(CONVERGED if best.valid else STALLED)
+            return
+        self._attempt += 1
+        self._state = self._fresh_state()
+
+    def _consider(self, candidate: Candidate) -> None:
+        if self._best is None or candidate.rank > self._best.rank:
+            self._best = candidate
+
+    def _conclude(self, status: str) -> None:
+        self._consider(judge(self.problem, self._state.x, self.tolerance))
+        best = self._best
+        self.status = CONVERGED if best is not None and best.valid else status
+
+
+def _energy(linearisations: list[Linearisation], weights: FloatArray) -> float:
+    return float(
+        sum(
+            weight * np.vdot(linearisation.residual, linearisation.residual)
+            for weight, linearisation in zip(weights, linearisations, strict=True)
+            if weight > 0
+        )
+    )

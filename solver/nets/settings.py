@@ -1,0 +1,100 @@
+"""What a user can set about any net, and the guides that all recipes share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray, Connectivity
+from solver.mesh.quadmesh import QuadMesh
+from solver.problem import Problem
+from solver.terms.closeness import Closeness
+from solver.terms.edge_vectors import EdgeVectors
+from solver.terms.fairness import Fairness
+from solver.terms.multi import multi_net
+
+
+@dataclass(frozen=True)
+class Weights:
+    """Start weights of the guides; all fade to zero.
+
+    Attributes:
+        fairness: straight parameter lines (w1 of the paper).
+        multi: orthogonality of neighbouring pairs of faces (w2 of the paper).
+        closeness: vertices stay where they started.
+        smooth_motion: the motion, not the shape, is drawn straight.
+        edge_vectors: edges keep direction and length.
+    """
+
+    fairness: float = 1e-2
+    multi: float = 1e-3
+    closeness: float = 3e-3
+    smooth_motion: float = 1e-1
+    edge_vectors: float = 2e-2
+
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            if not np.isfinite(value) or value < 0:
+                raise InputError(f"{name}: expected a weight of zero or more, got {value}")
+
+
+def add_guides(problem: Problem, weights: Weights) -> Problem:
+    """Add the guides of a recipe."""
+    net, start = problem.mesh.connectivity, problem.start
+    used = np.flatnonzero(net.referenced)
+    return (
+        problem.guide(Fairness(net.line_triples), weights.fairness, smoothing=True)
+        .guide(multi_net(net), weights.multi)
+        .guide(Closeness(used, start.reshape(-1, 3)[used]), weights.closeness)
+        .guide(Fairness(net.line_triples, start, "smooth motion"), weights.smooth_motion)
+        .guide(EdgeVectors(net.edges, start), weights.edge_vectors)
+    )
+
+
+def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
+    """(V,) mask of the vertices that ``none``, ``corners``, ``boundary`` or numbers name.
+
+    Corners are boundary vertices where no parameter line runs along the boundary; on a boundary
+    that is one smooth loop there are none.
+
+    Raises:
+        InputError: an unknown word or a number out of range.
+    """
+    net = mesh.connectivity
+    if isinstance(fix, str):
+        word = fix.strip().lower()
+        if word == "none":
+            return np.zeros(net.vertex_count, dtype=bool)
+        if word == "corners":
+            return _some(net.corners, "corners", net)
+        if word == "boundary":
+            return _some(net.boundary_vertices, "boundary", net)
+        fix = _numbers(fix)
+    chosen = np.asarray(list(fix), dtype=np.int64)
+    wrong = chosen[(chosen < 0) | (chosen >= net.vertex_count)]
+    if len(wrong):
+        raise InputError(
+            f"fix: vertex {wrong[0]} does not exist; vertices are numbered 0 to "
+            f"{net.vertex_count - 1}"
+        )
+    mask = np.zeros(net.vertex_count, dtype=bool)
+    mask[chosen] = True
+    return mask
+
+
+def _some(mask: BoolArray, word: str, net: Connectivity) -> BoolArray:
+    if not mask.any():
+        raise InputError(f"fix: the mesh has no {word}; name vertices by number, or use none")
+    return mask.copy()
+
+
+def _numbers(text: str) -> list[int]:
+    try:
+        return [int(word) for word in text.split(",")]
+    except ValueError:
+        raise InputError(
+            f"fix: expected none, corners, boundary or vertex numbers such as 0,5,12, got '{text}'"
+        ) from None

@@ -1,0 +1,98 @@
+"""One call for every net."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from solver.errors import InputError
+from solver.gauss_newton import SMOOTHING, Optimisation
+from solver.mesh.quadmesh import QuadMesh
+from solver.nets import RECIPES
+from solver.nets.settings import Weights, add_guides, fixed_vertices
+from solver.problem import Problem
+from solver.report import Outcome, StepRecord
+
+
+def optimise(
+    mesh: QuadMesh,
+    net: str = "principal",
+    *,
+    fairness: float | None = None,
+    closeness: float | None = None,
+    fix: str | Sequence[int] = "none",
+    tolerance: float = 1e-10,
+    max_steps: int = 200,
+    backend: str | None = None,
+    callback: Callable[[StepRecord], bool | None] | None = None,
+) -> Outcome:
+    """Move the vertices of a mesh until it is the wanted net.
+
+    Args:
+        mesh: the start, in any unit; it is not changed.
+        net: name of the recipe, see ``solver.nets.RECIPES``.
+        fairness: start weight of straight parameter lines, by default the recipe's.
+        closeness: start weight of staying near the start.
+        fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
+        tolerance: largest residual that counts as zero, dimensionless.
+        max_steps: largest number of steps.
+        backend: ``rslab`` or ``scipy``; by default the fastest installed.
+        callback: called after each step; returning True stops.
+
+    Returns:
+        The best mesh found, with its report. A ``KeyboardInterrupt`` during a step stops the run
+        in the same clean way as the callback does.
+
+    Raises:
+        InputError: a setting that cannot be used.
+    """
+    run = start_optimisation(
+        mesh,
+        net,
+        fairness=fairness,
+        closeness=closeness,
+        fix=fix,
+        tolerance=tolerance,
+        max_steps=max_steps,
+        backend=backend,
+    )
+    try:
+        while not run.finished:
+            if callback is not None and callback(run.step()):
+                run.stop()
+            elif callback is None:
+                run.step()
+    except KeyboardInterrupt:
+        run.stop()
+    return run.outcome()
+
+
+def start_optimisation(
+    mesh: QuadMesh,
+    net: str = "principal",
+    *,
+    fairness: float | None = None,
+    closeness: float | None = None,
+    fix: str | Sequence[int] = "none",
+    tolerance: float = 1e-10,
+    max_steps: int = 200,
+    backend: str | None = None,
+) -> Optimisation:
+    """Prepare an optimisation that the caller advances step by step; see :func:`optimise`."""
+    if net not in RECIPES:
+        raise InputError(f"net: expected one of {', '.join(RECIPES)}, got '{net}'")
+    if not math.isfinite(tolerance) or tolerance <= 0:
+        raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
+    if max_steps < 1:
+        raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
+    weights = Weights()
+    if fairness is not None:
+        weights = replace(weights, fairness=fairness)
+    if closeness is not None:
+        weights = replace(weights, closeness=closeness)
+    problem = Problem(net, mesh, fixed_vertices(mesh, fix))
+    add_guides(RECIPES[net](problem), weights)
+    # Whoever sets the fairness means it: then there is one attempt, with that weight.
+    attempts = len(SMOOTHING) if fairness is None else 1
+    return Optimisation(problem, tolerance, max_steps, backend, attempts)

@@ -1,0 +1,96 @@
+"""A net as a sum of terms: what must vanish, and what guides the way there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from solver.analysis.measures import edge_ratio, flipped
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.terms.base import Size, Term
+
+Measure = Callable[[QuadMesh], FloatArray]
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A term that shapes the path and fades to zero, so that it does not disturb the result.
+
+    Attributes:
+        weight: factor of its energy at the start.
+        smoothing: whether a further attempt may strengthen it to keep the mesh from folding.
+    """
+
+    term: Term
+    weight: float
+    smoothing: bool = False
+
+
+@dataclass
+class Problem:
+    """What the solver is asked: a start, free unknowns, constraints and guides.
+
+    Unknowns are dimensionless: vertices are measured from ``centre`` in units of ``scale``, the
+    mean edge of the start mesh, so that millimetres and metres take the same steps.
+
+    Args:
+        net: name of the recipe.
+        mesh: the start, in model units.
+        fixed: (V,) true for vertices that must not move; they are eliminated.
+    """
+
+    net: str
+    mesh: QuadMesh
+    fixed: BoolArray
+    constraints: list[Term] = field(default_factory=list)
+    guides: list[Guide] = field(default_factory=list)
+    measures: dict[str, Measure] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        used = self.mesh.connectivity.referenced
+        self.scale = self.mesh.mean_edge
+        self.centre = self.mesh.vertices[used].mean(axis=0)
+        self.start: FloatArray = ((self.mesh.vertices - self.centre) / self.scale).ravel()
+        self.free: BoolArray = np.repeat(used & ~self.fixed, 3)
+
+    def require(self, term: Term, measure: Measure) -> Problem:
+        """Add a term that has to vanish, and the measure by which that is judged."""
+        self.constraints.append(term)
+        self.measures[term.name] = measure
+        return self
+
+    def guide(self, term: Term, weight: float, smoothing: bool = False) -> Problem:
+        """Add a term that fades; a weight of zero leaves it out."""
+        if weight > 0:
+            self.guides.append(Guide(term, weight, smoothing))
+        return self
+
+    def mesh_at(self, x: FloatArray) -> QuadMesh:
+        """Mesh in model units at ``x``; vertices that are not free keep every bit."""
+        count = self.mesh.connectivity.vertex_count
+        moved = self.mesh.vertices + self.scale * (x - self.start)[: 3 * count].reshape(-1, 3)
+        free = self.free[: 3 * count].reshape(-1, 3)
+        return self.mesh.with_vertices(np.where(free, moved, self.mesh.vertices))
+
+    @cached_property
+    def edge_ratio_start(self) -> float:
+        """Shortest / mean edge of the start."""
+        return edge_ratio(self.mesh)
+
+    @cached_property
+    def flipped_start(self) -> int:
+        """Number of folded faces of the start."""
+        return int(flipped(self.mesh).sum())
+
+    @property
+    def size(self) -> Size:
+        """Unknowns and equations of the net as the paper counts them, auxiliary ones included."""
+        sizes = [term.size for term in self.constraints]
+        return Size(
+            len(self.start) + sum(size.auxiliary for size in sizes),
+            sum(size.equations for size in sizes),
+        )

@@ -1,0 +1,109 @@
+"""What the solver says: a record after each step, a report at the end."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+from solver.mesh.quadmesh import QuadMesh
+
+CONVERGED = "converged"
+STALLED = "stalled"
+STOPPED = "stopped"
+
+
+@dataclass(frozen=True)
+class StepRecord:
+    """State after one step.
+
+    Attributes:
+        step: number of the step, from 1, counted over all attempts.
+        attempt: number of the attempt, from 1.
+        energy: weighted sum of squares after the step.
+        residuals: largest absolute residual of each constraint, dimensionless.
+        step_length: largest move of a coordinate, in mean edges.
+        damping: Levenberg-Marquardt damping of the step.
+        fade: factor on the guides during the step, 1 at the start, 0 at the end.
+        seconds: duration of the step.
+        solve_seconds: the part spent in factorisations and solves.
+    """
+
+    step: int
+    attempt: int
+    energy: float
+    residuals: dict[str, float]
+    step_length: float
+    damping: float
+    fade: float
+    seconds: float
+    solve_seconds: float
+
+    @property
+    def worst(self) -> float:
+        """Largest residual of all constraints."""
+        return max(self.residuals.values(), default=0.0)
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Largest and mean absolute value of a measure."""
+
+    max: float
+    mean: float
+
+
+@dataclass(frozen=True)
+class Report:
+    """Outcome of an optimisation in numbers; ``as_dict`` is the contract of ``report.json``.
+
+    Attributes:
+        net: name of the recipe.
+        status: converged, stalled or stopped.
+        message: one sentence: what happened and what to do next.
+        variables: unknowns as the paper counts them, auxiliary ones included.
+        constraints: equations as the paper counts them.
+        iterations: steps of all attempts.
+        attempts: how often the guides had to be strengthened, plus one.
+        seconds: total; ``seconds_per_iteration`` and ``solve_seconds_per_iteration`` are medians.
+        residuals: largest and mean of each measure of the net, on the mesh that is returned.
+        edge_ratio: shortest edge / mean edge.
+        edge_ratio_start: the same of the input.
+        flipped_faces: faces that lie against their neighbours or have a corner turned inside out.
+        moved: mean and largest distance from the input, in mean edges of the input.
+        seconds_setup: pattern, numbering and symbolic analysis.
+    """
+
+    net: str
+    status: str
+    message: str
+    vertices: int
+    faces: int
+    variables: int
+    constraints: int
+    iterations: int
+    attempts: int
+    seconds: float
+    seconds_setup: float
+    seconds_per_iteration: float
+    solve_seconds_per_iteration: float
+    residuals: dict[str, Spread]
+    edge_ratio: float
+    edge_ratio_start: float
+    flipped_faces: int
+    moved: Spread
+    solver: str = ""
+    history: list[StepRecord] = field(default_factory=list, repr=False)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return plain numbers and strings for JSON, without the history."""
+        data = asdict(self)
+        del data["history"]
+        return data
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The mesh that an optimisation found and its report."""
+
+    mesh: QuadMesh
+    report: Report

@@ -1,0 +1,81 @@
+"""Report of an optimisation: numbers, and one sentence that says what to do next."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from solver.candidate import COLLAPSED, Candidate, spread_of
+from solver.report import CONVERGED, STALLED, STOPPED, Outcome, Report
+
+if TYPE_CHECKING:
+    from solver.gauss_newton import Optimisation
+
+
+def summarise(run: Optimisation, best: Candidate) -> Outcome:
+    """Put the outcome of ``run``, whose best shape is ``best``, into an :class:`Outcome`."""
+    problem, history = run.problem, run.history
+    start = problem.mesh
+    used = start.connectivity.referenced
+    moved = np.linalg.norm(best.mesh.vertices - start.vertices, axis=1)[used] / start.mean_edge
+    status = run.status or STOPPED
+    report = Report(
+        net=problem.net,
+        status=status,
+        message=_message(run, best, status),
+        vertices=len(start.vertices),
+        faces=len(start.faces),
+        variables=problem.size.auxiliary,
+        constraints=problem.size.equations,
+        iterations=len(history),
+        attempts=run.attempts,
+        seconds=run.seconds_setup + sum(record.seconds for record in history),
+        seconds_setup=run.seconds_setup,
+        seconds_per_iteration=_median([record.seconds for record in history]),
+        solve_seconds_per_iteration=_median([record.solve_seconds for record in history]),
+        residuals=best.residuals,
+        edge_ratio=best.edge_ratio,
+        edge_ratio_start=best.edge_ratio_start,
+        flipped_faces=best.flipped,
+        moved=spread_of(moved),
+        solver=run.backend,
+        history=list(history),
+    )
+    return Outcome(best.mesh, report)
+
+
+def _message(run: Optimisation, best: Candidate, status: str) -> str:
+    if status == CONVERGED:
+        return f"{run.problem.net} net reached: worst {_worst(best)} after {len(run.history)} steps"
+    remedies = []
+    if not best.sound:
+        trouble = []
+        if best.kept < COLLAPSED:
+            trouble.append(f"the shortest edge shrank to {best.kept:.2f} of its start ratio")
+        if best.flipped > best.flipped_start:
+            trouble.append(f"{best.flipped} faces are folded")
+        remedies.append(" and ".join(trouble) + ": raise fairness or closeness")
+    if run.problem.fixed.any():
+        remedies.append("fewer fixed vertices give the net room")
+    spacing = np.spacing(np.abs(run.problem.mesh.vertices).max()) / run.problem.scale
+    if 100 * spacing > run.tolerance:
+        remedies.append("coordinates are far from the origin: move the model near it")
+    if status == STOPPED and len(run.history) >= run.max_steps:
+        remedies.insert(0, f"more than {run.max_steps} steps")
+    if status == STALLED and not remedies:
+        remedies.append("try more fairness, or a start mesh nearer to the net")
+    advice = "; try: " + "; ".join(remedies) if remedies else ""
+    verb = "stopped" if status == STOPPED else "no further progress"
+    return f"{verb} after {len(run.history)} steps, worst {_worst(best)}{advice}"
+
+
+def _worst(best: Candidate) -> str:
+    if not best.residuals:
+        return "residual 0"
+    name = max(best.residuals, key=lambda key: best.residuals[key].max)
+    return f"{name} {best.residuals[name].max:.1e}"
+
+
+def _median(values: list[float]) -> float:
+    return float(np.median(values)) if values else 0.0
