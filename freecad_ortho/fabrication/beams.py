@@ -39,6 +39,8 @@ class BeamGeometry:
 
     Attributes:
         points: (E, 12, 3) corners, see ``LOOPS``.
+        origin: (E, 3) where the lower left corner of the flat pattern's box is.
+        frame: (E, 3, 3) rows along the edge, up in the plate, across it to the right.
         outline: (E, 4, 2) the plate in its plane, along the edge and across: lower start, lower
             end, upper end, upper start.
         setback: (E, 4) how far the plate's faces stop short of the axes: right at the start,
@@ -49,6 +51,8 @@ class BeamGeometry:
     """
 
     points: FloatArray
+    origin: FloatArray
+    frame: FloatArray
     outline: FloatArray
     setback: FloatArray
     height: FloatArray
@@ -113,9 +117,14 @@ def beam_geometry(mesh: QuadMesh, axes: Axes, settings: BeamSettings) -> BeamGeo
         outline.append(np.stack([np.stack([first, rise], 1), np.stack([last, rise], 1)], axis=1))
     height = (upper - lower) * frames.rise
     mean_length = level_lengths.mean(axis=1)
+    quadrilateral = np.concatenate([outline[0], outline[1][:, ::-1]], axis=1)
+    frame = np.stack([frames.along, frames.up, -frames.left], axis=1)
+    low = quadrilateral.min(axis=1)
     return BeamGeometry(
         points=np.concatenate(rings, axis=1),
-        outline=np.concatenate([outline[0], outline[1][:, ::-1]], axis=1),
+        origin=origin + np.einsum("ed,edk->ek", low, frame[:, :2]),
+        frame=frame,
+        outline=quadrilateral,
         setback=setback,
         height=height,
         volume=height * settings.thickness * (mean_length - setback.sum(axis=1) / 4),
@@ -140,6 +149,8 @@ def beam_parts(
                 kind="beam",
                 points=geometry.points[edge],
                 loops=LOOPS,
+                origin=geometry.origin[edge],
+                frame=geometry.frame[edge],
                 pattern=pattern,
                 length=float(pattern.size[0]),
                 height=float(geometry.height[edge]),

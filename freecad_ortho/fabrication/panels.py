@@ -34,6 +34,8 @@ class PanelGeometry:
 
     Attributes:
         points: (F, 8, 3) lower corners, then upper corners, counter-clockwise from above.
+        origin: (F, 3) where the lower left corner of the flat pattern's box is.
+        frame: (F, 3, 3) rows along the first side, across it, normal.
         outline: (F, 4, 2) the plate in its plane, the first side of the face along x.
         sides: (F, 4) how far each side moved inwards.
         clear: (F, 4) gap that stays clear at the tightest level, inf at the boundary.
@@ -41,6 +43,8 @@ class PanelGeometry:
     """
 
     points: FloatArray
+    origin: FloatArray
+    frame: FloatArray
     outline: FloatArray
     sides: FloatArray
     clear: FloatArray
@@ -66,8 +70,8 @@ def panel_geometry(
     side = np.roll(corner, -1, axis=1) - corner
     first = unit_rows(side[:, 0] - np.einsum("fk,fk->f", side[:, 0], normal)[:, None] * normal)
     second = np.cross(normal, first)
-    frame = np.stack([first, second], axis=1)
-    flat = np.einsum("fck,fdk->fcd", corner - middle[:, None], frame)
+    frame = np.stack([first, second, normal], axis=1)
+    flat = np.einsum("fck,fdk->fcd", corner - middle[:, None], frame[:, :2])
 
     lower = np.full(len(corner), settings.levels[0])
     lift = np.zeros(len(corner))
@@ -83,9 +87,12 @@ def panel_geometry(
 
     outline = _inset(flat, sides)
     _refuse_gap(settings, flat, outline)
-    plane = middle[:, None] + np.einsum("fcd,fdk->fck", outline, frame)
+    plane = middle[:, None] + np.einsum("fcd,fdk->fck", outline, frame[:, :2])
     levels = [plane + (level[:, None] * normal)[:, None] for level in (lower, upper)]
-    return PanelGeometry(np.concatenate(levels, axis=1), outline, sides, clear, lift)
+    low = np.concatenate([outline.min(axis=1), lower[:, None]], axis=1)
+    origin = middle + np.einsum("fd,fdk->fk", low, frame)
+    points = np.concatenate(levels, axis=1)
+    return PanelGeometry(points, origin, frame, outline, sides, clear, lift)
 
 
 def panel_parts(
@@ -108,6 +115,8 @@ def panel_parts(
                 kind="panel",
                 points=geometry.points[face],
                 loops=LOOPS,
+                origin=geometry.origin[face],
+                frame=geometry.frame[face],
                 pattern=pattern,
                 length=length,
                 height=height,

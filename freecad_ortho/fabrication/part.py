@@ -71,6 +71,8 @@ class Part:
         kind: "beam" or "panel".
         points: (N, 3) corner points, mm.
         loops: point numbers around each planar side, counter-clockwise seen from outside.
+        origin: (3,) where the origin of the flat pattern is, mm.
+        frame: (3, 3) rows: x and y of the flat pattern, and across the plate.
         pattern: the flat pattern.
         length: of the flat pattern, along the beam or the panel's first side, mm.
         height: of the beam's plate, or of the panel's flat pattern across its length, mm.
@@ -87,6 +89,8 @@ class Part:
     kind: str
     points: FloatArray
     loops: Loops
+    origin: FloatArray
+    frame: FloatArray
     pattern: FlatPattern
     length: float
     height: float
@@ -99,14 +103,19 @@ class Part:
     face: int | None = None
 
     def solid(self) -> cadquery.Solid:
-        """Return the closed solid, built once from the corner points, mm."""
+        """Return the closed solid in its place, mm; built once from the corner points.
+
+        Its own coordinates are those of the flat pattern, its location is ``origin`` and ``frame``:
+        so it keeps its digits far from the model's origin, and lies flat when taken alone.
+        """
         return self._solid
 
     @cached_property
     def _solid(self) -> cadquery.Solid:
-        from freecad_ortho.fabrication.solids import polyhedron_solid
+        from freecad_ortho.fabrication.solids import placed, polyhedron_solid
 
-        return polyhedron_solid(self.points, self.loops)
+        flat = (self.points - self.origin) @ self.frame.T
+        return placed(polyhedron_solid(flat, self.loops), self.origin, self.frame)
 
 
 def part_names(letter: str, count: int) -> list[str]:

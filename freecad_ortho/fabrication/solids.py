@@ -61,6 +61,18 @@ def polyhedron_solid(points: FloatArray, loops: Loops) -> cadquery.Solid:
     return cadquery.Solid(solid)
 
 
+def placed(solid: cadquery.Solid, origin: FloatArray, frame: FloatArray) -> cadquery.Solid:
+    """Return the solid moved from the standard frame to ``origin`` (3,) and ``frame`` (3, 3)."""
+    import cadquery
+    from OCP.gp import gp_Ax3, gp_Dir, gp_Pnt, gp_Trsf
+    from OCP.TopLoc import TopLoc_Location
+
+    x, _, z = frame.tolist()
+    movement = gp_Trsf()
+    movement.SetTransformation(gp_Ax3(gp_Pnt(*origin.tolist()), gp_Dir(*z), gp_Dir(*x)), gp_Ax3())
+    return cadquery.Solid(solid.wrapped.Located(TopLoc_Location(movement)))
+
+
 def plane_of(loop: FloatArray) -> tuple[list[float], list[float]]:
     """Mean point and unit normal (Newell) of a planar polygon (N, 3)."""
     middle = loop.mean(axis=0)

@@ -1,0 +1,149 @@
+"""STEP: an assembly with one named product a part, in mm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from io import BytesIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from freecad_ortho.fabrication.part import Part
+from solver.errors import OutputError
+
+if TYPE_CHECKING:
+    import cadquery
+
+ASSEMBLY_NAME = "structure"
+# The same structure gives the same file: no clock, no user name.
+_TIME_STAMP = "2000-01-01T00:00:00"
+
+
+def write_step(path: Path, parts: Sequence[Part]) -> None:
+    """Write the parts as components of one assembly, in their order.
+
+    Each product lies flat in its own coordinates, the component puts it in its place.
+
+    Args:
+        path: file to write.
+        parts: each becomes a product and a component, both with the part's name.
+
+    Raises:
+        OutputError: the kernel could not translate the solids.
+        OSError: the file cannot be written.
+    """
+    document = _document()
+    _fill(document, parts)
+    path.write_bytes(_step_bytes(document))
+
+
+def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
+    """Return name and shape of each component of the assembly in a STEP file, mm.
+
+    Raises:
+        OutputError: the file cannot be read back.
+    """
+    import cadquery
+    from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.STEPCAFControl import STEPCAFControl_Reader
+    from OCP.TDF import TDF_Label, TDF_LabelSequence
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
+
+    document = _document()
+    reader = STEPCAFControl_Reader()
+    reader.SetNameMode(True)
+    with _quiet_kernel():
+        good = reader.ReadFile(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone
+        good = good and reader.Transfer(document)
+    if not good:
+        raise OutputError(f"{path}: cannot be read back as STEP; write it again")
+    roots = TDF_LabelSequence()
+    XCAFDoc_DocumentTool.ShapeTool_s(document.Main()).GetFreeShapes(roots)
+    components = TDF_LabelSequence()
+    for index in range(1, roots.Length() + 1):
+        XCAFDoc_ShapeTool.GetComponents_s(roots.Value(index), components, False)
+    result = []
+    for index in range(1, components.Length() + 1):
+        component, product = components.Value(index), TDF_Label()
+        XCAFDoc_ShapeTool.GetReferredShape_s(component, product)
+        shape = XCAFDoc_ShapeTool.GetShape_s(component)
+        result.append((_name_of(product), cadquery.Shape.cast(shape)))
+    return result
+
+
+def _document() -> Any:
+    from OCP.TCollection import TCollection_ExtendedString
+    from OCP.TDocStd import TDocStd_Document
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    document = TDocStd_Document(TCollection_ExtendedString("BinXCAF"))
+    XCAFDoc_DocumentTool.SetLengthUnit_s(document, 1e-3)  # in metres: the shapes are in mm
+    return document
+
+
+def _fill(document: Any, parts: Sequence[Part]) -> None:
+    from OCP.TCollection import TCollection_ExtendedString
+    from OCP.TDataStd import TDataStd_Name
+    from OCP.TopLoc import TopLoc_Location
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    shapes.SetAutoNaming_s(False)
+    assembly = shapes.NewShape()
+    TDataStd_Name.Set_s(assembly, TCollection_ExtendedString(ASSEMBLY_NAME))
+    for part in parts:
+        name = TCollection_ExtendedString(part.name)
+        solid = part.solid().wrapped
+        product = shapes.AddShape(solid.Located(TopLoc_Location()), False)
+        TDataStd_Name.Set_s(product, name)
+        TDataStd_Name.Set_s(shapes.AddComponent(assembly, product, solid.Location()), name)
+    shapes.UpdateAssemblies()
+
+
+def _step_bytes(document: Any) -> bytes:
+    from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
+    from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.Interface import Interface_Static
+    from OCP.STEPCAFControl import STEPCAFControl_Writer
+    from OCP.STEPControl import STEPControl_StepModelType
+    from OCP.TCollection import TCollection_HAsciiString
+
+    with _quiet_kernel():
+        writer = STEPCAFControl_Writer()
+        Interface_Static.SetCVal_s("write.step.unit", "MM")
+        writer.SetNameMode(True)
+        done = writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
+        if done:
+            header = APIHeaderSection_MakeHeader(writer.ChangeWriter().Model())
+            header.SetName(TCollection_HAsciiString(ASSEMBLY_NAME))
+            header.SetTimeStamp(TCollection_HAsciiString(_TIME_STAMP))
+            header.SetAuthorValue(1, TCollection_HAsciiString(""))
+            header.SetOrganizationValue(1, TCollection_HAsciiString(""))
+            header.SetOriginatingSystem(TCollection_HAsciiString("freecad_ortho"))
+            stream = BytesIO()
+            done = writer.WriteStream(stream) == IFSelect_ReturnStatus.IFSelect_RetDone
+    if not done:
+        raise OutputError("STEP: the CAD kernel could not translate the solids; check the mesh")
+    return stream.getvalue()
+
+
+def _name_of(label: Any) -> str:
+    from OCP.TDataStd import TDataStd_Name
+
+    name = TDataStd_Name()
+    return str(name.Get().ToExtString()) if label.FindAttribute(name.GetID_s(), name) else ""
+
+
+@contextmanager
+def _quiet_kernel() -> Iterator[None]:
+    """Keep the kernel's translation statistics off the standard output."""
+    from OCP.Message import Message, Message_PrinterOStream
+
+    messenger = Message.DefaultMessenger_s()
+    printers = list(messenger.Printers())
+    messenger.RemovePrinters(Message_PrinterOStream.get_type_descriptor_s())
+    try:
+        yield
+    finally:
+        for printer in printers:
+            messenger.AddPrinter(printer)
