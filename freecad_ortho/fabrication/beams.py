@@ -133,12 +133,22 @@ def beam_geometry(mesh: QuadMesh, axes: Axes, settings: BeamSettings) -> BeamGeo
 
 
 def beam_parts(
-    mesh: QuadMesh, axes: Axes, settings: BeamSettings, geometry: BeamGeometry, density: float
+    mesh: QuadMesh,
+    axes: Axes,
+    settings: BeamSettings,
+    geometry: BeamGeometry,
+    density: float,
+    shift: FloatArray,
 ) -> list[Part]:
-    """Return one part an edge, in the order of the edges; density in kg/m3."""
+    """Return one part an edge, in the order of the edges.
+
+    Density in kg/m3; ``shift`` (3,) brings the geometry into the place of the model, mm.
+    """
     edges = mesh.connectivity.edges.tolist()
     names = part_names("B", len(edges))
     twist = np.degrees(np.arcsin(np.clip(axes.twist, 0.0, 1.0)))
+    arms = geometry.points - geometry.origin[:, None]
+    corners = np.einsum("npk,nck->npc", arms, geometry.frame)
     parts = []
     for edge, name in enumerate(names):
         pattern = _flat_pattern(name, geometry.outline[edge], geometry.setback[edge], edges[edge])
@@ -147,9 +157,9 @@ def beam_parts(
             Part(
                 name=name,
                 kind="beam",
-                points=geometry.points[edge],
+                corners=corners[edge],
                 loops=LOOPS,
-                origin=geometry.origin[edge],
+                origin=geometry.origin[edge] + shift,
                 frame=geometry.frame[edge],
                 pattern=pattern,
                 length=float(pattern.size[0]),

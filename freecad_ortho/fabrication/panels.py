@@ -96,13 +96,22 @@ def panel_geometry(
 
 
 def panel_parts(
-    mesh: QuadMesh, settings: PanelSettings, geometry: PanelGeometry, density: float
+    mesh: QuadMesh,
+    settings: PanelSettings,
+    geometry: PanelGeometry,
+    density: float,
+    shift: FloatArray,
 ) -> list[Part]:
-    """Return one part a face, in the order of the faces; density in kg/m3."""
+    """Return one part a face, in the order of the faces.
+
+    Density in kg/m3; ``shift`` (3,) brings the geometry into the place of the model, mm.
+    """
     connectivity = mesh.connectivity
     names = part_names("P", len(connectivity.faces))
     across = _neighbours(connectivity).tolist()
     faces = connectivity.faces.tolist()
+    arms = geometry.points - geometry.origin[:, None]
+    corners = np.einsum("npk,nck->npc", arms, geometry.frame)
     parts = []
     for face, name in enumerate(names):
         beside = [names[other] if other >= 0 else "" for other in across[face]]
@@ -113,9 +122,9 @@ def panel_parts(
             Part(
                 name=name,
                 kind="panel",
-                points=geometry.points[face],
+                corners=corners[face],
                 loops=LOOPS,
-                origin=geometry.origin[face],
+                origin=geometry.origin[face] + shift,
                 frame=geometry.frame[face],
                 pattern=pattern,
                 length=length,

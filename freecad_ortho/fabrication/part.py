@@ -69,10 +69,11 @@ class Part:
     Attributes:
         name: ``B0001`` is edge 0, ``P0001`` is face 0; the same name in every file.
         kind: "beam" or "panel".
-        points: (N, 3) corner points, mm.
+        corners: (N, 3) corner points in the part's own coordinates, mm: x and y are those of the
+            flat pattern, z goes across the plate.
         loops: point numbers around each planar side, counter-clockwise seen from outside.
-        origin: (3,) where the origin of the flat pattern is, mm.
-        frame: (3, 3) rows: x and y of the flat pattern, and across the plate.
+        origin: (3,) where the origin of the part's own coordinates is, mm.
+        frame: (3, 3) directions of its x, y and z, one a row.
         pattern: the flat pattern.
         length: of the flat pattern, along the beam or the panel's first side, mm.
         height: of the beam's plate, or of the panel's flat pattern across its length, mm.
@@ -87,7 +88,7 @@ class Part:
 
     name: str
     kind: str
-    points: FloatArray
+    corners: FloatArray
     loops: Loops
     origin: FloatArray
     frame: FloatArray
@@ -102,6 +103,11 @@ class Part:
     vertices: tuple[int, ...]
     face: int | None = None
 
+    @property
+    def points(self) -> FloatArray:
+        """(N, 3) corner points in the place where the part is built in, mm."""
+        return np.asarray(self.origin + self.corners @ self.frame)
+
     def solid(self) -> cadquery.Solid:
         """Return the closed solid in its place, mm; built once from the corner points.
 
@@ -114,8 +120,7 @@ class Part:
     def _solid(self) -> cadquery.Solid:
         from freecad_ortho.fabrication.solids import placed, polyhedron_solid
 
-        flat = (self.points - self.origin) @ self.frame.T
-        return placed(polyhedron_solid(flat, self.loops), self.origin, self.frame)
+        return placed(polyhedron_solid(self.corners, self.loops), self.origin, self.frame)
 
 
 def part_names(letter: str, count: int) -> list[str]:

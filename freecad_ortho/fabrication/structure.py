@@ -42,8 +42,8 @@ class Structure:
         panels: settings, None without panels.
         density: kg/m3.
         parts: beams, then panels.
-        beam_geometry: corners of the beams as arrays.
-        panel_geometry: corners of the panels as arrays.
+        beam_geometry: corners of the beams as arrays, relative to the mesh's mean vertex.
+        panel_geometry: corners of the panels as arrays, relative to the mesh's mean vertex.
     """
 
     mesh: QuadMesh
@@ -180,21 +180,24 @@ def build(
         raise InputError("system: expected beams, panels or both, got neither; choose one")
     positive("density", density, "kg/m3")
     say = progress or (lambda fraction, words: None)
+    # Near the origin no digits are lost, wherever the model is.
+    centre = mesh_mm.vertices[mesh_mm.connectivity.referenced].mean(axis=0)
+    mesh = mesh_mm.with_vertices(mesh_mm.vertices - centre)
     say(0.0, "axes")
-    axes = torsion_free_axes(mesh_mm)
+    axes = torsion_free_axes(mesh)
     parts: list[Part] = []
     of_beams = of_panels = None
     if beams is not None:
         say(0.2, "beams")
-        of_beams = beam_geometry(mesh_mm, axes, beams)
-        parts += beam_parts(mesh_mm, axes, beams, of_beams, density)
+        of_beams = beam_geometry(mesh, axes, beams)
+        parts += beam_parts(mesh, axes, beams, of_beams, density, centre)
     if panels is not None:
         say(0.6, "panels")
-        base = mesh_mm
+        base = mesh
         if beams is not None:
-            base = mesh_mm.with_vertices(mesh_mm.vertices + beams.levels[1] * axes.offsets)
+            base = mesh.with_vertices(mesh.vertices + beams.levels[1] * axes.offsets)
         of_panels = panel_geometry(base, panels, of_beams)
-        parts += panel_parts(mesh_mm, panels, of_panels, density)
+        parts += panel_parts(mesh, panels, of_panels, density, centre)
     say(1.0, f"{len(parts)} parts")
     return Structure(mesh_mm, axes, beams, panels, density, tuple(parts), of_beams, of_panels)
 
