@@ -67,6 +67,7 @@ def main() -> int:
     try:
         job, drawn = plan(options)
         with staged_folder(options.out) as folder:
+            say("principal mesh ...")
             optimised = optimise(job, folder)
             say("beams and panels ...")
             fabricated = fabricate(job, folder)
@@ -154,7 +155,7 @@ def optimise(job: Job, folder: Path) -> dict[str, Any]:
     code = command_line("optimise", str(job.mesh), *arguments, accept=(0, 1))
     result: dict[str, Any] = json.loads(report.read_text("utf-8"))
     if code == 1:
-        say("going on with the best mesh found; the beams' twist in the table tells what it means")
+        say(f"{result['message']}\ngoing on with the best mesh found; see the twist of the beams")
     return result
 
 
@@ -168,9 +169,10 @@ def fabricate(job: Job, folder: Path) -> dict[str, Any]:
 
 
 def command_line(*arguments: str, accept: tuple[int, ...] = (0,)) -> int:
-    """Run the project's own command line, which speaks for itself on stderr."""
+    """Run the project's own command line, which says on stderr what is wrong."""
     command = [sys.executable, "-m", "freecad_ortho", *arguments]
-    code = subprocess.run(command, cwd=Path.cwd(), check=False).returncode
+    # Its closing line on stdout names the passing folder in which the files are made.
+    code = subprocess.run(command, stdout=subprocess.DEVNULL, check=False).returncode
     if code not in accept:
         raise DemoError(f"{arguments[0]} did not succeed (see the line above)", code=code or 1)
     return code

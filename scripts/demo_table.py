@@ -67,7 +67,10 @@ def table(
             f"{len(panels)} plates, {numbers(panels, 'area_mm2').sum() / 1e6:,.1f} m2, "
             f"{float(panels[0]['thickness_mm']):g} mm thick",
         ),
-        ("mass", f"{numbers(parts, 'mass_kg').sum() / 1000:,.3g} t, beams and panels together"),
+        (
+            "mass",
+            f"{numbers(parts, 'mass_kg').sum() / 1000:,.3g} t of steel, beams and panels together",
+        ),
         ("files", f"{out}/: {', '.join(files)}; {seconds:.0f} s"),
     ]
     width = max(len(name) for name, _ in rows)
