@@ -60,6 +60,7 @@ class Optimisation:
         max_steps: steps of all attempts together.
         backend: name of the sparse solver, by default the fastest installed.
         attempts: how many of the smoothing factors may be tried.
+        accept_start: a start that already is the net is returned untouched.
     """
 
     def __init__(
@@ -69,6 +70,7 @@ class Optimisation:
         max_steps: int = 200,
         backend: str | None = None,
         attempts: int = len(SMOOTHING),
+        accept_start: bool = True,
     ) -> None:
         begin = time.perf_counter()
         self.problem = problem
@@ -86,6 +88,8 @@ class Optimisation:
         self.seconds_setup = time.perf_counter() - begin
         if not problem.free.any():
             self._conclude(STALLED)
+        elif accept_start and judge(problem, problem.start, tolerance).valid:
+            self._conclude(CONVERGED)
 
     @property
     def finished(self) -> bool:

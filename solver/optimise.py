@@ -93,6 +93,7 @@ def start_optimisation(
         weights = replace(weights, closeness=closeness)
     problem = Problem(net, mesh, fixed_vertices(mesh, fix))
     add_guides(RECIPES[net](problem), weights)
-    # Whoever sets the fairness means it: then there is one attempt, with that weight.
-    attempts = len(SMOOTHING) if fairness is None else 1
-    return Optimisation(problem, tolerance, max_steps, backend, attempts)
+    # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
+    free_hand = fairness is None
+    attempts = len(SMOOTHING) if free_hand else 1
+    return Optimisation(problem, tolerance, max_steps, backend, attempts, accept_start=free_hand)

@@ -1,0 +1,107 @@
+"""Measures against surfaces whose properties are known exactly."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver import QuadMesh
+from solver.analysis import measures
+from solver.analysis.check import check
+from solver.analysis.spheres import cmc, common_radius, star_curvatures
+from tests.conftest import grid_faces, surface_of_revolution, wavy_grid
+
+
+def sphere_patch(radius: float, count: int = 9, width: float = 0.8) -> QuadMesh:
+    angles = np.linspace(-width / 2, width / 2, count)
+    u, v = np.meshgrid(angles, angles, indexing="ij")
+    points = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], axis=2)
+    return QuadMesh.from_arrays(radius * points.reshape(-1, 3), grid_faces(count, count))
+
+
+def single(corners) -> QuadMesh:
+    return QuadMesh.from_arrays(np.array(corners, dtype=float), [[0, 1, 2, 3]])
+
+
+def test_orthogonality_of_a_known_quad():
+    # Diagonals of length 2 and 1: difference 1 over mean 1.5.
+    kite = single([[-1, 0, 0], [0, -0.5, 0], [1, 0, 0], [0, 0.5, 0]])
+    assert measures.orthogonality(kite)[0] == pytest.approx(1 / 1.5)
+
+
+def test_planarity_of_a_known_quad():
+    # Diagonals of length 2 crossing at a distance of 0.1.
+    skew = single([[-1, 0, 0.1], [0, -1, 0], [1, 0, 0.1], [0, 1, 0]])
+    assert measures.planarity(skew)[0] == pytest.approx(0.1 / 2)
+
+
+def test_isosceles_trapezoids_are_principal_and_circular():
+    barrel = surface_of_revolution()
+    assert measures.orthogonality(barrel).max() < 1e-14
+    assert measures.planarity(barrel).max() < 1e-14
+    assert measures.circular(barrel).max() < 1e-14
+    assert measures.conical(barrel).max() < 1e-2
+
+
+def test_translational_grid_of_rhombi_is_chebyshev():
+    i, j = np.meshgrid(np.arange(6.0), np.arange(5.0), indexing="ij")
+    points = np.stack([i + 0.5 * j, np.sqrt(0.75) * j, 0 * i], axis=2).reshape(-1, 3)
+    mesh = QuadMesh.from_arrays(points, grid_faces(6, 5))
+    assert measures.chebyshev(mesh).max() < 1e-14
+    assert measures.geodesic(mesh).max() < 1e-14
+    # Angles of 60 and 120 degrees alternate: the two sums differ by 120 degrees.
+    assert measures.conical(mesh) == pytest.approx(2 * np.pi / 3)
+
+
+def test_helicoid_grid_is_asymptotic():
+    s, t = np.meshgrid(np.linspace(-1, 1, 9), np.linspace(-1, 1, 9), indexing="ij")
+    points = np.stack([s * np.cos(t), s * np.sin(t), t], axis=2).reshape(-1, 3)
+    mesh = QuadMesh.from_arrays(points, grid_faces(9, 9))
+    # Rulings and helices are asymptotic lines; every star is planar by symmetry of the motion.
+    assert measures.asymptotic(mesh).max() < 1e-14
+    assert measures.asymptotic(wavy_grid(9, 9)).max() > 1e-2
+
+
+@pytest.mark.parametrize("radius", [0.3, 40.0])
+def test_sphere_has_its_radius(radius):
+    mesh = sphere_patch(radius)
+    assert cmc(mesh).max() < 1e-12
+    assert abs(common_radius(mesh)) == pytest.approx(radius, rel=1e-12)
+    curvature, normal = star_curvatures(mesh)
+    centre = mesh.vertices[mesh.connectivity.stars[:, 0]] + normal / curvature[:, None]
+    assert np.abs(centre).max() < 1e-10 * radius
+    assert cmc(mesh, radius=2 * radius).max() > 1e-4
+
+
+def test_folded_faces_are_found():
+    mesh = wavy_grid(6, 6)
+    assert not measures.flipped(mesh).any()
+    folded = mesh.vertices.copy()
+    folded[14] = folded[14] + 3.0 * (folded[21] - folded[14])
+    assert measures.flipped(mesh.with_vertices(folded)).any()
+
+
+def test_check_names_the_worst_place_and_is_scale_free():
+    mesh = wavy_grid(7, 6)
+    bent = mesh.vertices.copy()
+    bent[0] += [0, 0, 0.8]
+    result = check(mesh.with_vertices(bent))
+    assert result["measures"]["planarity"]["where"] == "face"
+    assert result["measures"]["planarity"]["worst"] == 0
+    scaled = check(mesh.with_vertices(bent).scaled(1000.0))
+    for name, entry in result["measures"].items():
+        assert scaled["measures"][name]["max"] == pytest.approx(entry["max"], rel=1e-9)
+        assert scaled["measures"][name]["worst"] == entry["worst"]
+
+
+def test_check_of_a_mesh_without_interior_vertices():
+    strip = QuadMesh.from_arrays(
+        np.array([[i, j, 0.1 * i * j] for i in range(4) for j in range(2)]), grid_faces(4, 2)
+    )
+    result = check(strip)
+    assert result["measures"]["asymptotic"] == {
+        "max": 0.0,
+        "mean": 0.0,
+        "worst": None,
+        "where": "vertex",
+    }

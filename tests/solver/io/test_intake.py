@@ -1,0 +1,136 @@
+"""Bad and odd meshes: refused in one line, or mended and said."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver.errors import InputError, OutputError
+from solver.io.atomic import staged_folder, write_text
+from solver.io.intake import quad_mesh
+from solver.io.obj import read_obj, write_obj
+from tests.conftest import grid_faces, wavy_grid
+
+
+def flat_grid(rows=3, columns=3):
+    points = np.array([[i, j, 0.0] for i in range(rows) for j in range(columns)])
+    return points, grid_faces(rows, columns).tolist()
+
+
+def test_reversed_faces_are_turned_and_said():
+    points, faces = flat_grid(4, 4)
+    original = [list(face) for face in faces]
+    faces[2] = faces[2][::-1]
+    faces[5] = faces[5][::-1]
+    mesh, remarks = quad_mesh(points, faces)
+    assert "2 faces were oriented against their neighbours (first: face 2)" in remarks[0]
+    assert (mesh.face_normals[:, 2] == mesh.face_normals[0, 2]).all()
+    for face in (0, 1, 3, 4):
+        assert mesh.faces[face].tolist() == original[face]
+
+
+def test_components_and_loose_vertices_are_kept_and_said():
+    points, faces = flat_grid()
+    more = np.vstack([points, points + [10, 0, 0], [[99.0, 0, 0]]])
+    mesh, remarks = quad_mesh(more, faces + [[v + 9 for v in face] for face in faces])
+    assert any("1 vertices belong to no face (first: 18)" in remark for remark in remarks)
+    assert any("2 separate components" in remark for remark in remarks)
+    assert (mesh.vertices == more).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda p, f: (p, [*f, [0, 1, 4]]), "1 triangles among 5; face 4 has 3"),
+        (lambda p, f: (p, [*f, [0, 1, 2, 5, 4]]), "1 faces with more than 4 corners"),
+        (lambda p, f: (p, [*f, [0, 1, 2, 77]]), "numbered 0 to 8"),
+        (lambda p, f: (p, [*f, [0, 1, 1, 2]]), "repeat a vertex, the first is face 4"),
+        (lambda p, f: (np.where(p == 2, np.nan, p), f), "NaN or infinite"),
+        (lambda p, f: (p * [1, 0, 0], f), "no area, the first is face 0"),
+        (lambda p, f: (p, [*f, *f]), "more than two faces"),
+    ],
+)
+def test_unusable_meshes_are_refused_in_one_line(change, words):
+    points, faces = change(*flat_grid())
+    with pytest.raises(InputError, match=words) as caught:
+        quad_mesh(points, faces)
+    assert "\n" not in str(caught.value)
+
+
+def test_moebius_band_is_refused():
+    count = 7
+    points = []
+    for k in range(count):
+        angle = 2 * np.pi * k / count
+        for side in (-0.3, 0.3):
+            out = 1 + side * np.cos(angle / 2)
+            points.append([out * np.cos(angle), out * np.sin(angle), side * np.sin(angle / 2)])
+    faces = [[2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1] for k in range(count - 1)]
+    faces.append([2 * count - 2, 1, 0, 2 * count - 1])
+    with pytest.raises(InputError, match="cannot be oriented"):
+        quad_mesh(np.array(points), faces)
+
+
+def test_obj_round_trip_keeps_every_bit(tmp_path):
+    mesh = wavy_grid(5, 6).scaled(1 / 3)
+    path = tmp_path / "mesh.obj"
+    write_obj(path, mesh, "ft")
+    data = read_obj(path)
+    assert (data.vertices == mesh.vertices).all()
+    assert data.polygons == mesh.faces.tolist()
+    assert data.unit == "ft"
+
+
+def test_obj_dialects(tmp_path):
+    path = tmp_path / "dialect.obj"
+    path.write_text(
+        "# exported\nmtllib x.mtl\no thing\nv 0 0 0 1.0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+        "vt 0 0\nvn 0 0 1\ng a\nusemtl b\ns off\nf 1/1/1 2//1 3/1 \\\n 4\nf -4 -3 -2 -1\n"
+    )
+    data = read_obj(path)
+    assert data.polygons == [[0, 1, 2, 3], [0, 1, 2, 3]]
+    assert data.unit is None
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "no vertex lines"),
+        ("solid stl\nfacet\n", "no vertex lines"),
+        ("v 0 0 0\nv 1 0 0\n", "no faces"),
+        ("v 0 0\n", "line 1: expected 'v x y z'"),
+        ("v 0 zero 0\n", "line 1: expected 'v x y z'"),
+        ("v 0 0 0\nf 1 2 x 3\n", "line 2: 'x' is not a vertex number"),
+        ("v 0 0 0\nf 0 1 2 3\n", "line 2: '0' is not a vertex number"),
+    ],
+)
+def test_broken_obj_files_are_refused_in_one_line(tmp_path, text, words):
+    path = tmp_path / "broken.obj"
+    path.write_text(text)
+    with pytest.raises(InputError, match=words) as caught:
+        read_obj(path)
+    assert "\n" not in str(caught.value)
+
+
+def test_missing_file_is_named(tmp_path):
+    with pytest.raises(InputError, match="no such file"):
+        read_obj(tmp_path / "absent.obj")
+
+
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path):
+    target = tmp_path / "mesh.obj"
+    target.write_text("old")
+    with pytest.raises(UnicodeEncodeError):
+        write_text(target, "half \ud800")
+    assert target.read_text() == "old"
+    with pytest.raises(OutputError, match="cannot be written"):
+        write_text(tmp_path / "absent" / "mesh.obj", "text")
+
+
+def test_a_failed_batch_of_files_changes_nothing(tmp_path):
+    (tmp_path / "a.txt").write_text("old")
+    with pytest.raises(ZeroDivisionError), staged_folder(tmp_path) as staging:
+        (staging / "a.txt").write_text("new")
+        raise ZeroDivisionError
+    assert [path.name for path in tmp_path.iterdir()] == ["a.txt"]
+    assert (tmp_path / "a.txt").read_text() == "old"

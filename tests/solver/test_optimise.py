@@ -1,0 +1,198 @@
+"""The solver on real meshes: precision, shape, fixed vertices, bad settings, stopping."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver import InputError, QuadMesh, optimise, start_optimisation
+from solver.analysis import measures
+from tests.conftest import demo_roof, grid_faces, shared_mesh, wavy_grid
+
+# Name and largest mean move, in mean edges.
+REQUIRED = {
+    "heart": 2.0,
+    "conical1": 1.0,
+    "botanic-garden-bubble-0": 1.0,
+    "complete01": 1.0,
+    "demo roof": 1.0,
+}
+
+
+def mesh_named(name: str) -> QuadMesh:
+    return demo_roof() if name == "demo roof" else shared_mesh(name)
+
+
+@pytest.mark.parametrize("backend", ["rslab", "scipy"])
+@pytest.mark.parametrize("name", REQUIRED)
+def test_principal_meshes_to_machine_precision(name, backend):
+    if backend == "rslab":
+        pytest.importorskip("rslab", reason="rslab is optional; scipy is tested beside it")
+    start = mesh_named(name)
+    outcome = optimise(start, "principal", backend=backend)
+    mesh, report = outcome.mesh, outcome.report
+    assert report.status == "converged", report.message
+    assert measures.orthogonality(mesh).max() <= 1e-10
+    assert measures.planarity(mesh).max() <= 1e-10
+    assert measures.edge_ratio(mesh) >= 0.5 * measures.edge_ratio(start)
+    assert not measures.flipped(mesh).any()
+    moved = np.linalg.norm(mesh.vertices - start.vertices, axis=1) / start.mean_edge
+    assert moved.mean() <= REQUIRED[name]
+    assert np.isclose(report.moved.mean, moved.mean())
+    assert (mesh.faces == start.faces).all()
+
+
+@pytest.mark.parametrize("name", REQUIRED)
+def test_a_fixed_boundary_keeps_every_bit(name):
+    start = mesh_named(name)
+    before = measures.orthogonality(start).mean()
+    outcome = optimise(start, "principal", fix="boundary", max_steps=60)
+    rim = start.connectivity.boundary_vertices
+    assert (outcome.mesh.vertices[rim] == start.vertices[rim]).all()
+    assert (outcome.mesh.vertices[~rim] != start.vertices[~rim]).any()
+    report = outcome.report
+    measured = {
+        "orthogonality": measures.orthogonality(outcome.mesh).max(),
+        "planarity": measures.planarity(outcome.mesh).max(),
+    }
+    assert {name: spread.max for name, spread in report.residuals.items()} == measured
+    assert (report.status == "converged") == (max(measured.values()) <= 1e-10)
+    assert measures.orthogonality(outcome.mesh).mean() < before
+    assert not measures.flipped(outcome.mesh).any()
+    assert measures.edge_ratio(outcome.mesh) >= 0.25 * measures.edge_ratio(start)
+
+
+def test_rounding_noise_of_the_unit_does_not_matter():
+    start = wavy_grid(10, 9)
+    small = optimise(start.scaled(1e-3))
+    large = optimise(start.scaled(1e3))
+    assert small.report.iterations == large.report.iterations
+    assert np.allclose(small.mesh.vertices * 1e6, large.mesh.vertices, rtol=0, atol=1e-3)
+
+
+def test_same_input_same_bytes():
+    start = wavy_grid(10, 9)
+    assert optimise(start).mesh.vertices.tobytes() == optimise(start).mesh.vertices.tobytes()
+
+
+def test_report_counts_as_the_paper_does():
+    start = wavy_grid(10, 9)
+    report = optimise(start).report
+    # Three coordinates a vertex and a normal a face; diagonals, four edges and unit length a face.
+    assert report.variables == 3 * 90 + 3 * 72
+    assert report.constraints == 6 * 72
+    assert report.vertices == 90
+    assert report.faces == 72
+    assert report.seconds >= report.seconds_per_iteration >= report.solve_seconds_per_iteration > 0
+
+
+def test_unreferenced_vertices_stay_and_components_are_independent():
+    one, two = wavy_grid(8, 7), wavy_grid(6, 9, shear=0.3)
+    lone = np.array([[100.0, 1 / 3, 7.0]])
+    points = np.vstack([one.vertices, lone, two.vertices + [30.0, 0, 0]])
+    faces = np.vstack([one.faces, two.faces + 57])
+    outcome = optimise(QuadMesh.from_arrays(points, faces))
+    assert outcome.report.status == "converged"
+    assert (outcome.mesh.vertices[56] == lone[0]).all()
+
+
+def test_a_principal_mesh_stays_where_it_is(barrel):
+    outcome = optimise(barrel)
+    assert outcome.report.status == "converged"
+    assert outcome.report.iterations == 0
+    assert (outcome.mesh.vertices == barrel.vertices).all()
+
+
+def test_smoothing_a_principal_mesh_keeps_it_principal(barrel):
+    outcome = optimise(barrel, fairness=0.1)
+    assert outcome.report.status == "converged"
+    assert 1e-3 < outcome.report.moved.max < 0.5
+
+
+def test_stepping_equals_one_call_and_can_stop():
+    start = wavy_grid(10, 9)
+    run = start_optimisation(start)
+    while not run.finished:
+        record = run.step()
+        assert record.step == len(run.history)
+    whole = optimise(start)
+    assert (run.outcome().mesh.vertices == whole.mesh.vertices).all()
+    stopped = optimise(start, callback=lambda record: record.step == 3)
+    assert stopped.report.status == "stopped"
+    assert stopped.report.iterations == 3
+    with pytest.raises(RuntimeError, match="finished"):
+        run.step()
+
+
+def test_an_interrupt_returns_what_there_is():
+    def interrupt(record):
+        if record.step == 2:
+            raise KeyboardInterrupt
+
+    outcome = optimise(wavy_grid(8, 8), callback=interrupt)
+    assert outcome.report.status == "stopped"
+    assert outcome.report.iterations == 2
+
+
+def test_step_limit_is_said():
+    report = optimise(wavy_grid(10, 9), max_steps=4).report
+    assert report.status == "stopped"
+    assert "more than 4 steps" in report.message
+
+
+def test_corner_fixing_and_vertex_lists():
+    start = wavy_grid(8, 7)
+    for fix, numbers in (("corners", [0, 6, 49, 55]), ("3, 11", [3, 11]), ([5], [5])):
+        outcome = optimise(start, fix=fix)
+        assert (outcome.mesh.vertices[numbers] == start.vertices[numbers]).all()
+        assert outcome.report.status == "converged"
+
+
+def test_everything_fixed_moves_nothing():
+    start = wavy_grid(5, 5)
+    outcome = optimise(start, fix=range(25))
+    assert (outcome.mesh.vertices == start.vertices).all()
+    assert outcome.report.status == "stalled"
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"net": "wiggly"}, "net: expected one of"),
+        ({"fix": "edges"}, "fix: expected none, corners, boundary"),
+        ({"fix": "0,99"}, "fix: vertex 99 does not exist"),
+        ({"fairness": -1.0}, "fairness: expected a weight of zero or more"),
+        ({"closeness": float("nan")}, "closeness: expected a weight"),
+        ({"tolerance": 0.0}, "tolerance: expected a positive number"),
+        ({"max_steps": 0}, "max_steps: expected 1 or more"),
+        ({"backend": "abacus"}, "sparse solver: expected one of"),
+    ],
+)
+def test_bad_settings_are_refused_in_one_line(settings, words):
+    with pytest.raises(InputError, match=words) as caught:
+        optimise(wavy_grid(4, 4), **settings)
+    assert "\n" not in str(caught.value)
+
+
+def test_corners_of_a_closed_band_do_not_exist():
+    count = 12
+    angle = 2 * np.pi * np.arange(count) / count
+    ring = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    points = np.vstack([ring, 1.5 * ring + [0, 0, 0.4]])
+    around = (np.arange(count) + 1) % count
+    faces = np.stack([np.arange(count), around, around + count, np.arange(count) + count], axis=1)
+    with pytest.raises(InputError, match="has no corners"):
+        optimise(QuadMesh.from_arrays(points, faces), fix="corners")
+
+
+def test_far_from_the_origin_is_said():
+    start = wavy_grid(6, 6)
+    far = start.with_vertices(start.vertices + 1e9)
+    report = optimise(far).report
+    assert report.status != "converged"
+    assert "far from the origin" in report.message
+
+
+def test_grid_faces_helper_is_oriented():
+    mesh = QuadMesh.from_arrays([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0]], grid_faces(2, 2))
+    assert mesh.face_normals[0, 2] == 1.0

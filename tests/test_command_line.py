@@ -1,0 +1,155 @@
+"""The command line as scripts use it: exit codes, files, one line for every mistake."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.__main__ import main
+from tests.conftest import ROOT, wavy_grid
+
+
+@pytest.fixture
+def mesh_file(tmp_path):
+    path = tmp_path / "wave.obj"
+    api.write_mesh(path, wavy_grid(9, 8).scaled(1000.0))
+    return path
+
+
+def one_line(capsys) -> str:
+    text = capsys.readouterr().err.strip()
+    assert text.count("\n") == 0, text
+    assert "Traceback" not in text
+    return text
+
+
+def test_optimise_writes_mesh_and_report(mesh_file, tmp_path, capsys):
+    out, report = tmp_path / "net.obj", tmp_path / "net.json"
+    code = main(
+        ["optimise", str(mesh_file), "--net", "principal", "-o", str(out), "--unit", "mm"]
+        + ["--report", str(report)]
+    )
+    assert code == 0
+    assert capsys.readouterr().err == ""
+    data = json.loads(report.read_text())
+    wanted = {
+        "net",
+        "status",
+        "message",
+        "vertices",
+        "faces",
+        "variables",
+        "constraints",
+        "iterations",
+        "seconds",
+        "seconds_per_iteration",
+        "solve_seconds_per_iteration",
+        "residuals",
+        "edge_ratio",
+        "moved",
+    }
+    assert wanted <= data.keys()
+    assert data["status"] == "converged"
+    assert set(data["moved"]) == {"max", "mean"}
+    assert set(data["residuals"]) == {"orthogonality", "planarity"}
+    before, after = api.read_mesh(mesh_file), api.read_mesh(out)
+    assert (before.mesh.faces == after.mesh.faces).all()
+    assert after.unit == "mm"
+    assert api.check(after.mesh)["measures"]["planarity"]["max"] <= 1e-10
+
+
+def test_not_converged_still_writes_the_best_mesh(mesh_file, tmp_path, capsys):
+    out = tmp_path / "net.obj"
+    code = main(["optimise", str(mesh_file), "-o", str(out), "--max-steps", "3"])
+    assert code == 1
+    assert out.is_file()
+    assert "more than 3 steps" in capsys.readouterr().err
+
+
+def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
+    main(["optimise", str(mesh_file), "-o", str(tmp_path / "n.obj"), "-v", "--max-steps", "5"])
+    text = capsys.readouterr().err
+    assert all(f"step {k}:" in text for k in range(1, 6))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["optimise", "absent.obj", "-o", "out.obj"], "no such file"),
+        (["optimise", "MESH", "-o", "out.obj", "--net", "wiggly"], "net: expected one of"),
+        (["optimise", "MESH", "-o", "out.obj", "--fix", "9999"], "fix: vertex 9999"),
+        (["optimise", "MESH", "-o", "absent/out.obj"], "does not exist"),
+        (["optimise", "MESH", "-o", "out.obj", "--report", "absent/r.json"], "does not exist"),
+        (["fabricate", "MESH", "-o", "out", "--height", "-1"], "height"),
+        (["fabricate", "MESH", "-o", "out", "--thickness", "nan"], "thickness"),
+        (["fabricate", "MESH", "-o", "out", "--thickness", "5000"], "thickness"),
+        (["fabricate", "MESH", "-o", "out", "--system", "nodes"], "system: expected one of"),
+        (["fabricate", "MESH", "-o", "out", "--offset", "left"], "offset"),
+        (["check", "absent.obj"], "no such file"),
+    ],
+)
+def test_bad_input_is_one_line_and_writes_nothing(
+    mesh_file, tmp_path, capsys, monkeypatch, arguments, words
+):
+    monkeypatch.chdir(tmp_path)
+    before = sorted(os.listdir(tmp_path))
+    code = main([str(mesh_file) if word == "MESH" else word for word in arguments])
+    assert code == 2
+    assert words in one_line(capsys)
+    assert sorted(os.listdir(tmp_path)) == before
+
+
+@pytest.mark.parametrize("arguments", [[], ["optimise"], ["optimise", "a.obj", "--unit", "parsec"]])
+def test_bad_arguments_are_one_line(arguments, capsys):
+    with pytest.raises(SystemExit) as caught:
+        main(arguments)
+    assert caught.value.code == 2
+    assert one_line(capsys).startswith("error:")
+
+
+def test_check_prints_a_table_and_json(mesh_file, capsys):
+    assert main(["check", str(mesh_file)]) == 0
+    assert "orthogonality" in capsys.readouterr().out
+    assert main(["check", str(mesh_file), "--json", "--unit", "cm"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["unit"] == "cm"
+    assert data["faces"] == 56
+
+
+def test_fabricate_writes_all_files(mesh_file, tmp_path, capsys):
+    net, out = tmp_path / "net.obj", tmp_path / "out"
+    assert main(["optimise", str(mesh_file), "-o", str(net)]) == 0
+    assert main(["fabricate", str(net), "-o", str(out), "--system", "beams+panels"]) == 0
+    assert {path.name for path in out.iterdir()} == {
+        "structure.step",
+        "flat.dxf",
+        "parts.csv",
+        "report.json",
+    }
+    assert "127 beams, 56 panels" in capsys.readouterr().out
+
+
+def test_interrupt_writes_what_there_is(tmp_path):
+    start, out = tmp_path / "wave.obj", tmp_path / "net.obj"
+    api.write_mesh(start, wavy_grid(120, 120))
+    command = [sys.executable, "-m", "freecad_ortho", "optimise", str(start), "-o", str(out), "-v"]
+    run = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
+    lines = []
+    for line in run.stderr:
+        lines.append(line)
+        if "step 2:" in line:
+            run.send_signal(signal.SIGINT)
+            break
+    rest = run.stderr.read()
+    deadline = time.time() + 60
+    assert run.wait(timeout=deadline - time.time()) == 1
+    assert "stopped" in rest
+    assert "Traceback" not in rest
+    assert api.read_mesh(out).mesh.vertices.shape == (14400, 3)
