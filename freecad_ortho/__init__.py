@@ -2,10 +2,26 @@
 
 from __future__ import annotations
 
+import sys
 from importlib.util import find_spec
 from pathlib import Path
 
 __version__ = "0.1.0"
+
+_HOME = Path(__file__).resolve().parents[1]
+
+
+def use_own_packages() -> None:
+    """Put the packages of the project's own ``.venv`` first on Python's path, if it fits.
+
+    ``scripts/setup.sh`` makes that environment for FreeCAD's Python. FreeCAD with a window empties
+    PYTHONPATH when it starts, so it has to be found from here. An environment of another Python
+    version has another folder name and is passed over.
+    """
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    packages = str(_HOME / ".venv" / "lib" / version / "site-packages")
+    if Path(packages).is_dir() and packages not in sys.path:
+        sys.path.insert(0, packages)
 
 
 def shadowing_module() -> str | None:
@@ -14,14 +30,13 @@ def shadowing_module() -> str | None:
     The add-on's folder lies on Python's path among others, so a stranger's ``solver`` can be found
     first. Nothing is imported to find out.
     """
-    home = Path(__file__).resolve().parents[1]
     found = find_spec("solver")
     if found is None:
-        return f"Ortho: the package 'solver' is missing beside {home}; install the add-on again"
+        return f"Ortho: the package 'solver' is missing beside {_HOME}; install the add-on again"
     origin = Path(found.origin).resolve() if found.origin else None
-    if origin is not None and origin.parents[1] == home:
+    if origin is not None and origin.parents[1] == _HOME:
         return None
     return (
         f"Ortho: Python finds another module named 'solver' at {origin or found.name} before the "
-        f"one in {home}; remove or rename it, then start FreeCAD again"
+        f"one in {_HOME}; remove or rename it, then start FreeCAD again"
     )

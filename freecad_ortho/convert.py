@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     import cadquery
     import Part
 
-MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
-
 
 def vectors(points: FloatArray) -> list[FreeCAD.Vector]:
     """Make FreeCAD vectors from an (N, 3) array; every bit is kept."""
@@ -76,10 +74,10 @@ def part_shape(shape: cadquery.Shape) -> Part.Shape:
     """Carry a cadquery shape over into FreeCAD."""
     import Part
 
-    stream = io.BytesIO()
-    shape.exportBrep(stream)
+    from freecad_ortho.fabrication import brep_text
+
     result = Part.Shape()
-    result.importBrepFromString(stream.getvalue().decode("ascii"))
+    result.importBrepFromString(brep_text(shape))
     return result
 
 

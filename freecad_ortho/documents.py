@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.fabrication.settings import BeamSettings, PanelSettings
+from freecad_ortho.fabrication import BeamSettings, PanelSettings
 from freecad_ortho.objects import build
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects import structure as structure_object
+from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 
 if TYPE_CHECKING:
@@ -55,13 +56,13 @@ def import_net(
     loaded = api.read_mesh(path, unit)
     target = _document(document, Path(path).stem)
     with transaction(target, FreeCAD.Qt.translate("Ortho", "Import quad mesh")):
-        mesh = loaded.mesh.scaled(convert.MILLIMETRES[loaded.unit])
+        mesh = loaded.mesh.scaled(millimetres_per(loaded.unit))
         net = net_object.create(target, mesh, Path(path).stem)
         net.Unit = loaded.unit
         net.SourceFile = os.fspath(path)
+        target.recompute()
     for remark in loaded.remarks:
         FreeCAD.Console.PrintWarning(f"{net.Label}: {remark}\n")
-    target.recompute()
     return net
 
 
@@ -196,7 +197,9 @@ def export_fabrication(
     from freecad_ortho import api
 
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
-    api.write_fabrication(build.structure(chosen), folder)
+    structure = build.structure(chosen)
+    with build.missing_package_named():
+        api.write_fabrication(structure, folder)
     return sorted(path for path in Path(folder).iterdir() if path.is_file())
 
 
@@ -267,6 +270,8 @@ def _add_structure(
             document.removeObject(feature.Name)
             raise
         feature.purgeTouched()
+        # As Part does with what a shape is made of: otherwise both are drawn into each other.
+        net.Visibility = False
     return feature
 
 

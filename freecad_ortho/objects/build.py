@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from freecad_ortho import convert
-from freecad_ortho.fabrication.settings import BeamSettings, PanelSettings
+from freecad_ortho.fabrication import BeamSettings, PanelSettings, Structure, build
 from freecad_ortho.objects import structure as structure_object
 from solver.errors import InputError, OrthoError
 
 if TYPE_CHECKING:
     import FreeCAD
-
-    from freecad_ortho.fabrication import Structure
 
 _REMEDY = "select one structure of beams, one of panels on them, or one of each on the same net"
 
@@ -27,7 +26,6 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
 
     Raises:
         InputError: not structures, structures that do not go together, or sizes that do not fit.
-        OrthoError: a Python package for fabrication is missing.
     """
     net = _common_net(features)
     beams = _only(features, structure_object.BEAMS)
@@ -40,18 +38,15 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
         )
     carrier = beams if panels is None else below
     _check_carrier(carrier, net)
-    try:
-        from freecad_ortho import fabrication
-    except ModuleNotFoundError as error:
-        raise _missing(error) from error
-    whole = fabrication.build(
+    whole = build(
         convert.quad_mesh(net),
         None if carrier is None else _beam_settings(carrier),
         None if panels is None else _panel_settings(panels),
         density=features[0].Density,
     )
     if beams is None and carrier is not None:
-        return replace(whole, parts=[part for part in whole.parts if part.kind == "panel"])
+        panels_only = tuple(part for part in whole.parts if part.kind == "panel")
+        return replace(whole, beams=None, beam_geometry=None, parts=panels_only)
     return whole
 
 
@@ -101,7 +96,17 @@ def _check_carrier(carrier: FreeCAD.DocumentObject | None, net: FreeCAD.Document
         )
 
 
-def _missing(error: ModuleNotFoundError) -> OrthoError:
-    return OrthoError(
-        f"structure: the Python package '{error.name}' is missing; install it for FreeCAD's Python"
-    )
+@contextmanager
+def missing_package_named() -> Iterator[None]:
+    """Say in plain words which Python package fabrication lacks.
+
+    Raises:
+        OrthoError: a package could not be imported.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise OrthoError(
+            f"fabrication: the Python package '{error.name}' is missing; "
+            "install it for FreeCAD's Python"
+        ) from error

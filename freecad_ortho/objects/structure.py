@@ -55,9 +55,7 @@ _PROPERTIES = (
         "App::PropertyEnumeration",
         "Offset",
         "Structure",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Where the plates lie: above, centred on, below the net"
-        ),
+        QT_TRANSLATE_NOOP("App::Property", "Where the plates lie: above the net, centred, below"),
         choices=OFFSETS,
     ),
     Property(
@@ -153,7 +151,8 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     from freecad_ortho.objects import build
 
     structure = build.structure([feature])
-    shape = convert.part_shape(structure.compound())
+    with build.missing_package_named():
+        shape = convert.part_shape(structure.compound())
     names = [part.name for part in structure.parts]
     feature.Shape = shape
     feature.PartNames = names

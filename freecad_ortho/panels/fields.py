@@ -8,6 +8,8 @@ from PySide import QtGui
 
 from solver.errors import InputError
 
+NARROW = 80
+
 
 class LengthField:
     """A field for a length that speaks the user's unit system."""
@@ -16,6 +18,8 @@ class LengthField:
         self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.widget.setProperty("unit", "mm")
         self.widget.setProperty("minimum", 0.0)
+        # Its own hint leaves room for the largest number there is, wider than the task panel.
+        self.widget.setMinimumWidth(NARROW)
         self.millimetres = millimetres
 
     @property
@@ -37,6 +41,7 @@ class ChoiceField:
         self._words = words
         self.widget.addItems(list(words.values()))
         self.widget.setCurrentText(words[chosen])
+        self.widget.setMinimumWidth(NARROW)
 
     @property
     def word(self) -> str:

@@ -11,9 +11,11 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho import convert, documents
 from freecad_ortho.commands import context, messages
+from freecad_ortho.objects.structure import is_structure
 from freecad_ortho.panels.fields import ChoiceField, NumberField
 from freecad_ortho.panels.run import Run
 from freecad_ortho.resources import icon
+from solver.nets import RECIPES
 
 translate = FreeCAD.Qt.translate
 
@@ -29,6 +31,7 @@ class OptimisePanel:
         self._mesh = convert.quad_mesh(net)
         self._settings: dict[str, Any] = {}
         self.run: Run | None = None
+        self._visible = _uncover(net)
         self._build_form(net.Label)
         FreeCAD.addDocumentObserver(self)
 
@@ -50,7 +53,7 @@ class OptimisePanel:
 
     def stop(self) -> None:
         """Make no further step; what has been reached stays on the screen."""
-        if self.run is not None:
+        if self.run is not None and self.run.running:
             self.run.stop()
             self._say(translate("Ortho", "Stopped. OK keeps this state, Start goes on."))
         self._show_state()
@@ -122,16 +125,20 @@ class OptimisePanel:
 
     def _ended(self, error: str | None) -> None:
         if error is None:
-            self._say(self.run.optimisation.outcome().report.message)
+            outcome = self.run.optimisation.outcome()
+            # The best shape of all attempts, not always the last one.
+            self.net.ViewObject.Proxy.show_vertices(outcome.mesh.vertices)
+            self._say(outcome.report.message)
         else:
             self._say(error)
         self._show_state()
 
     def _commit(self) -> None:
-        outcome = self.run.optimisation.outcome()
         settings = dict(self._settings)
         if not self.run.optimisation.finished:
             settings["max_steps"] = self.run.steps
+            self.run.optimisation.stop()
+        outcome = self.run.optimisation.outcome()
         # The macro line computes this again when it is replayed; here it only takes the result.
         documents.keep_outcome(self.net, settings, self._mesh.vertices, outcome)
         context.run("optimise_net", self.net, **settings)
@@ -145,9 +152,15 @@ class OptimisePanel:
     def _end_watching(self) -> None:
         if self.run is not None:
             self.run.stop()
-        if self._watching:
-            FreeCAD.removeDocumentObserver(self)
-            self._watching = False
+        if not self._watching:
+            return
+        self._watching = False
+        FreeCAD.removeDocumentObserver(self)
+        if self.net is not None:
+            for name, visible in self._visible.items():
+                feature = self.net.Document.getObject(name)
+                if feature is not None:
+                    feature.ViewObject.Visibility = visible
 
     def _say(self, text: str) -> None:
         self._message.setText(text)
@@ -169,7 +182,9 @@ class OptimisePanel:
         self._show_state()
 
     def _settings_rows(self, label: str) -> QtGui.QFormLayout:
-        self.net_type = ChoiceField({"principal": translate("Ortho", "principal")}, "principal")
+        self.net_type = ChoiceField(
+            {name: translate("Ortho", name) for name in RECIPES}, "principal"
+        )
         self.fairness = NumberField("fairness")
         self.closeness = NumberField("closeness")
         self.fix = ChoiceField(
@@ -221,6 +236,16 @@ class OptimisePanel:
         form.addRow(translate("Ortho", "Worst"), self._residual_label)
         form.addRow(self._message)
         return form
+
+
+def _uncover(net: FreeCAD.DocumentObject) -> dict[str, bool]:
+    """Show a net and hide what stands on it; give what was visible before, by name."""
+    structures = [item for item in net.InList if is_structure(item)]
+    before = {item.Name: item.ViewObject.Visibility for item in (net, *structures)}
+    for item in structures:
+        item.ViewObject.Visibility = False
+    net.ViewObject.Visibility = True
+    return before
 
 
 def _progress(worst: float, tolerance: float) -> int:

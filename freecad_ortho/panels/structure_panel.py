@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.panels.fields import ChoiceField, LengthField, offset_words
+from freecad_ortho.panels.fields import NARROW, ChoiceField, LengthField, offset_words
 from freecad_ortho.resources import icon
 from solver.errors import OrthoError
 
@@ -96,6 +96,7 @@ class PanelsPanel(_StructurePanel):
         self.on_beams = QtGui.QComboBox()
         self.on_beams.addItem(translate("Ortho", "nothing (on the net itself)"))
         self.on_beams.addItems([beams.Label for beams in self._beams])
+        self.on_beams.setMinimumWidth(NARROW)
         self.on_beams.setCurrentIndex(min(1, len(self._beams)))
         self.fields.addRow(translate("Ortho", "Thickness"), self.thickness.widget)
         self.fields.addRow(translate("Ortho", "Gap"), self.gap.widget)

@@ -16,6 +16,8 @@ _STOPS = np.array(
         (0.72, 0.10, 0.15),
     ]
 )
+_SUN = np.array([0.36, -0.48, 0.80])
+_DARKEST = 0.7
 
 
 def palette(fraction: FloatArray) -> FloatArray:
@@ -40,3 +42,15 @@ def colours(values: FloatArray, lowest_decade: int, highest_decade: int) -> Floa
     with np.errstate(divide="ignore"):
         exponent = np.log10(values)
     return palette((exponent - lowest_decade) / decades)
+
+
+def shading(normals: FloatArray) -> FloatArray:
+    """Darken faces gently by their direction, the same from wherever one looks.
+
+    Args:
+        normals: (F, 3) unit normals; which side they point to does not matter.
+
+    Returns:
+        (F,) factors on the faces' colours.
+    """
+    return _DARKEST + (1.0 - _DARKEST) * np.abs(normals @ _SUN)

@@ -9,7 +9,7 @@ from freecad_ortho.view.colours import palette
 
 # Corners of the window are at -1 and +1.
 _LEFT, _RIGHT, _BOTTOM, _TOP = -0.95, -0.915, -0.45, 0.45
-_PLATE = (-0.975, -0.78, -0.53, 0.60)
+_PLATE = (-0.975, -0.78, -0.53, 0.66)
 _STRIPES = 64
 
 
@@ -44,8 +44,8 @@ class Legend:
         overlay.addChild(self._labels)
         self.hide()
 
-    def show(self, title: str, lowest_decade: int, highest_decade: int) -> None:
-        """Show the scale with its labels."""
+    def show(self, title: str, note: str, lowest_decade: int, highest_decade: int) -> None:
+        """Show the scale with its labels, a title, and a short note below the title."""
         self._labels.removeAllChildren()
         colour = coin.SoBaseColor()
         colour.rgb = (0.1, 0.1, 0.12)
@@ -54,7 +54,8 @@ class Legend:
         font.name = "Sans"
         font.size = 14
         self._labels.addChild(font)
-        self._labels.addChild(_text(title, _LEFT, _TOP + 0.07))
+        self._labels.addChild(_text(title, _LEFT, _TOP + 0.13))
+        self._labels.addChild(_text(note, _LEFT, _TOP + 0.07))
         decades = range(lowest_decade, max(highest_decade, lowest_decade + 1) + 1)
         for height, decade in zip(np.linspace(_BOTTOM, _TOP, len(decades)), decades, strict=True):
             self._labels.addChild(_text(_power_of_ten(decade), _RIGHT + 0.015, height - 0.015))
@@ -66,7 +67,7 @@ class Legend:
 
 
 def _power_of_ten(exponent: int) -> str:
-    return f"{10.0**exponent:g}" if -4 <= exponent <= 4 else f"1e{exponent}"
+    return f"{10.0**exponent:g}" if abs(exponent) <= 2 else f"1e{exponent}"
 
 
 def _text(words: str, x: float, y: float) -> coin.SoSeparator:

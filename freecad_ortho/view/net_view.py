@@ -73,6 +73,8 @@ class NetView(Stateless):
     def __init__(self, view_object: Any) -> None:
         ensure(view_object, _PROPERTIES)
         view_object.Proxy = self
+        # A selected net keeps the colours of its faces; a frame says that it is selected.
+        view_object.SelectionStyle = "BoundBox"
 
     def attach(self, view_object: Any) -> None:
         """Build the nodes; FreeCAD calls this on creation and when a document opens."""
@@ -142,7 +144,8 @@ class NetView(Stateless):
     def _build_nodes(self) -> None:
         self._coordinates = coin.SoCoordinate3()
         self._material = coin.SoMaterial()
-        self._binding = coin.SoMaterialBinding()
+        binding = coin.SoMaterialBinding()
+        binding.value = coin.SoMaterialBinding.PER_FACE
         self._face_set = coin.SoIndexedFaceSet()
         self._line_colour = coin.SoBaseColor()
         self._line_style = coin.SoDrawStyle()
@@ -153,11 +156,12 @@ class NetView(Stateless):
         hints.faceType = coin.SoShapeHints.CONVEX
         hints.creaseAngle = 0.0
         push_back = coin.SoPolygonOffset()
-        self._faces = coin.SoSeparator()
-        for node in (hints, self._material, self._binding, push_back, self._face_set):
-            self._faces.addChild(node)
+        # Light from the camera would darken the colours that the scale explains.
         unlit = coin.SoLightModel()
         unlit.model = coin.SoLightModel.BASE_COLOR
+        self._faces = coin.SoSeparator()
+        for node in (unlit, hints, self._material, binding, push_back, self._face_set):
+            self._faces.addChild(node)
         self._edges = coin.SoSeparator()
         for node in (unlit, self._line_colour, self._line_style, self._line_set):
             self._edges.addChild(node)
@@ -196,22 +200,21 @@ class NetView(Stateless):
 
     def _colour(self) -> None:
         view = self.ViewObject
+        self._legend.hide()
+        if self._mesh is None:
+            return
         name = self.Object.ColourMap
         measure = _MEASURES.get(name)
-        if self._mesh is None or measure is None:
-            self._binding.value = coin.SoMaterialBinding.OVERALL
-            self._material.diffuseColor.setValue(*view.FaceColor[:3])
-            self._legend.hide()
-            return
-        values = measure(self._mesh)
-        shades = colours.colours(values, view.LowestDecade, view.HighestDecade)
+        shades = np.tile(view.FaceColor[:3], (len(self._mesh.faces), 1))
+        if measure is not None:
+            values = measure(self._mesh)
+            shades = colours.colours(values, view.LowestDecade, view.HighestDecade)
+            if view.Legend:
+                title = FreeCAD.Qt.translate("Ortho", name)
+                note = f"max {values.max():.1e}"
+                self._legend.show(title, note, view.LowestDecade, view.HighestDecade)
+        shades = shades * colours.shading(self._mesh.face_normals)[:, None]
         self._material.diffuseColor.setValues(0, len(shades), shades)
-        self._binding.value = coin.SoMaterialBinding.PER_FACE
-        if view.Legend:
-            title = f"{FreeCAD.Qt.translate('Ortho', name)}, max {values.max():.1e}"
-            self._legend.show(title, view.LowestDecade, view.HighestDecade)
-        else:
-            self._legend.hide()
 
 
 _MEASURES = {

@@ -7,7 +7,7 @@ from typing import Any
 from freecad_ortho.objects.properties import Stateless
 from freecad_ortho.resources import icon
 
-_STEEL = (0.36, 0.41, 0.47)
+_STEEL = (0.58, 0.63, 0.69)
 _GLASS = (0.62, 0.80, 0.88)
 
 
@@ -18,7 +18,7 @@ class StructureView(Stateless):
         view_object.Proxy = self
         panels = view_object.Object.System == "Panels"
         view_object.ShapeColor = _GLASS if panels else _STEEL
-        view_object.LineColor = (0.15, 0.17, 0.20)
+        view_object.LineColor = (0.27, 0.31, 0.36)
         view_object.LineWidth = 1.0
         view_object.PointSize = 1.0
         # Every part is flat-faced: a coarse tessellation shows it exactly.
