@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_ortho.fabrication.part import FlatPattern, Mark, Part, fitted_text_size, part_names
-from freecad_ortho.fabrication.settings import BeamSettings
+from freecad_ortho.fabrication.settings import BeamSettings, rounded_down
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 from solver.offset.axes import Axes
@@ -240,7 +240,7 @@ def _refuse_height(mesh: QuadMesh, settings: BeamSettings, lengths: FloatArray) 
         largest = float((mesh.edge_lengths[wrong] / shrink[wrong]).min())
         raise InputError(
             f"beam height: {settings.height:g} mm does not fit {_edge_name(mesh, wrong)}, where "
-            f"the axes meet before that; take less than {_rounded_down(largest)} mm or "
+            f"the axes meet before that; take less than {rounded_down(largest)} mm or "
             "another offset"
         )
 
@@ -258,7 +258,7 @@ def _refuse_thickness(
             f"beam thickness: {settings.thickness:g} mm does not fit "
             f"{_edge_name(mesh, np.arange(len(worst)) == edge)}, whose mitres need "
             f"{needed[edge]:.1f} of its {available[edge]:.1f} mm; take at most "
-            f"{_rounded_down(largest)} mm"
+            f"{rounded_down(largest)} mm"
         )
 
 
@@ -266,11 +266,6 @@ def _edge_name(mesh: QuadMesh, chosen: FloatArray) -> str:
     edge = int(np.argmax(chosen))
     first, second = mesh.connectivity.edges[edge]
     return f"edge {edge} (vertices {first} and {second})"
-
-
-def _rounded_down(value: float) -> str:
-    digits = 2 - math.floor(math.log10(value)) if value > 0 else 0
-    return f"{math.floor(value * 10.0**digits) / 10.0**digits:g}"
 
 
 def _flat_pattern(

@@ -14,7 +14,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.beams import LEFT_TOP, RIGHT_TOP, BeamGeometry
 from freecad_ortho.fabrication.part import FlatPattern, Mark, Part, fitted_text_size, part_names
-from freecad_ortho.fabrication.settings import PanelSettings
+from freecad_ortho.fabrication.settings import PanelSettings, rounded_down
 from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
@@ -198,7 +198,7 @@ def _refuse_gap(settings: PanelSettings, polygon: FloatArray, outline: FloatArra
         largest = settings.gap / (1 - float(kept.min()))
         raise InputError(
             f"gap: {settings.gap:g} mm with panels {settings.thickness:g} mm thick leaves nothing "
-            f"of face {face}; take a gap below {largest:.3g} mm or thinner panels"
+            f"of face {face}; take a gap below {rounded_down(largest)} mm or thinner panels"
         )
 
 

@@ -81,6 +81,13 @@ def positive(name: str, value: float, unit: str) -> None:
         raise InputError(f"{name}: expected a number above 0 {unit}, got {value}; give a size")
 
 
+def rounded_down(value: float) -> str:
+    """Three digits of a limit that is itself still allowed."""
+    digits = 2 - math.floor(math.log10(value)) if value > 0 else 0
+    scale = 10.0**-digits
+    return f"{math.floor(value / scale) * scale:.6g}"
+
+
 def _known_offset(offset: str) -> None:
     if offset not in OFFSETS:
         raise InputError(f"offset: expected one of {', '.join(OFFSETS)}, got '{offset}'")
