@@ -74,7 +74,8 @@ def main() -> int:
             principal = load(folder / "principal.obj")[0].scaled(MILLIMETRES[job.unit])
             say("FreeCAD model and picture ...")
             pictures = build_model(job, folder)
-            demo_picture.compose(folder / "preview.png", pictures, drawn, principal)
+            exact = optimised["status"] == "converged"
+            demo_picture.compose(folder / "preview.png", pictures, drawn, principal, exact)
             for path in pictures.values():
                 path.unlink()
             report = {"optimise": optimised, "fabricate": fabricated}
@@ -155,7 +156,7 @@ def optimise(job: Job, folder: Path) -> dict[str, Any]:
     code = command_line("optimise", str(job.mesh), *arguments, accept=(0, 1))
     result: dict[str, Any] = json.loads(report.read_text("utf-8"))
     if code == 1:
-        say(f"{result['message']}\ngoing on with the best mesh found; see the twist of the beams")
+        say("going on with the best mesh found; see the twist of the beams")
     return result
 
 

@@ -13,16 +13,20 @@ from solver.analysis import measures
 from solver.mesh.quadmesh import QuadMesh
 
 SIZE = (1600, 1000)
-INSET = (512, 320)
+# The start, as large as there is room beside the result, at least the last of these.
+INSETS = ((512, 320), (448, 280), (384, 240), (320, 200))
 # The main view is pasted a little smaller, low on the sheet: the title goes above it.
 MAIN = (1440, 900)
 MARGIN = 48
+LABEL = 30
 INK = (38, 43, 51)
 GREY = (110, 118, 128)
 LOWEST_DECADE, HIGHEST_DECADE = -8, -1
 
 
-def compose(target: Path, pictures: dict[str, Path], drawn: QuadMesh, principal: QuadMesh) -> None:
+def compose(
+    target: Path, pictures: dict[str, Path], drawn: QuadMesh, principal: QuadMesh, exact: bool
+) -> None:
     """Write the preview.
 
     Args:
@@ -31,28 +35,42 @@ def compose(target: Path, pictures: dict[str, Path], drawn: QuadMesh, principal:
             inset.
         drawn: the mesh as it came.
         principal: the optimised mesh.
+        exact: whether that one is a principal mesh to machine precision.
     """
     sheet = Image.new("RGB", SIZE, "white")
-    paste(sheet, pictures["after"], MAIN, ((SIZE[0] - MAIN[0]) // 2, SIZE[1] - MAIN[1]))
-    corner = (SIZE[0] - MARGIN - INSET[0], MARGIN)
-    paste(sheet, pictures["before"], INSET, corner)
+    main = load(pictures["after"], MAIN)
+    sheet.paste(main, ((SIZE[0] - MAIN[0]) // 2, SIZE[1] - MAIN[1]))
     draw = ImageDraw.Draw(sheet)
-    title = f"{len(principal.faces)} flat panels on torsion-free beams"
+    place_inset(sheet, draw, pictures["before"])
+    count = len(principal.faces)
+    title = f"{count} flat panels on torsion-free beams" if exact else f"{count} panels on beams"
     draw.text((MARGIN, MARGIN), title, font=font(34, bold=True), fill=INK)
     lines = [f"{name}: {worst(mesh)}" for name, mesh in (("as drawn", drawn), ("built", principal))]
     draw.text((MARGIN, MARGIN + 52), "\n".join(lines), font=font(20), fill=GREY, spacing=8)
-    end = (corner[0] + INSET[0], corner[1])
-    draw.text(end, "as drawn", font=font(22, bold=True), fill=INK, anchor="ra")
     scale(sheet, draw)
     sheet.save(target, optimize=True)
 
 
-def paste(sheet: Image.Image, path: Path, size: tuple[int, int], corner: tuple[int, int]) -> None:
-    """Lay a picture on the sheet; its white ground covers nothing."""
+def load(path: Path, size: tuple[int, int]) -> Image.Image:
+    """Read a rendered picture and scale it down."""
     with Image.open(path) as picture:
-        small = picture.convert("RGB").resize(size, Image.Resampling.LANCZOS)
-    box = (*corner, corner[0] + size[0], corner[1] + size[1])
+        return picture.convert("RGB").resize(size, Image.Resampling.LANCZOS)
+
+
+def place_inset(sheet: Image.Image, draw: ImageDraw.ImageDraw, path: Path) -> None:
+    """Lay the start into the corner at the right where it covers least of the result."""
+    choices = []
+    for size in INSETS:
+        small = load(path, size)
+        for top in (MARGIN + LABEL, SIZE[1] - MARGIN - size[1]):
+            left = SIZE[0] - MARGIN - size[0]
+            box = (left, top, left + size[0], top + size[1])
+            both = ImageChops.lighter(sheet.crop(box), small)
+            choices.append((int((np.asarray(both).min(axis=-1) < 250).sum()), small, box))
+    _, small, box = min(choices, key=lambda choice: choice[0])
     sheet.paste(ImageChops.darker(sheet.crop(box), small), box)
+    label = (box[2], box[1] - LABEL)
+    draw.text(label, "as drawn", font=font(22, bold=True), fill=INK, anchor="ra")
 
 
 def worst(mesh: QuadMesh) -> str:
