@@ -35,7 +35,8 @@ def write(
         The files, in the order above.
 
     Raises:
-        OutputError: the folder cannot be made or written, or a solid cannot be translated.
+        OutputError: the folder cannot be made or written.
+        OrthoError: a solid cannot be translated.
     """
     say = progress or (lambda fraction, words: None)
     target = Path(folder)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho.fabrication.part import Part
-from solver.errors import OutputError
+from solver.errors import OrthoError
 
 if TYPE_CHECKING:
     import cadquery
 
 ASSEMBLY_NAME = "structure"
 # The same structure gives the same file: no clock, no user name.
+_OCCURRENCE = re.compile(rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+")
 _TIME_STAMP = "2000-01-01T00:00:00"
 
 
@@ -29,7 +32,7 @@ def write_step(path: Path, parts: Sequence[Part]) -> None:
         parts: each becomes a product and a component, both with the part's name.
 
     Raises:
-        OutputError: the kernel could not translate the solids.
+        OrthoError: the kernel could not translate the solids.
         OSError: the file cannot be written.
     """
     document = _document()
@@ -41,7 +44,7 @@ def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
     """Return name and shape of each component of the assembly in a STEP file, mm.
 
     Raises:
-        OutputError: the file cannot be read back.
+        OrthoError: the file cannot be read back.
     """
     import cadquery
     from OCP.IFSelect import IFSelect_ReturnStatus
@@ -56,7 +59,7 @@ def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
         good = reader.ReadFile(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone
         good = good and reader.Transfer(document)
     if not good:
-        raise OutputError(f"{path}: cannot be read back as STEP; write it again")
+        raise OrthoError(f"{path}: cannot be read back as STEP; write it again")
     roots = TDF_LabelSequence()
     XCAFDoc_DocumentTool.ShapeTool_s(document.Main()).GetFreeShapes(roots)
     components = TDF_LabelSequence()
@@ -123,8 +126,10 @@ def _step_bytes(document: Any) -> bytes:
             stream = BytesIO()
             done = writer.WriteStream(stream) == IFSelect_ReturnStatus.IFSelect_RetDone
     if not done:
-        raise OutputError("STEP: the CAD kernel could not translate the solids; check the mesh")
-    return stream.getvalue()
+        raise OrthoError("STEP: the CAD kernel could not translate the solids; check the mesh")
+    # The kernel numbers occurrences through all files that a process writes.
+    number = count(1)
+    return _OCCURRENCE.sub(lambda found: found[1] + b"%d" % next(number), stream.getvalue())
 
 
 def _name_of(label: Any) -> str:

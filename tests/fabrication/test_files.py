@@ -1,0 +1,263 @@
+"""The files are read back: same parts, names and numbers; whole or not at all."""
+
+import csv
+import json
+import math
+import os
+
+import ezdxf
+import numpy as np
+import pytest
+from ezdxf.enums import TextEntityAlignment
+
+from freecad_ortho.fabrication import FILES, BeamSettings, build, files, stage_seconds, write
+from freecad_ortho.fabrication.dxf import row_layout
+from freecad_ortho.fabrication.part import polygon_area
+from freecad_ortho.fabrication.step import read_step
+from freecad_ortho.fabrication.tables import COLUMNS
+from solver.errors import OrthoError, OutputError
+
+
+@pytest.fixture(scope="module")
+def folder(structure, tmp_path_factory):
+    target = tmp_path_factory.mktemp("out") / "new" / "folder"
+    assert write(structure, target) == [target / name for name in FILES]
+    return target
+
+
+@pytest.fixture(scope="module")
+def small(dodecahedron):
+    return build(dodecahedron, BeamSettings(200, 12), None)
+
+
+@pytest.fixture(scope="module")
+def drawing(folder):
+    return ezdxf.readfile(folder / "flat.dxf")
+
+
+def test_folder_holds_the_four_files_and_nothing_else(folder):
+    assert sorted(os.listdir(folder)) == sorted(FILES)
+
+
+def test_step_gives_back_names_places_and_volumes(structure, folder):
+    read = read_step(folder / "structure.step")
+    assert [name for name, _ in read] == [part.name for part in structure.parts]
+    for (_, solid), part in zip(read, structure.parts, strict=True):
+        assert solid.ShapeType() == "Solid"
+        assert solid.isValid()
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-9)
+        found = np.array([vertex.toTuple() for vertex in solid.Vertices()])
+        gap = np.linalg.norm(found[:, None] - part.points[None], axis=2).min(axis=0)
+        assert gap.max() <= 1e-6
+
+
+def test_step_is_in_millimetres_and_has_one_product_a_part(structure, folder):
+    text = (folder / "structure.step").read_text()
+    assert "SI_UNIT(.MILLI.,.METRE.)" in text
+    assert text.count("= PRODUCT('") == len(structure.parts) + 1
+    assert text.count("NEXT_ASSEMBLY_USAGE_OCCURRENCE(") == len(structure.parts)
+
+
+def test_writing_says_nothing(small, tmp_path, capfd):
+    write(small, tmp_path)
+    printed = capfd.readouterr()
+    assert printed.out == printed.err == ""
+
+
+def test_same_structure_gives_the_same_files(roof, tmp_path):
+    for name in ("one", "two"):
+        write(build(roof, BeamSettings(200, 12), None), tmp_path / name)
+    for name in FILES:
+        assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
+
+
+def test_dxf_is_sound_and_in_millimetres(drawing):
+    assert not drawing.audit().errors
+    assert drawing.header["$INSUNITS"] == 4
+    assert {"CUT", "MARK", "LABEL"} <= {layer.dxf.name for layer in drawing.layers}
+
+
+def test_dxf_has_one_block_a_part_with_its_outline(structure, drawing):
+    inserts = [insert.dxf.name for insert in drawing.modelspace().query("INSERT")]
+    assert inserts == [part.name for part in structure.parts]
+    assert len(drawing.modelspace()) == len(inserts)
+    for part in structure.parts:
+        block = drawing.blocks.get(part.name)
+        cut = block.query('*[layer=="CUT"]')
+        assert len(cut) == 1
+        assert cut[0].closed
+        outline = np.array(cut[0].get_points("xy"))
+        assert polygon_area(outline) == pytest.approx(part.area, rel=1e-9)
+        assert outline.min(axis=0) == pytest.approx([0, 0], abs=1e-9)
+        # the flat outline is the solid's own: its corners, in its own coordinates
+        gap = np.linalg.norm(outline[:, None] - part.corners[None, :, :2], axis=2)
+        assert gap.min(axis=1).max() <= 1e-7
+        assert {entity.dxf.layer for entity in block} <= {"CUT", "MARK", "LABEL"}
+
+
+def text_box(text):
+    """Corners of a text as wide as its letters are high, seven tenths the usual plotter width."""
+    align, place, _ = text.get_placement()
+    assert align == TextEntityAlignment.MIDDLE_CENTER
+    size = np.array([len(text.dxf.text), 1.0]) * text.dxf.height / 2
+    turn = math.radians(text.dxf.rotation)
+    x = np.array([math.cos(turn), math.sin(turn)])
+    y = np.array([-x[1], x[0]])
+    middle = np.array([place.x, place.y])
+    return np.array([middle + a * size[0] * x + b * size[1] * y for a in (-1, 1) for b in (-1, 1)])
+
+
+def depth(points, outline):
+    """Smallest distance of the points inside a convex outline from its sides."""
+    side = np.roll(outline, -1, axis=0) - outline
+    side /= np.linalg.norm(side, axis=1)[:, None]
+    arms = points[:, None] - outline[None]
+    return (side[None, :, 0] * arms[..., 1] - side[None, :, 1] * arms[..., 0]).min()
+
+
+def test_texts_lie_inside_and_names_are_right(structure, drawing):
+    for part in structure.parts:
+        block = drawing.blocks.get(part.name)
+        labels = block.query('TEXT[layer=="LABEL"]')
+        assert [label.dxf.text for label in labels] == [part.name]
+        for text in block.query("TEXT"):
+            assert text.dxf.height > 1
+            assert depth(text_box(text), part.pattern.outline) > 0, part.name
+
+
+def test_label_and_marks_do_not_cover_each_other(structure, drawing):
+    for part in structure.parts:
+        texts = list(drawing.blocks.get(part.name).query("TEXT"))
+        boxes = [text_box(text) for text in texts]
+        low = np.array([box.min(axis=0) for box in boxes])
+        high = np.array([box.max(axis=0) for box in boxes])
+        apart = ((low[:, None] > high[None]) | (high[:, None] < low[None])).any(axis=2)
+        assert (apart | np.eye(len(texts), dtype=bool)).all(), part.name
+
+
+def test_beams_carry_bevel_lines_and_vertices(structure, drawing):
+    geometry = structure.beam_geometry
+    for edge, part in enumerate(structure.parts[: len(geometry.setback)]):
+        block = drawing.blocks.get(part.name)
+        lines = block.query('LINE[layer=="MARK"]')
+        assert len(lines) == (geometry.setback[edge] > 1e-6).sum()
+        solid_corners = part.corners[[1, 2, 4, 5, 7, 8, 10, 11], :2]
+        for line in lines:
+            for end in (line.dxf.start, line.dxf.end):
+                gap = np.linalg.norm(solid_corners - [end.x, end.y], axis=1)
+                assert gap.min() <= 1e-7
+        texts = {text.dxf.text for text in block.query('TEXT[layer=="MARK"]')}
+        assert texts == {f"V{vertex}" for vertex in part.vertices}
+
+
+def test_panels_name_their_neighbours(structure, drawing, roof):
+    names = [part.name for part in structure.parts if part.kind == "panel"]
+    sides = roof.connectivity.edge_faces
+    for part in structure.parts[-len(names) :]:
+        texts = {t.dxf.text for t in drawing.blocks.get(part.name).query('TEXT[layer=="MARK"]')}
+        beside = {int(f) for f in sides[(sides == part.face).any(axis=1)].ravel()}
+        assert texts == {names[face] for face in beside - {part.face, -1}}
+
+
+def test_rows_do_not_overlap(structure):
+    patterns = [part.pattern for part in structure.parts]
+    low = row_layout(patterns)
+    high = low + [pattern.size for pattern in patterns]
+    apart = ((low[:, None] >= high[None] + 1) | (high[:, None] + 1 <= low[None])).any(axis=2)
+    assert (apart | np.eye(len(patterns), dtype=bool)).all()
+    width, height = high.max(axis=0)
+    assert 0.2 < width / height < 5
+
+
+def test_parts_list_reads_back(structure, folder):
+    with (folder / "parts.csv").open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert tuple(rows[0]) == COLUMNS
+    assert ",".join(COLUMNS).startswith(
+        "name,kind,length_mm,height_mm,thickness_mm,area_mm2,volume_mm3,mass_kg,twist_deg"
+    )
+    for row, part in zip(rows, structure.parts, strict=True):
+        assert (row["name"], row["kind"]) == (part.name, part.kind)
+        for column in COLUMNS[2:8]:
+            value = getattr(part, column.rpartition("_")[0])
+            assert float(row[column]) == pytest.approx(value, abs=1e-6)
+        assert float(row["twist_deg"]) == pytest.approx(part.twist_deg, rel=1e-2)
+        assert tuple(map(int, row["vertices"].split())) == part.vertices
+        assert row["face"] == ("" if part.face is None else str(part.face))
+
+
+def test_report_reads_back(structure, folder, roof):
+    report = json.loads((folder / "report.json").read_text())
+    assert report == structure.report()
+    assert report["unit"] == "mm"
+    assert report["systems"] == ["beams", "panels"]
+    assert report["counts"]["beams"] == len(roof.connectivity.edges)
+    assert report["counts"]["panels"] == len(roof.faces)
+    assert report["beams"]["twist_max"] <= 1e-7
+    assert report["beams"]["height_deviation_max"] <= 0.05
+    assert report["volume_mm3"] == pytest.approx(sum(part.volume for part in structure.parts))
+    shrunk = report["panels"]["sides_shrunk_more"]
+    assert shrunk == (structure.panel_geometry.sides > 7.5 + 1e-6).sum() > 0
+    assert [message for message in report["messages"] if f"{shrunk} sides" in message]
+
+
+@pytest.mark.parametrize("failing", ["write_step", "write_dxf", "write_parts", "write_report"])
+def test_failure_leaves_nothing(small, tmp_path, monkeypatch, failing):
+    def fail(path, *rest):
+        path.write_text("half of it")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(files, failing, fail)
+    with pytest.raises(OutputError, match="No space left"):
+        write(small, tmp_path / "a" / "b")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_failure_keeps_what_was_there(small, tmp_path, monkeypatch):
+    before = {name: f"old {name}" for name in (*FILES, "notes.txt")}
+    for name, text in before.items():
+        (tmp_path / name).write_text(text)
+
+    def fail(path, parts):
+        raise OrthoError("DXF: no")
+
+    monkeypatch.setattr(files, "write_dxf", fail)
+    with pytest.raises(OrthoError, match="DXF: no"):
+        write(small, tmp_path)
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == before
+
+
+def test_progress_rises_and_may_stop_the_writing(small, tmp_path):
+    seen = []
+    write(small, tmp_path / "whole", lambda fraction, words: seen.append((fraction, words)))
+    fractions = [fraction for fraction, _ in seen]
+    assert fractions == sorted(fractions)
+    assert (fractions[0], fractions[-1]) == (0.0, 1.0)
+    assert all(words for _, words in seen)
+    for stop_at in (0, 2, len(seen) // 2, len(seen) - 3, len(seen) - 1):
+        calls = iter(range(len(seen)))
+
+        def stop(fraction, words, calls=calls, stop_at=stop_at):
+            if next(calls) == stop_at:
+                raise KeyboardInterrupt
+
+        with pytest.raises(KeyboardInterrupt):
+            write(small, tmp_path / "stopped", stop)
+        assert not (tmp_path / "stopped").exists()
+
+
+def test_folder_that_cannot_be_made(small, tmp_path):
+    (tmp_path / "file").write_text("not a folder")
+    for target in (tmp_path / "file", tmp_path / "file" / "below"):
+        with pytest.raises(OutputError, match="cannot be written"):
+            write(small, target)
+    assert (tmp_path / "file").read_text() == "not a folder"
+
+
+def test_stages_are_timed(roof):
+    seconds = stage_seconds(roof, BeamSettings(200, 12), None)
+    assert set(seconds) == {"build", "solids", "step", "dxf", "tables", "total"}
+    assert seconds["total"] == pytest.approx(
+        sum(value for name, value in seconds.items() if name != "total")
+    )
+    assert seconds["total"] <= 3 * seconds["step"]

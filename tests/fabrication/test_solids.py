@@ -1,0 +1,130 @@
+"""Every part is a valid closed solid of the analytic volume, and neighbours share none."""
+
+import cadquery
+import numpy as np
+import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+
+from freecad_ortho.fabrication import BeamSettings, PanelSettings, brep_text, build
+
+SYSTEMS = {
+    "beams": (True, False),
+    "panels": (False, True),
+    "beams+panels": (True, True),
+}
+
+
+def make(mesh, system, offset, thickness=12.0):
+    beams, panels = SYSTEMS[system]
+    return build(
+        mesh,
+        BeamSettings(200, thickness, offset) if beams else None,
+        PanelSettings(20, 15, offset) if panels else None,
+    )
+
+
+def shared_volume(one, other):
+    common = BRepAlgoAPI_Common(one.wrapped, other.wrapped)
+    assert common.IsDone()
+    return cadquery.Shape.cast(common.Shape()).Volume()
+
+
+def touching_pairs(structure, count):
+    """Pairs of parts whose boxes meet, spread evenly over all such pairs."""
+    low = np.array([part.points.min(axis=0) for part in structure.parts])
+    high = np.array([part.points.max(axis=0) for part in structure.parts])
+    meet = ((low[:, None] <= high[None] + 1) & (low[None] <= high[:, None] + 1)).all(axis=2)
+    pairs = np.argwhere(np.triu(meet, 1))
+    return pairs[:: max(1, len(pairs) // count)]
+
+
+def worst_overlap(structure, count=120):
+    solids = structure.solids()
+    return max(
+        shared_volume(solids[i], solids[j])
+        / min(structure.parts[i].volume, structure.parts[j].volume)
+        for i, j in touching_pairs(structure, count)
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "system", "offset"),
+    [
+        ("roof", "beams", "above"),
+        ("roof", "beams+panels", "below"),
+        ("roof", "panels", "above"),
+        ("skewed", "beams", "below"),
+        ("skewed", "beams+panels", "centre"),
+        ("dodecahedron", "beams", "centre"),
+        ("dodecahedron", "beams+panels", "above"),
+        ("dodecahedron", "panels", "below"),
+        ("twisted", "beams+panels", "centre"),
+        ("twisted", "panels", "centre"),
+    ],
+)
+def test_solids_are_valid_closed_and_of_analytic_volume(meshes, name, system, offset):
+    structure = make(meshes[name], system, offset)
+    mesh = meshes[name]
+    expected = SYSTEMS[system][0] * len(mesh.connectivity.edges)
+    assert len(structure.parts) == expected + SYSTEMS[system][1] * len(mesh.faces)
+    for part, solid in zip(structure.parts, structure.solids(), strict=True):
+        assert solid.isValid(), part.name
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-9), part.name
+        assert len(solid.Shells()) == 1
+        counts = [0, 0]
+        for loop in part.loops:
+            for pair in zip(loop, loop[1:] + loop[:1], strict=True):
+                counts[pair[0] < pair[1]] += 1
+        assert counts[0] == counts[1] == len(solid.Edges())
+
+
+@pytest.mark.parametrize("name", ["roof", "skewed", "dodecahedron"])
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_neighbours_share_no_volume(meshes, name, system):
+    assert worst_overlap(make(meshes[name], system, "centre")) <= 1e-6
+
+
+@pytest.mark.parametrize("offset", ["above", "below"])
+def test_thick_plates_on_ridges_and_valleys_share_no_volume(roof, offset):
+    beams = BeamSettings(300, 60, offset)
+    panels = PanelSettings(60, 8, offset)
+    assert worst_overlap(build(roof, beams, panels), 80) <= 1e-6
+    assert worst_overlap(build(roof, None, panels), 80) <= 1e-6
+
+
+def test_overlap_check_can_fail(roof):
+    structure = make(roof, "beams", "centre")
+    solid = structure.parts[0].solid()
+    assert shared_volume(solid, solid.translate(cadquery.Vector(0, 0, 5))) > 1.0
+
+
+def test_solids_stand_where_the_corners_are(structure):
+    for part, solid in zip(structure.parts, structure.solids(), strict=True):
+        found = np.array([vertex.toTuple() for vertex in solid.Vertices()])
+        assert len(found) == len(part.points)
+        gap = np.linalg.norm(found[:, None] - part.points[None], axis=2)
+        assert gap.min(axis=0).max() <= 1e-8
+
+
+def test_far_from_the_origin_nothing_changes(roof):
+    far = roof.with_vertices(roof.vertices + [4e8, 5e8, 1e5])
+    structure = make(far, "beams+panels", "centre")
+    assert structure.axes.twist.max() <= 1e-7
+    for part in structure.parts[::11]:
+        assert part.solid().isValid()
+        assert part.solid().Volume() == pytest.approx(part.volume, rel=1e-9)
+        assert np.abs(part.points - [4e8, 5e8, 1e5]).max() <= 2e4
+
+
+def test_compound_keeps_the_order_and_crosses_as_text(structure):
+    compound = structure.compound()
+    assert compound.isValid()
+    shape = cadquery.Shape.importBrep(_stream(brep_text(compound)))
+    volumes = [solid.Volume() for solid in shape.Solids()]
+    assert volumes == pytest.approx([part.volume for part in structure.parts], rel=1e-9)
+
+
+def _stream(text):
+    from io import BytesIO
+
+    return BytesIO(text.encode())
