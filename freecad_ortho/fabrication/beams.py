@@ -17,6 +17,7 @@ import numpy as np
 from freecad_ortho.fabrication.part import FlatPattern, Mark, Part, fitted_text_size, part_names
 from freecad_ortho.fabrication.settings import BeamSettings, rounded_down
 from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 from solver.offset.axes import Axes
 
@@ -100,24 +101,14 @@ def beam_geometry(mesh: QuadMesh, axes: Axes, settings: BeamSettings) -> BeamGeo
     _refuse_thickness(mesh, settings, level_lengths.min(axis=1), setback)
 
     origin = mesh.vertices[mesh.connectivity.edges[:, 0]]
-    rings, outline = [], []
+    rings, outlines = [], []
     for level in (lower, upper):
-        first = level * frames.slope[:, 0]
-        last = lengths + level * frames.slope[:, 1]
-        rise = level * frames.rise
-        right = first + setback[:, 0], last - setback[:, 1]
-        left = last - setback[:, 2], first + setback[:, 3]
-        stations = np.stack([first, *right, last, *left], axis=1)
-        sides = half * np.array([0.0, -1.0, -1.0, 0.0, 1.0, 1.0])
-        rings.append(
-            (origin + rise[:, None] * frames.up)[:, None, :]
-            + stations[:, :, None] * frames.along[:, None, :]
-            + sides[None, :, None] * frames.left[:, None, :]
-        )
-        outline.append(np.stack([np.stack([first, rise], 1), np.stack([last, rise], 1)], axis=1))
+        ring, outline = _at_level(level, half, lengths, setback, frames)
+        rings.append(origin[:, None] + ring)
+        outlines.append(outline)
     height = (upper - lower) * frames.rise
     mean_length = level_lengths.mean(axis=1)
-    quadrilateral = np.concatenate([outline[0], outline[1][:, ::-1]], axis=1)
+    quadrilateral = np.concatenate([outlines[0], outlines[1][:, ::-1]], axis=1)
     frame = np.stack([frames.along, frames.up, -frames.left], axis=1)
     low = quadrilateral.min(axis=1)
     return BeamGeometry(
@@ -130,6 +121,26 @@ def beam_geometry(mesh: QuadMesh, axes: Axes, settings: BeamSettings) -> BeamGeo
         volume=height * settings.thickness * (mean_length - setback.sum(axis=1) / 4),
         twist_mm=np.abs(frames.miss).max(axis=1) * max(abs(lower), abs(upper)),
     )
+
+
+def _at_level(
+    level: float, half: float, lengths: FloatArray, setback: FloatArray, frames: _Frames
+) -> tuple[FloatArray, FloatArray]:
+    """Ring of corners (E, 6, 3) from each edge's start, and the outline's two corners (E, 2, 2)."""
+    first = level * frames.slope[:, 0]
+    last = lengths + level * frames.slope[:, 1]
+    rise = level * frames.rise
+    right = first + setback[:, 0], last - setback[:, 1]
+    left = last - setback[:, 2], first + setback[:, 3]
+    stations = np.stack([first, *right, last, *left], axis=1)
+    sides = half * np.array([0.0, -1.0, -1.0, 0.0, 1.0, 1.0])
+    ring = (
+        (rise[:, None] * frames.up)[:, None]
+        + stations[:, :, None] * frames.along[:, None]
+        + sides[None, :, None] * frames.left[:, None]
+    )
+    ends = np.stack([first, last], axis=1)
+    return ring, np.stack([ends, np.broadcast_to(rise[:, None], ends.shape)], axis=2)
 
 
 def beam_parts(
@@ -262,7 +273,7 @@ def _refuse_thickness(
         )
 
 
-def _edge_name(mesh: QuadMesh, chosen: FloatArray) -> str:
+def _edge_name(mesh: QuadMesh, chosen: BoolArray) -> str:
     edge = int(np.argmax(chosen))
     first, second = mesh.connectivity.edges[edge]
     return f"edge {edge} (vertices {first} and {second})"
