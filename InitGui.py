@@ -22,16 +22,21 @@ class OrthoWorkbench(FreeCADGui.Workbench):
         from FreeCAD import Qt
 
         from freecad_ortho import commands
+        from freecad_ortho.commands import requirements
 
-        commands.register()
+        try:
+            commands.register()
+        except ImportError as error:
+            requirements.say_unusable(error)
+            return
         self.appendToolbar(Qt.translate("Workbench", "Ortho"), list(commands.NAMES))
         self.appendMenu(Qt.translate("Workbench", "&Ortho"), list(commands.NAMES))
 
     def Activated(self):
-        """Say at once when something that the workbench needs is missing."""
-        from freecad_ortho.commands import messages
+        """Say at once when something that a part of the commands needs is missing."""
+        from freecad_ortho.commands import requirements
 
-        messages.warn_about_missing_packages()
+        requirements.say_missing()
 
     def GetClassName(self):
         """Name the C++ class that carries a workbench written in Python."""

@@ -4,21 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib.util import find_spec
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-import freecad_ortho
 from solver.errors import OrthoError
-
-_PACKAGES = {
-    "numpy": "everything",
-    "scipy": "everything",
-    "cadquery": "beams and panels",
-    "ezdxf": "flat patterns",
-}
 
 
 def show_error(text: str) -> None:
@@ -40,16 +31,3 @@ def errors_shown() -> Iterator[None]:
         yield
     except OrthoError as error:
         show_error(str(error))
-
-
-def warn_about_missing_packages() -> None:
-    """Name the Python packages that are missing and what they are needed for."""
-    problem = freecad_ortho.shadowing_module()
-    if problem:
-        FreeCAD.Console.PrintError(problem + "\n")
-    for name, purpose in _PACKAGES.items():
-        if find_spec(name) is None:
-            FreeCAD.Console.PrintWarning(
-                f"Ortho: the Python package '{name}' is missing, needed for {purpose}; "
-                "install it for FreeCAD's Python\n"
-            )

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import FreeCAD
 
-from freecad_ortho.objects.properties import HIDDEN, NO_RECOMPUTE, READ_ONLY, Property, ensure
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, ensure
 from freecad_ortho.objects.properties import Stateless as _Stateless
 
 if TYPE_CHECKING:
@@ -37,14 +37,14 @@ _PROPERTIES = (
         "Unit",
         "Source",
         QT_TRANSLATE_NOOP("App::Property", "Unit of the file that the net came from"),
-        flags=NO_RECOMPUTE,
+        flags=OUTPUT,
     ),
     Property(
         "App::PropertyFile",
         "SourceFile",
         "Source",
         QT_TRANSLATE_NOOP("App::Property", "File that the net came from"),
-        flags=NO_RECOMPUTE,
+        flags=OUTPUT,
     ),
     Property(
         "App::PropertyEnumeration",
@@ -53,14 +53,14 @@ _PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Measure that colours the faces, blue good to red bad"),
         default="Planarity",
         choices=COLOUR_MAPS,
-        flags=NO_RECOMPUTE,
+        flags=OUTPUT,
     ),
     Property(
         "App::PropertyString",
         "LastReport",
         "Net",
         QT_TRANSLATE_NOOP("App::Property", "Report of the last optimisation, as JSON"),
-        flags=NO_RECOMPUTE | READ_ONLY,
+        flags=OUTPUT | READ_ONLY,
     ),
     Property(
         "App::PropertyInteger",
@@ -68,7 +68,7 @@ _PROPERTIES = (
         "Net",
         QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
         default=VERSION,
-        flags=NO_RECOMPUTE | HIDDEN,
+        flags=OUTPUT | HIDDEN,
     ),
 )
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+READ_ONLY = 1
 HIDDEN = 4
 # Does not make the object (and what follows from it) stale: how a net is shown, what was reported.
-NO_RECOMPUTE = 16
-READ_ONLY = 1
+OUTPUT = 8
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Property:
         tooltip: one sentence, in English; FreeCAD translates it in the context "App::Property".
         default: first value, or None to keep FreeCAD's own.
         choices: the values of an enumeration.
-        flags: HIDDEN, NO_RECOMPUTE, READ_ONLY or a sum of them.
+        flags: HIDDEN, OUTPUT, READ_ONLY or a sum of them.
     """
 
     kind: str

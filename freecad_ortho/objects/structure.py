@@ -6,7 +6,7 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_ortho.objects.properties import HIDDEN, NO_RECOMPUTE, READ_ONLY, Property, ensure
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, ensure
 from freecad_ortho.objects.properties import Stateless as _Stateless
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -70,14 +70,14 @@ _PROPERTIES = (
         "Structure",
         QT_TRANSLATE_NOOP("App::Property", "Density of the material in kg/m3"),
         default=STEEL_DENSITY,
-        flags=NO_RECOMPUTE,
+        flags=OUTPUT,
     ),
     Property(
         "App::PropertyStringList",
         "PartNames",
         "Result",
         QT_TRANSLATE_NOOP("App::Property", "Names of the parts, in the order of the solids"),
-        flags=NO_RECOMPUTE | READ_ONLY,
+        flags=OUTPUT | READ_ONLY,
     ),
     Property(
         "App::PropertyInteger",
@@ -85,7 +85,7 @@ _PROPERTIES = (
         "Structure",
         QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
         default=VERSION,
-        flags=NO_RECOMPUTE | HIDDEN,
+        flags=OUTPUT | HIDDEN,
     ),
 )
 

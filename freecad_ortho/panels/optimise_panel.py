@@ -72,25 +72,21 @@ class OptimisePanel:
         settings = {name: value for name, value in chosen.items() if value is not None}
         return {"net": self.net_type.word, "fix": self.fix.word, **settings}
 
-    def getStandardButtons(self) -> int:
-        """OK and Cancel."""
-        return int(QtGui.QDialogButtonBox.Ok) | int(QtGui.QDialogButtonBox.Cancel)
-
     def accept(self) -> bool:
         """Keep what has been reached, as one undo step and one line of a macro."""
-        self._end_watching()
+        self._stop_watching()
         if self.net is not None and self.run is not None and self.run.steps:
             with messages.errors_shown():
                 self._commit()
-        FreeCADGui.Control.closeDialog()
+        self._close()
         return True
 
     def reject(self) -> bool:
         """Show the net as it was."""
-        self._end_watching()
+        self._stop_watching()
         if self.net is not None:
             self.net.ViewObject.Proxy.show_stored()
-        FreeCADGui.Control.closeDialog()
+        self._close()
         return True
 
     def slotDeletedDocument(self, document: FreeCAD.Document) -> None:
@@ -145,22 +141,27 @@ class OptimisePanel:
         messages.show_status(f"{self.net.Label}: {outcome.report.message}")
 
     def _leave(self) -> None:
-        """Close when there is nothing left to work on; not from inside FreeCAD's notification."""
-        self._end_watching()
-        QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
+        """Stop when there is nothing left to work on; close when FreeCAD has done its part."""
+        self._stop_watching()
+        QtCore.QTimer.singleShot(0, self._close)
 
-    def _end_watching(self) -> None:
-        if self.run is not None:
-            self.run.stop()
-        if not self._watching:
-            return
-        self._watching = False
-        FreeCAD.removeDocumentObserver(self)
-        if self.net is not None:
+    def _close(self) -> None:
+        """Show what was visible before, as far as it is still there, and close the panel."""
+        self._stop_watching()
+        if self._document in FreeCAD.listDocuments():
+            document = FreeCAD.getDocument(self._document)
             for name, visible in self._visible.items():
-                feature = self.net.Document.getObject(name)
+                feature = document.getObject(name)
                 if feature is not None:
                     feature.ViewObject.Visibility = visible
+        FreeCADGui.Control.closeDialog()
+
+    def _stop_watching(self) -> None:
+        if self.run is not None:
+            self.run.stop()
+        if self._watching:
+            self._watching = False
+            FreeCAD.removeDocumentObserver(self)
 
     def _say(self, text: str) -> None:
         self._message.setText(text)

@@ -63,6 +63,10 @@ class Run(QtCore.QObject):
             self.stop()
             self._ended(str(error))
             return
+        except BaseException:
+            # A timer that goes on would raise the same again and again.
+            self.stop()
+            raise
         self._stepped(record)
         if self.optimisation.finished:
             self.stop()

@@ -1,0 +1,286 @@
+"""Documents without a window: objects, undo, saving, recomputing, errors. Run by FreeCAD."""
+
+import json
+import os
+import sys
+import unittest
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+import ortho_suite_tools as tools
+
+from freecad_ortho import api, convert
+from freecad_ortho.commands import open_file
+from freecad_ortho.objects.net import Net
+from solver.errors import InputError, OutputError
+
+
+class DocumentCase(unittest.TestCase):
+    def setUp(self):
+        self.document = FreeCAD.newDocument("Test")
+        # FreeCAD records no undo steps in console mode unless it is told to.
+        self.document.UndoMode = 1
+
+    def tearDown(self):
+        tools.close_all()
+
+    def net(self, **mesh):
+        return api.import_net(tools.wavy_mesh(**mesh), self.document)
+
+    def reopened(self, name):
+        path = str(tools.SCRATCH / name)
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        return self.document
+
+
+class TestNet(DocumentCase):
+    def test_import_keeps_the_quads_and_every_bit(self):
+        net = self.net()
+        loaded = api.read_mesh(net.SourceFile)
+        self.assertEqual(np.array(net.Faces).reshape(-1, 4).tolist(), loaded.mesh.faces.tolist())
+        self.assertEqual(tools.vertices(net).tobytes(), loaded.mesh.vertices.tobytes())
+
+    def test_import_scales_to_millimetres(self):
+        net = self.net(unit="m", edge=1.5)
+        self.assertEqual(net.Unit, "m")
+        metres = api.read_mesh(net.SourceFile).mesh.vertices
+        np.testing.assert_array_equal(tools.vertices(net), metres * 1000.0)
+        feet = api.import_net(net.SourceFile, self.document, unit="ft")
+        np.testing.assert_array_equal(tools.vertices(feet), metres * 304.8)
+
+    def test_save_and_reopen_is_exact(self):
+        net = self.net()
+        points = tools.vertices(net) * np.pi + [0.1, -1e-17, 1e9]
+        convert.store_vertices(net, points)
+        faces, name = list(net.Faces), net.Name
+        net.ColourMap = "Orthogonality"
+        net.LastReport = '{"net": "principal"}'
+        again = self.reopened("exact.FCStd").getObject(name)
+        self.assertEqual(tools.vertices(again).tobytes(), points.tobytes())
+        self.assertEqual(list(again.Faces), faces)
+        self.assertEqual(again.ColourMap, "Orthogonality")
+        self.assertEqual(json.loads(again.LastReport), {"net": "principal"})
+        self.assertIsInstance(again.Proxy, Net)
+
+    def test_migration_adds_what_is_missing_and_nothing_twice(self):
+        net = self.net()
+        net.removeProperty("ColourMap")
+        net.Version = 0
+        for _ in range(2):
+            net.Proxy.onDocumentRestored(net)
+            self.assertEqual(net.ColourMap, "Planarity")
+            self.assertEqual(net.Version, 1)
+        self.assertEqual(net.PropertiesList.count("ColourMap"), 1)
+
+    def test_colour_map_does_not_make_structures_stale(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        net.ColourMap = "None"
+        self.assertEqual(self.document.recompute(), 0)
+        self.assertIn("Up-to-date", beams.State)
+
+    def test_open_and_insert_through_the_file_menu(self):
+        path = tools.wavy_mesh("opened")
+        self.assertIn("freecad_ortho.commands.open_file", FreeCAD.getImportType("obj"))
+        document = open_file.open(path)
+        self.assertEqual([item.Label for item in document.Objects], ["opened"])
+        self.assertTrue(open_file.insert(path, document.Name))
+        self.assertEqual(len(document.Objects), 2)
+
+    def test_a_bad_file_leaves_no_document_behind(self):
+        before = set(FreeCAD.listDocuments())
+        triangle = tools.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.assertIsNone(open_file.open(triangle))
+        self.assertEqual(set(FreeCAD.listDocuments()), before)
+
+
+class TestOptimise(DocumentCase):
+    def test_net_becomes_principal_and_undoes_in_one_step(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        before, volume, steps = tools.vertices(net), beams.Shape.Volume, self.document.UndoCount
+        outcome = api.optimise_net(net, net="principal")
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        self.assertEqual(json.loads(net.LastReport)["status"], outcome.report.status)
+        after, volume_after = tools.vertices(net), beams.Shape.Volume
+        self.assertNotEqual(volume_after, volume)
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.document.undo()
+        self.assertEqual(tools.vertices(net).tobytes(), before.tobytes())
+        self.assertEqual(beams.Shape.Volume, volume)
+        self.document.redo()
+        self.assertEqual(tools.vertices(net).tobytes(), after.tobytes())
+        self.assertEqual(beams.Shape.Volume, volume_after)
+
+    def test_bad_settings_change_nothing(self):
+        net = self.net()
+        before = tools.vertices(net)
+        for settings in ({"net": "fishing"}, {"fix": "nothing at all"}, {"tolerance": -1.0}):
+            with self.subTest(settings), self.assertRaises(InputError):
+                api.optimise_net(net, **settings)
+        self.assertEqual(tools.vertices(net).tobytes(), before.tobytes())
+        with self.assertRaises(InputError):
+            api.optimise_net(api.add_beams(net))
+
+
+class TestStructure(DocumentCase):
+    def test_one_valid_solid_a_part(self):
+        net = self.net()
+        api.optimise_net(net)
+        beams = api.add_beams(net, height="20 cm", thickness=12)
+        panels = api.add_panels(net, beams=beams)
+        mesh = convert.quad_mesh(net)
+        for feature, count, letter in (
+            (beams, len(mesh.connectivity.edges), "B"),
+            (panels, len(mesh.faces), "P"),
+        ):
+            self.assertEqual(len(feature.Shape.Solids), count)
+            self.assertTrue(all(solid.isValid() for solid in feature.Shape.Solids))
+            self.assertEqual(feature.PartNames[0], f"{letter}0001")
+            self.assertEqual(len(set(feature.PartNames)), count)
+        self.assertEqual(beams.Height.Value, 200.0)
+
+    def test_volumes_survive_the_crossing(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        parts = api.fabricate(convert.quad_mesh(net), "beams").parts
+        for solid, part in zip(beams.Shape.Solids, parts, strict=True):
+            self.assertLess(abs(solid.Volume / part.volume - 1), 1e-9)
+
+    def test_shapes_cross_both_ways(self):
+        beams = api.add_beams(self.net())
+        back = convert.part_shape(convert.cadquery_shape(beams.Shape))
+        self.assertLess(abs(back.Volume / beams.Shape.Volume - 1), 1e-12)
+
+    def test_follows_net_and_settings(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        panels = api.add_panels(net, beams=beams)
+        names, volume, top = list(beams.PartNames), beams.Shape.Volume, panels.Shape.BoundBox.ZMax
+        beams.Height = 400
+        self.document.recompute()
+        self.assertAlmostEqual(beams.Shape.Volume / volume, 2.0, delta=0.02)
+        self.assertGreater(panels.Shape.BoundBox.ZMax, top + 50)
+        volume = beams.Shape.Volume
+        convert.store_vertices(net, tools.vertices(net) * 2.0)
+        self.document.recompute()
+        self.assertGreater(beams.Shape.Volume, 1.5 * volume)
+        self.assertEqual(list(beams.PartNames), names)
+
+    def test_each_undoes_in_one_step(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        api.add_panels(net, beams=beams)
+        self.assertEqual(len(self.document.Objects), 3)
+        for left in (2, 1, 0):
+            self.document.undo()
+            self.assertEqual(len(self.document.Objects), left)
+        for present in (1, 2, 3):
+            self.document.redo()
+            self.assertEqual(len(self.document.Objects), present)
+
+    def test_bad_sizes_leave_the_document_as_it_was(self):
+        net = self.net()
+        attempts = (
+            lambda: api.add_beams(net, height=0),
+            lambda: api.add_beams(net, thickness=-3),
+            lambda: api.add_beams(net, thickness="1 kg"),
+            lambda: api.add_beams(net, thickness="thick"),
+            lambda: api.add_beams(net, thickness=1e5),
+            lambda: api.add_beams(net, offset="sideways"),
+            lambda: api.add_panels(net, gap=1e5),
+            lambda: api.add_panels(net, beams=net),
+            lambda: api.add_panels(None),
+        )
+        for undo_mode in (1, 0):
+            self.document.UndoMode = undo_mode
+            steps = self.document.UndoCount
+            for number, attempt in enumerate(attempts):
+                with self.subTest(undo_mode=undo_mode, number=number):
+                    with self.assertRaises(InputError):
+                        attempt()
+                    self.assertEqual(len(self.document.Objects), 1)
+                    self.assertEqual(self.document.UndoCount, steps)
+
+    def test_an_error_marks_the_object_and_keeps_its_shape(self):
+        beams = api.add_beams(self.net())
+        volume = beams.Shape.Volume
+        beams.Thickness = 1e5
+        self.document.recompute()
+        self.assertIn("Invalid", beams.State)
+        self.assertIn("thickness", beams.getStatusString())
+        self.assertEqual(beams.Shape.Volume, volume)
+        beams.Thickness = 12
+        self.document.recompute()
+        self.assertIn("Up-to-date", beams.State)
+
+    def test_saves_and_reopens_with_shapes(self):
+        beams = api.add_beams(self.net())
+        volume, names = beams.Shape.Volume, list(beams.PartNames)
+        # ortho_missing_suite opens this file too.
+        again = self.reopened("structure.FCStd").Beams
+        # FreeCAD writes shapes with fifteen digits.
+        self.assertLess(abs(again.Shape.Volume / volume - 1), 1e-12)
+        self.assertEqual(list(again.PartNames), names)
+        self.assertEqual(again.Thickness.Value, 12.0)
+        Path(tools.SCRATCH / "volume.txt").write_text(repr(again.Shape.Volume), encoding="utf-8")
+
+
+class TestExport(DocumentCase):
+    def test_files_name_every_part(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        panels = api.add_panels(net, beams=beams)
+        files = api.export_fabrication([beams, panels], tools.SCRATCH / "files")
+        names = {"structure.step", "flat.dxf", "parts.csv", "report.json"}
+        self.assertLessEqual(names, {path.name for path in files})
+        listed = (tools.SCRATCH / "files" / "parts.csv").read_text(encoding="utf-8")
+        for name in (*beams.PartNames, *panels.PartNames):
+            self.assertIn(name, listed)
+        alone = api.export_fabrication(panels, tools.SCRATCH / "alone")
+        self.assertLessEqual(names, {path.name for path in alone})
+
+    def test_what_does_not_go_together(self):
+        net, other = self.net(), self.net(name="other")
+        beams, beams_too, elsewhere = (api.add_beams(each) for each in (net, net, other))
+        loose = api.add_panels(net)
+        for wrong in ([], [net], [beams, beams_too], [beams, elsewhere], [beams, loose]):
+            with self.subTest([item.Label for item in wrong]), self.assertRaises(InputError):
+                api.export_fabrication(wrong, tools.SCRATCH / "never")
+        self.assertFalse((tools.SCRATCH / "never").exists())
+        blocked = tools.write("file-not-folder", "")
+        with self.assertRaises(OutputError):
+            api.export_fabrication(beams, os.path.join(blocked, "inside"))
+
+
+class TestWithoutWindow(DocumentCase):
+    def test_picture_says_what_it_needs(self):
+        with self.assertRaises(InputError):
+            api.save_picture(tools.SCRATCH / "none.png")
+
+    def test_packages_come_from_the_project(self):
+        import scipy
+
+        import freecad_ortho
+        import solver
+
+        self.assertIsNone(freecad_ortho.shadowing_module())
+        self.assertEqual(Path(solver.__file__).resolve().parents[1], tools.ROOT)
+        self.assertNotIn("dist-packages", scipy.__file__)
+
+    def test_a_foreign_solver_is_named(self):
+        import freecad_ortho
+
+        folder = tools.SCRATCH / "foreign"
+        folder.mkdir()
+        (folder / "solver.py").write_text("", encoding="utf-8")
+        kept = {name: sys.modules.pop(name) for name in list(sys.modules) if name == "solver"}
+        sys.path.insert(0, str(folder))
+        try:
+            self.assertIn(str(folder), freecad_ortho.shadowing_module())
+        finally:
+            sys.path.remove(str(folder))
+            sys.modules.update(kept)

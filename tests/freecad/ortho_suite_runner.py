@@ -1,0 +1,38 @@
+"""FreeCAD runs this file; it runs the suite that ORTHO_SUITE names and writes down the result."""
+
+import os
+import sys
+import unittest
+from pathlib import Path
+
+import FreeCAD
+
+sys.path.append(os.environ["ORTHO_SUITE_FOLDER"])
+
+
+def run():
+    with Path(os.environ["ORTHO_SUITE_RESULT"]).open("w", encoding="utf-8") as stream:
+        suite = unittest.defaultTestLoader.loadTestsFromName(os.environ["ORTHO_SUITE"])
+        outcome = unittest.TextTestRunner(stream, verbosity=2).run(suite)
+        passed = outcome.wasSuccessful() and outcome.testsRun > 0
+        stream.write("SUITE PASSED\n" if passed else "SUITE FAILED\n")
+
+
+def run_and_quit():
+    from PySide import QtGui
+
+    try:
+        run()
+    finally:
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+        sys.stdout.flush()
+        QtGui.QApplication.quit()
+
+
+if FreeCAD.GuiUp:
+    from PySide import QtCore
+
+    QtCore.QTimer.singleShot(1000, run_and_quit)
+else:
+    run()

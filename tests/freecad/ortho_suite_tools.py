@@ -1,0 +1,82 @@
+"""What the suites that run inside FreeCAD share: meshes as files, waiting, clicking."""
+
+import os
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED_MESHES = ROOT.parent / "shared" / "meshes"
+SCRATCH = Path(os.environ["ORTHO_SUITE_SCRATCH"])
+
+
+def wavy_mesh(name="wavy", rows=6, columns=7, unit="mm", edge=1500.0):
+    """Write a sheared, doubly curved grid, neither orthogonal nor planar; give its path."""
+    i, j = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
+    x, y = edge * (i + 0.2 * j), edge * j
+    z = 0.1 * edge * rows * np.sin(0.37 * i + 0.3) * np.cos(0.27 * j - 0.2)
+    corner = np.arange(rows * columns).reshape(rows, columns)
+    quads = [corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]]
+    faces = np.stack(quads, axis=2).reshape(-1, 4) + 1
+    lines = [f"# unit: {unit}"]
+    lines += [f"v {a!r} {b!r} {c!r}" for a, b, c in np.stack([x, y, z], 2).reshape(-1, 3).tolist()]
+    lines += ["f {} {} {} {}".format(*face) for face in faces.tolist()]
+    return write(f"{name}.obj", "\n".join(lines))
+
+
+def write(name, text):
+    path = SCRATCH / name
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def close_all():
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
+
+
+def vertices(net):
+    from freecad_ortho import convert
+
+    return convert.array(net.Vertices)
+
+
+def faults(net):
+    """Worst planarity and orthogonality of a net."""
+    from freecad_ortho import convert
+    from solver.analysis import measures
+
+    mesh = convert.quad_mesh(net)
+    return measures.planarity(mesh).max(), measures.orthogonality(mesh).max()
+
+
+def wait(condition=lambda: False, seconds=0.2):
+    """Let FreeCAD handle events until the condition holds or the time is up."""
+    import time
+
+    from PySide import QtCore, QtGui
+
+    end = time.monotonic() + seconds
+    while time.monotonic() < end and not condition():
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+        time.sleep(0.002)
+    return condition()
+
+
+def press(name):
+    """Press OK or Cancel of the task panel."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    kind = getattr(QtGui.QDialogButtonBox, name)
+
+    def buttons():
+        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+        found = [box.button(kind) for box in boxes if box.isVisible()]
+        return [button for button in found if button is not None]
+
+    if not wait(buttons, 5):
+        raise AssertionError(f"no task panel with a button {name}")
+    buttons()[0].click()
+    wait()

@@ -1,0 +1,308 @@
+"""The workbench in FreeCAD's window: every command, task panels, pictures. Run by FreeCAD."""
+
+import unittest
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import ortho_suite_tools as tools
+from ortho_suite_tools import press, vertices, wait
+from PySide import QtGui
+
+from freecad_ortho import api
+from freecad_ortho.commands import dialogs, messages
+from freecad_ortho.panels import optimise_panel
+
+NEEDS_NET = ("Ortho_Optimise", "Ortho_Beams", "Ortho_Panels")
+
+
+class WindowCase(unittest.TestCase):
+    def setUp(self):
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        self.panel = None
+        self.errors, self.lines = [], []
+        run, make = FreeCADGui.doCommand, optimise_panel.OptimisePanel
+
+        def recorded(line):
+            self.lines.append(line)
+            run(line)
+
+        def watched(net):
+            self.panel = make(net)
+            return self.panel
+
+        for target, name, replacement in (
+            (messages, "show_error", self.errors.append),
+            (FreeCADGui, "doCommand", recorded),
+            (optimise_panel, "OptimisePanel", watched),
+        ):
+            patch = mock.patch.object(target, name, replacement)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def tearDown(self):
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        FreeCADGui.Selection.clearSelection()
+        tools.close_all()
+        wait()
+
+    def imported(self, path):
+        with mock.patch.object(dialogs, "ask_mesh_file", lambda: path):
+            FreeCADGui.runCommand("Ortho_ImportNet")
+        wait()
+        return FreeCAD.ActiveDocument.Net
+
+    def optimised(self, seconds=60):
+        FreeCADGui.runCommand("Ortho_Optimise")
+        self.panel.start_button.click()
+        run = self.panel.run
+        self.assertTrue(wait(lambda: run.optimisation.finished, seconds))
+        press("Ok")
+
+    def shown(self, net):
+        """Positions that are on the screen."""
+        nodes = net.ViewObject.Proxy
+        return np.array([v.getValue() for v in nodes._coordinates.point.getValues()])
+
+    def picture(self, name):
+        """Save a picture of the active document; give its pixels as (height, width, 3) bytes."""
+        path = str(tools.SCRATCH / f"{name}.png")
+        api.save_picture(path, width=800, height=500)
+        image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
+        rows = np.frombuffer(bytes(image.constBits()), np.uint8)
+        return rows.reshape(image.height(), -1)[:, : 3 * image.width()].reshape(500, 800, 3)
+
+    def assertNotBlank(self, pixels):
+        background = (pixels == pixels[0, 0]).all(axis=2).mean()
+        self.assertLess(background, 0.97)
+        self.assertGreater(background, 0.2)
+
+
+class TestStory(WindowCase):
+    def test_formula_mesh(self):
+        self.story(tools.wavy_mesh(rows=8, columns=9))
+
+    def test_heart(self):
+        heart = tools.SHARED_MESHES / "heart.obj"
+        if not heart.is_file():
+            self.skipTest(f"{heart} is missing")
+        self.story(str(heart), unit="m")
+
+    def story(self, path, unit="mm"):
+        """Import, optimise, beams, panels, export; undo and redo all; save, reopen, compare."""
+        if unit != "mm":
+            lines = open(path, encoding="utf-8").read()
+            path = tools.write("with_unit.obj", f"# unit: {unit}\n{lines}")
+        net = self.imported(path)
+        document = net.Document
+        self.assertNotBlank(self.picture("net"))
+        start = vertices(net)
+        self.optimised()
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        self.assertFalse(np.array_equal(vertices(net), start))
+        for command in ("Ortho_Beams", "Ortho_Panels"):
+            FreeCADGui.runCommand(command)
+            wait()
+            press("Ok")
+        self.assertIs(document.Panels.OnBeams, document.Beams)
+        self.assertNotBlank(self.picture("structure"))
+        folder = tools.SCRATCH / f"files-{document.Name}"
+        with mock.patch.object(dialogs, "ask_folder", lambda: str(folder)):
+            FreeCADGui.runCommand("Ortho_ExportFabrication")
+        files = {file.name for file in folder.iterdir()}
+        self.assertLessEqual({"structure.step", "flat.dxf", "parts.csv", "report.json"}, files)
+        self.assertEqual(self.errors, [])
+        expected = self.state(document)
+        self.undo_and_redo(document, expected)
+        self.reopen(document, expected)
+
+    def state(self, document):
+        shapes = [item.Shape.Volume for item in (document.Beams, document.Panels)]
+        return vertices(document.Net).tobytes(), list(document.Net.Faces), shapes
+
+    def undo_and_redo(self, document, expected):
+        self.assertEqual(document.UndoCount, 4)
+        for left in (2, 1, 1, 0):
+            document.undo()
+            self.assertEqual(len(document.Objects), left)
+        for _ in range(4):
+            document.redo()
+        wait()
+        self.assertEqual(self.state(document), expected)
+        np.testing.assert_allclose(self.shown(document.Net), vertices(document.Net), rtol=1e-6)
+
+    def reopen(self, document, expected):
+        path = str(tools.SCRATCH / f"{document.Name}.FCStd")
+        document.saveAs(path)
+        FreeCAD.closeDocument(document.Name)
+        again = FreeCAD.openDocument(path)
+        wait()
+        points, faces, volumes = self.state(again)
+        self.assertEqual((points, faces), expected[:2])
+        # FreeCAD writes shapes with fifteen digits.
+        np.testing.assert_allclose(volumes, expected[2], rtol=1e-12)
+        np.testing.assert_allclose(self.shown(again.Net), vertices(again.Net), rtol=1e-6)
+        self.assertFalse(again.Net.ViewObject.Visibility)
+        self.assertTrue(again.Beams.ViewObject.Visibility)
+        self.assertNotBlank(self.picture("reopened"))
+
+
+class TestCommands(WindowCase):
+    def active(self):
+        names = (*NEEDS_NET, "Ortho_ImportNet", "Ortho_ExportFabrication")
+        return {name for name in names if FreeCADGui.isCommandActive(name)}
+
+    def test_grey_where_they_do_not_apply(self):
+        self.assertEqual(self.active(), {"Ortho_ImportNet"})
+        net = self.imported(tools.wavy_mesh())
+        self.assertEqual(self.active(), {"Ortho_ImportNet", *NEEDS_NET})
+        FreeCADGui.runCommand("Ortho_Beams")
+        self.assertEqual(self.active(), set())
+        press("Ok")
+        everything = {"Ortho_ImportNet", "Ortho_ExportFabrication", *NEEDS_NET}
+        self.assertEqual(self.active(), everything)
+        self.imported(tools.wavy_mesh("second"))
+        self.assertEqual(self.active(), everything - set(NEEDS_NET))
+        FreeCADGui.Selection.addSelection(net)
+        self.assertEqual(self.active(), everything)
+
+    def test_cancelled_dialogs_do_nothing(self):
+        with mock.patch.object(dialogs, "ask_mesh_file", lambda: None):
+            FreeCADGui.runCommand("Ortho_ImportNet")
+        self.assertEqual(len(FreeCAD.listDocuments()), 0)
+        net = self.imported(tools.wavy_mesh())
+        FreeCADGui.runCommand("Ortho_Beams")
+        press("Cancel")
+        self.assertEqual((len(net.Document.Objects), net.Document.UndoCount), (1, 1))
+
+    def test_errors_become_messages(self):
+        bad = tools.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        with mock.patch.object(dialogs, "ask_mesh_file", lambda: bad):
+            FreeCADGui.runCommand("Ortho_ImportNet")
+        self.assertIn("1 triangles", self.errors.pop())
+        net = self.imported(tools.wavy_mesh())
+        FreeCADGui.runCommand("Ortho_Beams")
+        wait()
+        spin = FreeCADGui.getMainWindow().findChildren(QtGui.QAbstractSpinBox)
+        field = next(s for s in spin if s.isVisible() and s.property("rawValue") == 12.0)
+        field.setProperty("rawValue", 1e5)
+        press("Ok")
+        self.assertIn("thickness", self.errors.pop())
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        self.assertEqual(len(net.Document.Objects), 1)
+
+    def test_recorded_lines_replay_to_the_same_bits(self):
+        net = self.imported(tools.wavy_mesh())
+        self.optimised()
+        for command in ("Ortho_Beams", "Ortho_Panels"):
+            FreeCADGui.runCommand(command)
+            press("Ok")
+        name, points = net.Document.Name, vertices(net)
+        volumes = [net.Document.Beams.Shape.Volume, net.Document.Panels.Shape.Volume]
+        lines = list(self.lines)
+        self.assertEqual(len(lines), 4)
+        FreeCAD.closeDocument(name)
+        for line in lines:
+            exec(line, {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        again = FreeCAD.getDocument(name)
+        self.assertEqual(vertices(again.Net).tobytes(), points.tobytes())
+        self.assertEqual([again.Beams.Shape.Volume, again.Panels.Shape.Volume], volumes)
+
+
+class TestOptimisePanel(WindowCase):
+    def started(self, rows=30):
+        """A run that is in the middle of its work."""
+        net = self.imported(tools.wavy_mesh(rows=rows, columns=rows))
+        FreeCADGui.runCommand("Ortho_Optimise")
+        self.panel.start_button.click()
+        self.assertTrue(wait(lambda: self.panel.run.steps >= 2, 20))
+        self.assertFalse(self.panel.run.optimisation.finished)
+        return net
+
+    def test_stop_go_on_and_keep(self):
+        net = self.started()
+        start = vertices(net)
+        self.panel.stop_button.click()
+        steps = self.panel.run.steps
+        wait(seconds=0.3)
+        self.assertEqual(self.panel.run.steps, steps)
+        self.assertEqual(vertices(net).tobytes(), start.tobytes())
+        self.assertGreater(np.abs(self.shown(net) - start).max(), 1.0)
+        self.panel.start_button.click()
+        self.assertTrue(wait(lambda: self.panel.run.steps > steps, 20))
+        self.panel.stop_button.click()
+        press("Ok")
+        self.assertEqual(net.Document.UndoCount, 2)
+        kept = vertices(net)
+        net.Document.undo()
+        self.assertEqual(vertices(net).tobytes(), start.tobytes())
+        # The recorded line says how many steps were made, and they are the same steps.
+        exec(self.lines[-1], {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        self.assertEqual(vertices(net).tobytes(), kept.tobytes())
+
+    def test_cancel_restores(self):
+        net = self.started()
+        start = vertices(net)
+        press("Cancel")
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertEqual(vertices(net).tobytes(), start.tobytes())
+        np.testing.assert_allclose(self.shown(net), start, rtol=1e-6, atol=1e-2)
+        self.assertEqual(net.Document.UndoCount, 1)
+
+    def test_closing_the_document_is_safe(self):
+        run_document = self.started().Document.Name
+        run = self.panel.run
+        FreeCAD.closeDocument(run_document)
+        wait(seconds=0.3)
+        self.assertFalse(run.running)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def test_deleting_the_net_is_safe(self):
+        net = self.started()
+        document, run = net.Document, self.panel.run
+        document.removeObject(net.Name)
+        wait(seconds=0.3)
+        self.assertFalse(run.running)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def test_bad_numbers_are_said(self):
+        self.imported(tools.wavy_mesh())
+        FreeCADGui.runCommand("Ortho_Optimise")
+        self.panel.tolerance.widget.setText("tiny")
+        self.panel.start_button.click()
+        self.assertIn("'tiny' is not a number", self.errors.pop())
+        self.panel.tolerance.widget.setText("1e-10")
+        self.panel.fix.widget.setCurrentText("0,x")
+        self.panel.start_button.click()
+        self.assertIn("fix", self.errors.pop())
+        press("Cancel")
+
+
+class TestNetView(WindowCase):
+    def test_colour_maps_and_modes_change_the_picture(self):
+        net = self.imported(tools.wavy_mesh())
+        seen = []
+        for colour_map in ("None", "Planarity", "Orthogonality"):
+            net.ColourMap = colour_map
+            seen.append(self.picture(colour_map).tobytes())
+        net.ViewObject.DisplayMode = "Wireframe"
+        seen.append(self.picture("wireframe").tobytes())
+        self.assertEqual(len(set(seen)), 4)
+
+    def test_fit_all_and_picking_find_it(self):
+        net = self.imported(tools.wavy_mesh())
+        view = FreeCADGui.ActiveDocument.ActiveView
+        view.viewTop()
+        view.fitAll()
+        wait()
+        width, height = view.getSize()
+        found = view.getObjectInfo((width // 2, height // 2))
+        self.assertEqual(found["Object"], net.Name)
+
+    def test_structures_open_in_their_colours(self):
+        net = self.imported(tools.wavy_mesh())
+        beams = api.add_beams(net)
+        self.assertNotEqual(beams.ViewObject.ShapeColor[:3], (0.8, 0.8, 0.8))
+        self.assertFalse(net.ViewObject.Visibility)

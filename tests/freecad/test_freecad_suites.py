@@ -1,0 +1,145 @@
+"""Starts FreeCAD, with and without a window, on the suites in this folder."""
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import sysconfig
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parents[1]
+CONSOLE = os.environ.get("ORTHO_FREECADCMD") or shutil.which("freecadcmd")
+WINDOW = os.environ.get("ORTHO_FREECAD") or shutil.which("freecad")
+SCREEN = shutil.which("xvfb-run")
+SECONDS = 300
+
+needs_console = pytest.mark.skipif(
+    not CONSOLE, reason="FreeCAD is not installed: no freecadcmd, ORTHO_FREECADCMD not set"
+)
+needs_window = pytest.mark.skipif(
+    not (WINDOW and SCREEN), reason="needs FreeCAD with a window and xvfb-run, one is missing"
+)
+
+
+def fresh_home(folder, with_add_on=True):
+    """A home folder of a new user, with the add-on where FreeCAD 0.20, 1.0 and 1.1 look for it."""
+    home = folder / "home"
+    for data in ("FreeCAD", "FreeCAD/v1-1"):
+        mods = home / ".local" / "share" / data / "Mod"
+        mods.mkdir(parents=True, exist_ok=True)
+        if with_add_on and not (mods / "Ortho").exists():
+            (mods / "Ortho").symlink_to(ROOT, target_is_directory=True)
+    return home
+
+
+def run_suite(program, suite, folder, scratch, with_add_on=True):
+    """Run one suite in FreeCAD; give the suite's result and everything that FreeCAD said."""
+    result = folder / "result.txt"
+    home = fresh_home(folder, with_add_on)
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "FREECAD", "PYTHON"))}
+    environment = kept | {
+        "HOME": str(home),
+        "QTWEBENGINE_DISABLE_SANDBOX": "1",
+        "ORTHO_SUITE": suite,
+        "ORTHO_SUITE_FOLDER": str(FOLDER),
+        "ORTHO_SUITE_RESULT": str(result),
+        "ORTHO_SUITE_SCRATCH": str(scratch),
+    }
+    if with_add_on and not (ROOT / ".venv").exists():
+        environment["PYTHONPATH"] = sysconfig.get_paths()["purelib"]
+    process = subprocess.Popen(
+        [*program, str(FOLDER / "ortho_suite_runner.py")],
+        env=environment,
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        start_new_session=True,
+    )
+    try:
+        said, _ = process.communicate(timeout=SECONDS)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        said, _ = process.communicate()
+        said += f"\nno end after {SECONDS} s"
+    return result.read_text(encoding="utf-8") if result.exists() else "no result", said
+
+
+def show(result, said):
+    sys.stdout.write(f"{result}\n--- FreeCAD said ---\n{said}\n")
+
+
+@pytest.fixture(scope="module")
+def scratch(tmp_path_factory):
+    return tmp_path_factory.mktemp("scratch")
+
+
+@needs_console
+def test_headless(tmp_path, scratch):
+    result, said = run_suite([CONSOLE], "ortho_headless_suite", tmp_path, scratch)
+    show(result, said)
+    assert "SUITE PASSED" in result
+    # FreeCAD reports each error state with a traceback; there must be no other.
+    asked_for = len(re.findall(r"^<class 'solver\.errors\.InputError'>: ", said, re.MULTILINE))
+    assert said.count("Traceback") == asked_for
+    assert "Exception while processing" not in said
+
+
+@needs_console
+@pytest.mark.parametrize("with_add_on", [True, False])
+def test_document_opens_where_something_is_missing(tmp_path, scratch, with_add_on):
+    if not (scratch / "volume.txt").exists():
+        pytest.skip("the headless suite has not saved its document")
+    result, said = run_suite(
+        [CONSOLE], "ortho_missing_suite", tmp_path, scratch, with_add_on=with_add_on
+    )
+    show(result, said)
+    assert "SUITE PASSED" in result
+    assert "skipped=1" in result
+
+
+@needs_window
+@pytest.mark.slow
+def test_with_a_window(tmp_path, scratch):
+    program = [SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW]
+    result, said = run_suite(program, "ortho_window_suite", tmp_path, scratch)
+    show(result, said)
+    assert "SUITE PASSED" in result
+    for word in ("Traceback", "Exception", "Error in"):
+        assert word not in said
+
+
+def test_package_metadata():
+    space = {"p": "https://wiki.freecad.org/Package_Metadata"}
+    package = ElementTree.parse(ROOT / "package.xml").getroot()
+
+    def text(path):
+        return package.find(path, space).text
+
+    import freecad_ortho
+
+    assert text("p:version") == freecad_ortho.__version__
+    assert text("p:license") == "LGPL-2.1-or-later"
+    assert (ROOT / package.find("p:license", space).get("file")).is_file()
+    assert (ROOT / text("p:icon")).is_file()
+    workbench = package.find("p:content/p:workbench", space)
+    name = workbench.find("p:classname", space).text
+    assert f"class {name}(" in (ROOT / "InitGui.py").read_text(encoding="utf-8")
+    depends = {item.text for item in package.findall("p:depend", space)}
+    assert depends == {"numpy", "scipy", "cadquery", "ezdxf", "trimesh"}
+
+
+def test_icons_are_64_by_64():
+    icons = sorted((ROOT / "freecad_ortho" / "resources" / "icons").glob("*.svg"))
+    assert len(icons) >= 7
+    for path in icons:
+        image = ElementTree.parse(path).getroot()
+        assert (image.get("width"), image.get("height")) == ("64", "64"), path
