@@ -18,6 +18,8 @@ class StructureView(Stateless):
         view_object.Proxy = self
         panels = view_object.Object.System == "Panels"
         view_object.ShapeColor = _GLASS if panels else _STEEL
+        # What carries the panels stays visible through them, in per cent.
+        view_object.Transparency = 40 if panels else 0
         view_object.LineColor = (0.27, 0.31, 0.36)
         view_object.LineWidth = 1.0
         view_object.PointSize = 1.0
