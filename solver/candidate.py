@@ -6,15 +6,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.analysis.measures import edge_ratio, flipped
+from solver.analysis.measures import edge_ratio, flipped, sharpest_crease
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.report import Spread
 
 # A result with a shorter shortest edge, relative to the input's, is a collapse.
 COLLAPSED = 0.25
-# Below this, another attempt with stronger smoothing is worth its time.
+# Below this, another attempt with other guides is worth its time,
 CRAMPED = 0.5
+# and so it is where faces meet at more than this angle in degrees and twice that of the input.
+CREASED = 30.0
 
 
 @dataclass(frozen=True)
@@ -25,6 +27,7 @@ class Candidate:
         mesh: the shape in model units.
         residuals: largest and mean value of each measure of the net.
         edge_ratio: shortest / mean edge; ``edge_ratio_start`` the same of the input.
+        crease: sharpest angle between neighbouring faces, in degrees; ``crease_start`` likewise.
         flipped: number of folded faces; ``flipped_start`` the same of the input.
         met: every measure is within the tolerance on every face or star.
     """
@@ -33,6 +36,8 @@ class Candidate:
     residuals: dict[str, Spread]
     edge_ratio: float
     edge_ratio_start: float
+    crease: float
+    crease_start: float
     flipped: int
     flipped_start: int
     met: bool
@@ -55,7 +60,12 @@ class Candidate:
     @property
     def good(self) -> bool:
         """A solution that no further attempt needs to improve."""
-        return self.valid and self.kept >= CRAMPED
+        return self.valid and self.kept >= CRAMPED and not self.creased
+
+    @property
+    def creased(self) -> bool:
+        """Folds appeared that the input did not have."""
+        return self.crease > max(CREASED, 2 * self.crease_start)
 
     @property
     def worst(self) -> float:
@@ -63,9 +73,9 @@ class Candidate:
         return max((spread.max for spread in self.residuals.values()), default=0.0)
 
     @property
-    def rank(self) -> tuple[bool, bool, float]:
-        """Sorts candidates: solutions first, then sound shapes, then the smaller residual."""
-        return (self.valid, self.sound, self.kept if self.valid else -self.worst)
+    def rank(self) -> tuple[bool, bool, bool, float]:
+        """Sorts candidates: good ones first, then solutions, sound shapes, smaller residuals."""
+        return (self.valid, self.good, self.sound, self.kept if self.valid else -self.worst)
 
 
 def judge(problem: Problem, x: FloatArray, tolerance: float) -> Candidate:
@@ -77,6 +87,8 @@ def judge(problem: Problem, x: FloatArray, tolerance: float) -> Candidate:
         residuals=residuals,
         edge_ratio=edge_ratio(mesh),
         edge_ratio_start=problem.edge_ratio_start,
+        crease=sharpest_crease(mesh),
+        crease_start=problem.crease_start,
         flipped=int(flipped(mesh).sum()),
         flipped_start=problem.flipped_start,
         met=all(spread.max <= tolerance for spread in residuals.values()),

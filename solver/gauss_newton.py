@@ -2,8 +2,8 @@
 
 Each step linearises all terms, solves one damped sparse system and accepts it if the energy falls.
 Guides (fairness and its kin) are multiplied by a factor that shrinks every step and ends at zero,
-so the constraints are met to rounding error. An attempt that ends folded, collapsed or stuck is
-repeated from the start with stronger smoothing; the best result of all attempts is kept.
+so the constraints are met to rounding error. An attempt that ends folded, collapsed, creased or
+stuck is repeated from the start with other guides; the best result of all attempts is kept.
 
 Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4; Tang et al. (2014),
 Form-finding with polyhedral meshes made simple.
@@ -25,8 +25,6 @@ from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
 from solver.terms.base import Linearisation
 
-# Factors on the smoothing guides of successive attempts.
-SMOOTHING = (1.0, 10.0, 100.0)
 _FADE = 0.3
 _FADE_END = 1e-6
 _DAMPING_START, _DAMPING_MIN, _DAMPING_MAX = 1e-3, 1e-8, 1e8
@@ -59,7 +57,6 @@ class Optimisation:
         tolerance: largest measure of the net, over all faces or stars, that counts as zero.
         max_steps: steps of all attempts together.
         backend: name of the sparse solver, by default the fastest installed.
-        attempts: how many of the smoothing factors may be tried.
         accept_start: a start that already is the net is returned untouched.
     """
 
@@ -69,7 +66,6 @@ class Optimisation:
         tolerance: float = 1e-10,
         max_steps: int = 200,
         backend: str | None = None,
-        attempts: int = len(SMOOTHING),
         accept_start: bool = True,
     ) -> None:
         begin = time.perf_counter()
@@ -79,7 +75,7 @@ class Optimisation:
         self.backend = backend or default_backend()
         self.history: list[StepRecord] = []
         self.status: str | None = None
-        self._attempt, self._attempts = 1, attempts
+        self._attempt = 1
         self._best: Candidate | None = None
         self._terms = [*problem.constraints, *(guide.term for guide in problem.guides)]
         self._system = NormalEquations(self._terms, problem.free)
@@ -163,11 +159,7 @@ class Optimisation:
         return _State(x, [term.linearise(x) for term in self._terms])
 
     def _weights(self, fade: float) -> FloatArray:
-        stronger = SMOOTHING[self._attempt - 1]
-        guides = [
-            fade * guide.weight * (stronger if guide.smoothing else 1.0)
-            for guide in self.problem.guides
-        ]
+        guides = [fade * guide.weight(self._attempt) for guide in self.problem.guides]
         return np.array([1.0] * len(self.problem.constraints) + guides)
 
     def _advance(self, state: _State, weights: FloatArray) -> tuple[float, float, float]:
@@ -239,8 +231,7 @@ class Optimisation:
     def _end_attempt(self, steps_left: int) -> None:
         candidate = judge(self.problem, self._state.x, self.tolerance)
         self._consider(candidate)
-        smoothing = any(guide.smoothing for guide in self.problem.guides)
-        if candidate.good or not smoothing or self._attempt >= self._attempts or steps_left <= 0:
+        if candidate.good or self._attempt >= self.problem.attempts or steps_left <= 0:
             best = self._best or candidate
             self._conclude(CONVERGED if best.valid else STALLED)
             return

@@ -10,7 +10,7 @@ import importlib.util
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
-from scipy.sparse import csc_array, diags_array
+from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
 from solver.errors import InputError, OrthoError
@@ -61,7 +61,9 @@ def fill_reducing_order(graph: csc_array) -> IntArray:
         return np.zeros(0, dtype=np.int64)
     # Any positive definite matrix with this pattern will do: only its ordering is used.
     dominant = (graph != 0).astype(np.float64) * -1.0
-    dominant = csc_array(dominant + diags_array(np.full(size, 2.0 * size)))
+    diagonal = np.arange(size)
+    strong = csc_array((np.full(size, 2.0 * size), (diagonal, diagonal)), shape=(size, size))
+    dominant = csc_array(dominant + strong)
     factors = splu(
         dominant,
         permc_spec="MMD_AT_PLUS_A",

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from solver.errors import InputError
-from solver.gauss_newton import SMOOTHING, Optimisation
+from solver.gauss_newton import Optimisation
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import RECIPES
 from solver.nets.settings import Weights, add_guides, fixed_vertices
@@ -92,8 +92,7 @@ def start_optimisation(
     if closeness is not None:
         weights = replace(weights, closeness=closeness)
     problem = Problem(net, mesh, fixed_vertices(mesh, fix))
-    add_guides(RECIPES[net](problem), weights)
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     free_hand = fairness is None
-    attempts = len(SMOOTHING) if free_hand else 1
-    return Optimisation(problem, tolerance, max_steps, backend, attempts, accept_start=free_hand)
+    add_guides(RECIPES[net](problem), weights.ladder() if free_hand else [weights])
+    return Optimisation(problem, tolerance, max_steps, backend, accept_start=free_hand)

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from solver.analysis.measures import edge_ratio, flipped
+from solver.analysis.measures import edge_ratio, flipped, sharpest_crease
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.terms.base import Size, Term
@@ -21,13 +21,16 @@ class Guide:
     """A term that shapes the path and fades to zero, so that it does not disturb the result.
 
     Attributes:
-        weight: factor of its energy at the start.
-        smoothing: whether a further attempt may strengthen it to keep the mesh from folding.
+        weights: factor of its energy at the start of each attempt; the last one holds for all
+            attempts that follow.
     """
 
     term: Term
-    weight: float
-    smoothing: bool = False
+    weights: tuple[float, ...]
+
+    def weight(self, attempt: int) -> float:
+        """Weight in an attempt, counted from 1."""
+        return self.weights[min(attempt, len(self.weights)) - 1]
 
 
 @dataclass
@@ -63,11 +66,16 @@ class Problem:
         self.measures[term.name] = measure
         return self
 
-    def guide(self, term: Term, weight: float, smoothing: bool = False) -> Problem:
-        """Add a term that fades; a weight of zero leaves it out."""
-        if weight > 0:
-            self.guides.append(Guide(term, weight, smoothing))
+    def guide(self, term: Term, *weights: float) -> Problem:
+        """Add a term that fades, with its weight in each attempt; weights of zero leave it out."""
+        if any(weight > 0 for weight in weights):
+            self.guides.append(Guide(term, weights))
         return self
+
+    @property
+    def attempts(self) -> int:
+        """How many different ways to guide the solver there are."""
+        return max((len(guide.weights) for guide in self.guides), default=1)
 
     def mesh_at(self, x: FloatArray) -> QuadMesh:
         """Mesh in model units at ``x``; vertices that are not free keep every bit."""
@@ -80,6 +88,11 @@ class Problem:
     def edge_ratio_start(self) -> float:
         """Shortest / mean edge of the start."""
         return edge_ratio(self.mesh)
+
+    @cached_property
+    def crease_start(self) -> float:
+        """Sharpest angle between neighbouring faces of the start, degrees."""
+        return sharpest_crease(self.mesh)
 
     @cached_property
     def flipped_start(self) -> int:

@@ -63,7 +63,7 @@ class Report:
         variables: unknowns as the paper counts them, auxiliary ones included.
         constraints: equations as the paper counts them.
         iterations: steps of all attempts.
-        attempts: how often the guides had to be strengthened, plus one.
+        attempts: how many sets of guides were tried.
         seconds: total; ``seconds_per_iteration`` and ``solve_seconds_per_iteration`` are medians.
         residuals: largest and mean of each measure of the net, on the mesh that is returned.
         edge_ratio: shortest edge / mean edge.

@@ -81,6 +81,15 @@ def edge_ratio(mesh: QuadMesh) -> float:
     return float(mesh.edge_lengths.min() / mesh.mean_edge)
 
 
+def sharpest_crease(mesh: QuadMesh) -> float:
+    """Largest angle between the normals of two neighbouring faces, in degrees."""
+    left, right = mesh.connectivity.edge_faces[~mesh.connectivity.boundary_edges].T
+    if not len(left):
+        return 0.0
+    angles = _angles(mesh.face_normals[left], mesh.face_normals[right])
+    return float(np.degrees(angles.max()))
+
+
 def flipped(mesh: QuadMesh) -> BoolArray:
     """(F,) true where a face lies against its neighbours or turns a corner inside out."""
     normals = mesh.face_normals

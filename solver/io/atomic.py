@@ -56,6 +56,8 @@ def staged_folder(target: str | os.PathLike[str]) -> Iterator[Path]:
         yield staging
         for path in sorted(staging.iterdir()):
             os.replace(path, folder / path.name)
+    except OutputError:
+        raise
     except OSError as error:
         raise OutputError(f"{folder}: cannot be written ({error.strerror}); free space?") from error
     finally:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -40,17 +40,37 @@ class Weights:
             if not np.isfinite(value) or value < 0:
                 raise InputError(f"{name}: expected a weight of zero or more, got {value}")
 
+    def ladder(self) -> list[Weights]:
+        """Weights of successive attempts.
 
-def add_guides(problem: Problem, weights: Weights) -> Problem:
-    """Add the guides of a recipe."""
+        First these; then, for meshes that fairness creases at their irregular vertices, the nearest
+        net without smoothing; then, for meshes that collapse, ever more fairness.
+        """
+        nearest = replace(
+            self,
+            fairness=0.1 * self.fairness,
+            closeness=10 * self.closeness,
+            smooth_motion=0.0,
+            edge_vectors=0.0,
+        )
+        fairer = replace(self, fairness=10 * self.fairness)
+        fairest = replace(self, fairness=100 * self.fairness)
+        return [self, nearest, fairer, fairest]
+
+
+def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
+    """Add the guides that all recipes share, with their weights in each attempt."""
     net, start = problem.mesh.connectivity, problem.start
     used = np.flatnonzero(net.referenced)
     return (
-        problem.guide(Fairness(net.line_triples), weights.fairness, smoothing=True)
-        .guide(multi_net(net), weights.multi)
-        .guide(Closeness(used, start.reshape(-1, 3)[used]), weights.closeness)
-        .guide(Fairness(net.line_triples, start, "smooth motion"), weights.smooth_motion)
-        .guide(EdgeVectors(net.edges, start), weights.edge_vectors)
+        problem.guide(Fairness(net.line_triples), *(w.fairness for w in attempts))
+        .guide(multi_net(net), *(w.multi for w in attempts))
+        .guide(Closeness(used, start.reshape(-1, 3)[used]), *(w.closeness for w in attempts))
+        .guide(
+            Fairness(net.line_triples, start, "smooth motion"),
+            *(w.smooth_motion for w in attempts),
+        )
+        .guide(EdgeVectors(net.edges, start), *(w.edge_vectors for w in attempts))
     )
 
 
