@@ -1,7 +1,7 @@
 """Normal equations of a sum of terms: pattern and scatter positions once, numbers every step.
 
-Unknowns are numbered in blocks: three coordinates a vertex, then single shared scalars. Only the
-lower triangle of the symmetric matrix is kept.
+Only the lower triangle of the symmetric matrix is kept. How the pattern is found and numbered is
+:mod:`solver.pattern`'s business.
 """
 
 from __future__ import annotations
@@ -10,32 +10,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array
 
-from solver.linear import fill_reducing_order
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
+from solver.pattern import Layout, Pattern
 from solver.terms.base import Linearisation, Term
 
-
-@dataclass(frozen=True)
-class Pattern:
-    """Sparsity of the lower triangle, by column.
-
-    Attributes:
-        indptr: (n + 1,) start of each column.
-        indices: (nnz,) row numbers, ascending in each column, the diagonal first.
-        unknowns: (n,) position in the flat vector of each row of the matrix.
-    """
-
-    indptr: IntArray
-    indices: IntArray
-    unknowns: IntArray
-
-    @property
-    def size(self) -> int:
-        """Number n of free unknowns."""
-        return len(self.unknowns)
+# Elements handled at once: their blocks stay in the processor's cache.
+_CHUNK = 4096
 
 
 @dataclass(frozen=True)
@@ -55,14 +37,21 @@ class NormalEquations:
     Args:
         terms: the terms, in the order in which weights and linearisations are given later.
         free: (N,) true for unknowns that may move; the others are eliminated.
+        vertex_count: V; the first 3 V unknowns are coordinates, the others shared scalars.
+        reorder: number the unknowns so that a factorisation fills in little.
     """
 
-    def __init__(self, terms: Sequence[Term], free: BoolArray) -> None:
+    def __init__(
+        self, terms: Sequence[Term], free: BoolArray, vertex_count: int, reorder: bool = True
+    ) -> None:
         self.terms = tuple(terms)
-        numbering, self.pattern = _pattern(self.terms, free)
+        members = _alike(self.terms)
+        stencils = [self.terms[group[0]].unknowns for group in members]
+        layout = Layout(stencils, free, vertex_count, reorder)
+        self.pattern: Pattern = layout.pattern
         self._groups = [
-            _group(members, self.terms[members[0]].unknowns, numbering, self.pattern)
-            for members in _alike(self.terms)
+            _group(group, unknowns, layout)
+            for group, unknowns in zip(members, stencils, strict=True)
         ]
         self._constant: dict[int, FloatArray] = {}
 
@@ -90,10 +79,7 @@ class NormalEquations:
             used = [k for k in group.members if weights[k] > 0]
             if used:
                 part = sum(
-                    weights[k]
-                    * np.einsum(
-                        "nm,nmk->nk", linearisations[k].residual, linearisations[k].jacobian
-                    )
+                    weights[k] * _transposed_product(linearisations[k], self.terms[k].linear)
                     for k in used
                 )
                 total += np.bincount(group.rows, np.ravel(part), minlength=size + 1)
@@ -101,14 +87,32 @@ class NormalEquations:
 
     def _constant_part(self, group: _Group, k: int, jacobian: FloatArray) -> FloatArray:
         if k not in self._constant:
-            self._constant[k] = self._scattered(group, np.asarray(jacobian))
+            self._constant[k] = self._scattered(group, jacobian)
         return self._constant[k]
 
     def _scattered(self, group: _Group, jacobian: FloatArray) -> FloatArray:
-        blocks = np.einsum("nmp,nmp->np", jacobian[:, :, group.first], jacobian[:, :, group.second])
-        size = len(self.pattern.indices)
-        sums = np.bincount(group.scatter, blocks.ravel(), minlength=size + 1)
-        return sums[:size].astype(np.float64, copy=False)
+        count, pairs = len(jacobian), len(group.first)
+        blocks = np.empty((count, pairs))
+        for begin in range(0, count, _CHUNK):
+            part = jacobian[begin : begin + _CHUNK]
+            np.einsum(
+                "nmp,nmp->np",
+                part[:, :, group.first],
+                part[:, :, group.second],
+                out=blocks[begin : begin + _CHUNK],
+            )
+        entries = len(self.pattern.indices)
+        sums = np.bincount(group.scatter, blocks.ravel(), minlength=entries + 1)
+        return sums[:entries].astype(np.float64, copy=False)
+
+
+def _transposed_product(linearisation: Linearisation, linear: bool) -> FloatArray:
+    """(n, k) the product J^T r of each element."""
+    residual, jacobian = linearisation
+    if linear and len(jacobian):
+        # All elements of a linear term share one small Jacobian.
+        return residual @ jacobian[0]
+    return np.einsum("nm,nmk->nk", residual, jacobian)
 
 
 def _alike(terms: Sequence[Term]) -> list[tuple[int, ...]]:
@@ -123,48 +127,12 @@ def _alike(terms: Sequence[Term]) -> list[tuple[int, ...]]:
     return [tuple(group) for group in groups]
 
 
-def _pattern(terms: Sequence[Term], free: BoolArray) -> tuple[IntArray, Pattern]:
-    """Number the free unknowns to reduce fill, and find which pairs of them meet in an element."""
-    count = len(free)
-    rows, columns = [np.arange(count)], [np.arange(count)]
-    for term in terms:
-        unknowns = term.unknowns
-        element = np.repeat(np.arange(len(unknowns)), unknowns.shape[1])
-        incidence = coo_array(
-            (np.ones(unknowns.size, dtype=np.int32), (element, unknowns.ravel())),
-            shape=(len(unknowns), count),
-        ).tocsr()
-        meets = (incidence.T @ incidence).tocoo()
-        rows.append(meets.row)
-        columns.append(meets.col)
-    row, column = np.concatenate(rows), np.concatenate(columns)
-    graph = csc_array((np.ones(len(row)), (row, column)), shape=(count, count))
-    graph = graph[free][:, free]
-    kept = np.flatnonzero(free)[fill_reducing_order(graph)]
-    numbering = np.full(count, -1, dtype=np.int64)
-    numbering[kept] = np.arange(len(kept))
-    row, column = numbering[row], numbering[column]
-    lower = (row >= column) & (column >= 0)
-    matrix = csc_array(
-        (np.ones(int(lower.sum())), (row[lower], column[lower])), shape=(len(kept), len(kept))
-    )
-    matrix.sum_duplicates()
-    matrix.sort_indices()
-    pattern = Pattern(matrix.indptr.astype(np.int64), matrix.indices.astype(np.int64), kept)
-    return numbering, pattern
-
-
-def _group(
-    members: tuple[int, ...], unknowns: IntArray, numbering: IntArray, pattern: Pattern
-) -> _Group:
-    size, entries = pattern.size, len(pattern.indices)
-    number = numbering[unknowns]
+def _group(members: tuple[int, ...], unknowns: IntArray, layout: Layout) -> _Group:
     first, second = np.triu_indices(unknowns.shape[1])
-    one, two = number[:, first], number[:, second]
-    row, column = np.maximum(one, two), np.minimum(one, two)
-    column_of_entry = np.repeat(np.arange(size), np.diff(pattern.indptr))
-    keys = column_of_entry * size + pattern.indices
-    place = np.searchsorted(keys, column * size + row)
-    scatter = np.where(column >= 0, place, entries)
-    rows = np.where(number >= 0, number, size)
-    return _Group(members, rows.ravel(), scatter.ravel(), first, second)
+    return _Group(
+        members=members,
+        rows=layout.rows(unknowns).ravel(),
+        scatter=layout.positions(unknowns, first, second).ravel(),
+        first=first,
+        second=second,
+    )

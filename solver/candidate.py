@@ -73,9 +73,10 @@ class Candidate:
         return max((spread.max for spread in self.residuals.values()), default=0.0)
 
     @property
-    def rank(self) -> tuple[bool, bool, bool, float]:
-        """Sorts candidates: good ones first, then solutions, sound shapes, smaller residuals."""
-        return (self.valid, self.good, self.sound, self.kept if self.valid else -self.worst)
+    def rank(self) -> tuple[bool, bool, bool, float, float]:
+        """Sorts candidates: solutions first, good, sound, with longer edges, smaller residuals."""
+        kept = round(self.kept, 2) if self.valid else 0.0
+        return (self.valid, self.good, self.sound, kept, -self.worst)
 
 
 def judge(problem: Problem, x: FloatArray, tolerance: float) -> Candidate:

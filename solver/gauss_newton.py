@@ -26,8 +26,10 @@ from solver.summary import summarise
 from solver.terms.base import Linearisation
 
 _FADE = 0.3
-_FADE_END = 1e-6
-_DAMPING_START, _DAMPING_MIN, _DAMPING_MAX = 1e-3, 1e-8, 1e8
+_FADE_END = 1e-12
+# With every residual below this, the net is near enough to be reached without guides.
+_NEAR = 1e-6
+_DAMPING_START, _DAMPING_MIN, _DAMPING_MAX = 1e-3, 1e-12, 1e8
 # Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
 _PATIENCE = 15
 # Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
@@ -78,7 +80,13 @@ class Optimisation:
         self._attempt = 1
         self._best: Candidate | None = None
         self._terms = [*problem.constraints, *(guide.term for guide in problem.guides)]
-        self._system = NormalEquations(self._terms, problem.free)
+        self._system = NormalEquations(
+            self._terms,
+            problem.free,
+            problem.mesh.connectivity.vertex_count,
+            # rslab orders the unknowns itself.
+            reorder=self.backend == "scipy",
+        )
         self._solver = symmetric_solver(self._system.pattern, self.backend)
         self._state = self._fresh_state()
         self.seconds_setup = time.perf_counter() - begin
@@ -128,7 +136,7 @@ class Optimisation:
         )
         self.history.append(record)
         state.fade *= _FADE
-        if state.fade < _FADE_END:
+        if state.fade < _FADE_END or record.worst < _NEAR:
             state.fade = 0.0
         self._decide(record)
         return record
@@ -194,7 +202,7 @@ class Optimisation:
             if state.damping > _DAMPING_MAX:
                 state.idle = _PATIENCE
                 return before, 0.0, solve_seconds
-            state.damping = max(8 * state.damping, 1e-6)
+            state.damping = max(8 * state.damping, 1e-9)
             rejected = True
 
     def _linearise(self, x: FloatArray, state: _State, weights: FloatArray) -> list[Linearisation]:

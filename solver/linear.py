@@ -18,7 +18,7 @@ from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
-    from solver.assembly import Pattern
+    from solver.pattern import Pattern
 
 BACKENDS = ("rslab", "scipy")
 

@@ -33,7 +33,11 @@ def system():
     free = np.ones(3 * len(mesh.vertices), dtype=bool)
     free[[0, 1, 2, 50, 77]] = False
     x = mesh.vertices.ravel()
-    return NormalEquations(terms, free), [term.linearise(x) for term in terms], free
+    return (
+        NormalEquations(terms, free, len(mesh.vertices)),
+        [term.linearise(x) for term in terms],
+        free,
+    )
 
 
 def dense(system, linearisations, free, weights=WEIGHTS):

@@ -1,0 +1,142 @@
+"""E_Anet and E_Snet: the five points of a vertex star lie in a plane or on a sphere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray
+from solver.terms.base import Linearisation, Size, coordinates_of, dot, length, points_of
+
+# Newton steps for a star's own curvature; it starts from the least-squares value.
+_OWN_STEPS = 4
+# Keep clear of stars that would wrap more than half their sphere.
+_LARGEST_SINE = 0.999
+
+
+@dataclass(frozen=True, eq=False)
+class SphericalStar:
+    """A star's points lie on a sphere of curvature k through its centre; k = 0 is a plane.
+
+    With the spokes s1 .. s4 from the centre and w_j = |s_j|^2 / 2, the sphere with unit normal n
+    at the centre contains s_j where n . s_j = k w_j. The differences of opposite spokes fix n,
+
+        n . (s1 - s3) = k (w1 - w3),   n . (s2 - s4) = k (w2 - w4),   |n| = 1,
+
+    and the sums are what is left to ask for, divided by the mean spoke length L:
+
+        r1 = (n . (s1 + s3) - k (w1 + w3)) / (2 L),   r2 = (n . (s2 + s4) - k (w2 + w4)) / (2 L)
+
+    So neither the normal nor the centre is an unknown. Two rows a star, one where every star has a
+    curvature of its own (the row that no change of that curvature can mend).
+
+    Args:
+        stars: (n, 5) centre and four neighbours in cyclic order.
+        curvature: the given k in 1 / mean edge, or None.
+        shared: position of one unknown k in the flat vector, or None. With neither, each star has
+            its own curvature.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, sections 4.3 and 4.4.
+    """
+
+    stars: IntArray
+    curvature: float | None = None
+    shared: int | None = None
+    name: str = "spherical stars"
+    linear: bool = False
+
+    @cached_property
+    def unknowns(self) -> IntArray:
+        """(n, 15) coordinates, or (n, 16) with the shared curvature last."""
+        coordinates = coordinates_of(self.stars)
+        if self.shared is None:
+            return coordinates
+        shared = np.full((len(self.stars), 1), self.shared, dtype=np.int64)
+        return np.hstack([coordinates, shared])
+
+    @property
+    def size(self) -> Size:
+        """A normal or a centre a star (and its radius); five points, or four and a unit length."""
+        own = self.curvature is None and self.shared is None
+        return Size((4 if own else 3) * len(self.stars), 5 * len(self.stars))
+
+    def linearise(self, x: FloatArray) -> Linearisation:
+        """Return (n, 2) and (n, 2, 15), with the curvature's column added or its row eliminated."""
+        v = points_of(x, self.unknowns[:, :15])
+        spokes = v[:, 1:] - v[:, :1]
+        if self.shared is not None:
+            k = np.full(len(v), x[self.shared])
+        elif self.curvature is not None:
+            k = np.full(len(v), self.curvature)
+        else:
+            k = own_curvatures(spokes)
+        residual, by_spokes, by_k = _star(spokes, k)
+        if self.shared is None and self.curvature is None:
+            residual, by_spokes = _without_curvature(residual, by_spokes, by_k)
+        jacobian = np.concatenate([-by_spokes.sum(axis=2, keepdims=True), by_spokes], axis=2)
+        jacobian = jacobian.reshape(len(v), residual.shape[1], 15)
+        if self.shared is not None:
+            jacobian = np.concatenate([jacobian, by_k[:, :, None]], axis=2)
+        return Linearisation(residual, jacobian)
+
+
+def own_curvatures(spokes: FloatArray) -> FloatArray:
+    """(n,) curvature with which the star's two residuals are smallest together."""
+    k = np.zeros(len(spokes))
+    for _ in range(_OWN_STEPS):
+        residual, _, by_k = _star(spokes, k)
+        k = k - dot(residual, by_k) / np.maximum(dot(by_k, by_k), 1e-300)
+    return k
+
+
+def _star(spokes: FloatArray, k: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Residuals (n, 2), derivatives by the spokes (n, 2, 4, 3) and by the curvature (n, 2)."""
+    s1, s2, s3, s4 = (spokes[:, j] for j in range(4))
+    w = 0.5 * (spokes**2).sum(axis=2)
+    a, b = s1 - s3, s2 - s4
+    alpha, beta = w[:, 0] - w[:, 2], w[:, 1] - w[:, 3]
+    n = _normal(a, b, k * alpha, k * beta)
+    across_b, across_a = np.cross(b, n), np.cross(n, a)
+    determinant = dot(a, across_b)
+    sums = (s1 + s3, s2 + s4)
+    heights = (w[:, 0] + w[:, 2], w[:, 1] + w[:, 3])
+    mean = 0.25 * np.sqrt(2 * w).sum(axis=1)
+    towards = n[:, None, :] - k[:, None, None] * spokes
+    direction = spokes / np.sqrt(2 * w)[:, :, None]
+    residual = np.empty((len(k), 2))
+    by_spokes = np.empty((len(k), 2, 4, 3))
+    by_k = np.empty((len(k), 2))
+    for row, (total, height) in enumerate(zip(sums, heights, strict=True)):
+        g1 = dot(across_b, total) / determinant
+        g2 = dot(across_a, total) / determinant
+        own = np.zeros(4)
+        own[[row, row + 2]] = 1.0
+        factor = own + np.stack([-g1, -g2, g1, g2], axis=1)
+        r = 0.5 * (dot(n, total) - k * height) / mean
+        residual[:, row] = r
+        by_spokes[:, row] = (0.5 / mean)[:, None, None] * factor[:, :, None] * towards
+        by_spokes[:, row] -= (0.25 * r / mean)[:, None, None] * direction
+        by_k[:, row] = 0.5 * (g1 * alpha + g2 * beta - height) / mean
+    return residual, by_spokes, by_k
+
+
+def _normal(a: FloatArray, b: FloatArray, along_a: FloatArray, along_b: FloatArray) -> FloatArray:
+    """(n, 3) unit vectors with the given products with a and b, on the side of a x b."""
+    m = np.cross(a, b)
+    square = dot(m, m)
+    p = (along_a[:, None] * np.cross(b, m) + along_b[:, None] * np.cross(m, a)) / square[:, None]
+    sine = length(p)
+    p *= np.minimum(1.0, _LARGEST_SINE / np.maximum(sine, 1e-300))[:, None]
+    height = np.sqrt(1.0 - np.minimum(sine, _LARGEST_SINE) ** 2)
+    return p + (height / np.sqrt(square))[:, None] * m
+
+
+def _without_curvature(
+    residual: FloatArray, by_spokes: FloatArray, by_k: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Keep the one combination of the two rows that the star's own curvature cannot change."""
+    across = np.stack([-by_k[:, 1], by_k[:, 0]], axis=1) / length(by_k)[:, None]
+    return dot(residual, across)[:, None], np.einsum("ni,nijc->njc", across, by_spokes)[:, None]
