@@ -152,6 +152,8 @@ class Layout:
     def _block(self, one: IntArray, two: IntArray) -> tuple[IntArray, IntArray]:
         """Node of the column and offset of the block in it, for pairs of nodes."""
         column, row = np.minimum(one, two), np.maximum(one, two)
+        if not len(self._keys):
+            return column, np.zeros_like(column)
         place = np.searchsorted(self._keys, column * len(self._rank) + row)
         return column, self._offset[np.minimum(place, len(self._offset) - 1)]
 
