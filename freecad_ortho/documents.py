@@ -18,6 +18,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.fabrication import BeamSettings, PanelSettings
+from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects import structure as structure_object
@@ -198,7 +199,7 @@ def export_fabrication(
 
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
     structure = build.structure(chosen)
-    with build.missing_package_named():
+    with missing_package_named():
         api.write_fabrication(structure, folder)
     return sorted(path for path in Path(folder).iterdir() if path.is_file())
 

@@ -153,3 +153,85 @@ def test_interrupt_writes_what_there_is(tmp_path):
     assert "stopped" in rest
     assert "Traceback" not in rest
     assert api.read_mesh(out).mesh.vertices.shape == (14400, 3)
+
+
+def interrupted(arguments, seconds, cwd, sent=signal.SIGINT):
+    """Run the command line, break it off after a while; give its exit code and what it said."""
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    command = [sys.executable, "-m", "freecad_ortho", *arguments]
+    run = subprocess.Popen(command, cwd=cwd, env=environment, stderr=subprocess.PIPE, text=True)
+    time.sleep(seconds)
+    run.send_signal(sent)
+    _, said = run.communicate(timeout=60)
+    return run.returncode, said
+
+
+@pytest.fixture(scope="module")
+def large_file(tmp_path_factory):
+    """A planar grid of 1,740 beams, for which fabrication takes a few seconds."""
+    path = tmp_path_factory.mktemp("large") / "grid.obj"
+    api.write_mesh(path, wavy_grid(30, 30, height=0.0).scaled(1000.0))
+    return path
+
+
+# While packages load, while solids are made and while files are written, more or less.
+@pytest.mark.parametrize(
+    ("seconds", "sent"),
+    [(0.4, signal.SIGINT), (0.9, signal.SIGINT), (1.5, signal.SIGINT), (1.5, signal.SIGTERM)],
+)
+def test_interrupted_fabrication_leaves_no_trace(large_file, tmp_path, seconds, sent):
+    (tmp_path / "parts.csv").write_text("old")
+    code, said = interrupted(["fabricate", str(large_file), "-o", "."], seconds, tmp_path, sent)
+    assert said == "stopped; nothing was written\n"
+    assert code == 1
+    assert os.listdir(tmp_path) == ["parts.csv"]
+    assert (tmp_path / "parts.csv").read_text() == "old"
+
+
+def test_results_take_the_place_of_ordinary_files_only(mesh_file, tmp_path, capsys):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    both = str(tmp_path / "both")
+    for arguments, words in (
+        (["-o", str(pipe)], "is not an ordinary file"),
+        (["-o", str(tmp_path / "n.obj"), "--report", str(pipe)], "is not an ordinary file"),
+        (["-o", both, "--report", both], "name two files"),
+        (["-o", str(tmp_path)], "is a folder"),
+    ):
+        assert main(["optimise", str(mesh_file), *arguments]) == 2
+        assert words in one_line(capsys)
+    assert sorted(os.listdir(tmp_path)) == ["pipe", "wave.obj"]
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs a device that is always full")
+@pytest.mark.parametrize("json", [[], ["--json"]])
+def test_output_that_nobody_takes_is_no_traceback(mesh_file, json):
+    command = [sys.executable, "-m", "freecad_ortho", "check", str(mesh_file), *json]
+    with open("/dev/full", "w") as full:
+        run = subprocess.run(
+            command, cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert run.returncode == 2
+    assert run.stderr.startswith("error: the output cannot be written")
+    assert run.stderr.count("\n") == 1
+    reader, writer = os.pipe()
+    os.close(reader)
+    run = subprocess.run(
+        command, cwd=ROOT, stdout=writer, stderr=subprocess.PIPE, text=True, check=False
+    )
+    os.close(writer)
+    assert (run.returncode, run.stderr) == (0, "")
+
+
+def test_fabricating_names_the_package_that_is_missing(mesh_file, tmp_path, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "cadquery", None)
+    assert main(["fabricate", str(mesh_file), "-o", str(tmp_path / "out")]) == 2
+    assert "'cadquery' is missing" in one_line(capsys)
+    assert not (tmp_path / "out").exists()
+
+
+def test_one_panel_is_one(tmp_path, capsys):
+    path = tmp_path / "one.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+    assert main(["fabricate", str(path), "--unit", "m", "-o", str(tmp_path / "out")]) == 0
+    assert capsys.readouterr().out.startswith("4 beams, 1 panel, ")

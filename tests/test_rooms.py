@@ -55,7 +55,7 @@ def test_blocking_works():
 
 def test_command_line_starts_without_freecad_and_cad():
     code = f"import sys; sys.modules.update(dict.fromkeys({FREECAD + CAD!r})); "
-    code += "import freecad_ortho, freecad_ortho.__main__"
+    code += "import freecad_ortho, freecad_ortho.__main__, freecad_ortho.cli.commands"
     result = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False
     )

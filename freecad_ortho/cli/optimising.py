@@ -19,7 +19,7 @@ from solver.report import CONVERGED
 def run(options: argparse.Namespace) -> bool:
     """Optimise as the options say; return whether the net was reached."""
     loaded = reporting.load(options)
-    _refuse_missing_folders(options.output, options.report)
+    _refuse_bad_targets(options.output, options.report)
     with reporting.Progress(options.verbose) as progress:
         outcome = api.optimise(
             loaded.mesh,
@@ -53,14 +53,19 @@ def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepR
     return follow
 
 
-def _refuse_missing_folders(*paths: str | None) -> None:
+def _refuse_bad_targets(output: str, report: str | None) -> None:
     """Say before the work, not after it, that a result has nowhere to go."""
-    for path in paths:
+    if report is not None and os.path.realpath(output) == os.path.realpath(report):
+        raise InputError(f"{report}: is to hold both mesh and report; name two files")
+    for path in (output, report):
         if path is None:
             continue
         folder = os.path.dirname(os.path.abspath(path))
         if os.path.isdir(path):
             raise InputError(f"{path}: is a folder; name a file in it")
+        # A finished file takes the place of the old one, which must not be a device or a pipe.
+        if os.path.exists(path) and not os.path.isfile(path):
+            raise InputError(f"{path}: is not an ordinary file; name another")
         if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
             raise OutputError(f"{folder}: does not exist or cannot be written; make it first")
 

@@ -53,7 +53,8 @@ def fabrication_line(structure: Structure, folder: str) -> str:
     """One line that says what was made and where it is."""
     report = structure.report()
     kinds = [part.kind for part in structure.parts]
-    counts = [f"{kinds.count(kind)} {kind}s" for kind in ("beam", "panel") if kind in kinds]
+    numbers = {kind: kinds.count(kind) for kind in ("beam", "panel") if kind in kinds}
+    counts = [f"{number} {kind}{'s' * (number > 1)}" for kind, number in numbers.items()]
     return f"{', '.join(counts)}, {report['mass_kg']:.1f} kg; files are in {folder}"
 
 

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from freecad_ortho import convert
 from freecad_ortho.fabrication import BeamSettings, PanelSettings, Structure, build
 from freecad_ortho.objects import structure as structure_object
-from solver.errors import InputError, OrthoError
+from solver.errors import InputError
 
 if TYPE_CHECKING:
     import FreeCAD
@@ -94,19 +93,3 @@ def _check_carrier(carrier: FreeCAD.DocumentObject | None, net: FreeCAD.Document
             f"panels: '{carrier.Label}' is not a structure of beams on {net.Label}; "
             "choose another for 'OnBeams' or leave it empty"
         )
-
-
-@contextmanager
-def missing_package_named() -> Iterator[None]:
-    """Say in plain words which Python package fabrication lacks.
-
-    Raises:
-        OrthoError: a package could not be imported.
-    """
-    try:
-        yield
-    except ModuleNotFoundError as error:
-        raise OrthoError(
-            f"fabrication: the Python package '{error.name}' is missing; "
-            "install it for FreeCAD's Python"
-        ) from error

@@ -148,10 +148,11 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
         OrthoError: the properties or the net do not make a structure; nothing was changed.
     """
     from freecad_ortho import convert
+    from freecad_ortho.fabrication.packages import missing_package_named
     from freecad_ortho.objects import build
 
     structure = build.structure([feature])
-    with build.missing_package_named():
+    with missing_package_named():
         shape = convert.part_shape(structure.compound())
     names = [part.name for part in structure.parts]
     feature.Shape = shape

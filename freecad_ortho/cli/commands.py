@@ -1,0 +1,133 @@
+"""The commands of the command line, their options, and how they end."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Sequence
+
+from freecad_ortho import api
+from freecad_ortho.cli import optimising, reporting
+from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK, kept_whole
+from freecad_ortho.fabrication.packages import missing_package_named
+from freecad_ortho.units import MILLIMETRES
+from solver.errors import OrthoError
+
+
+def run(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; return its exit code."""
+    options = _parser().parse_args(arguments)
+    try:
+        code = int(options.run(options))
+        sys.stdout.flush()
+        return code
+    except OrthoError as error:
+        sys.stderr.write(f"error: {error}\n")
+    except BrokenPipeError:
+        # Whoever read the output has seen enough; the interpreter must not try to write the rest.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_OK
+    except OSError as error:
+        sys.stderr.write(f"error: the output cannot be written ({error.strerror}); free space?\n")
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return EXIT_BAD_INPUT
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong with the arguments in one line."""
+
+    def error(self, message: str) -> None:  # type: ignore[override]
+        self.exit(EXIT_BAD_INPUT, f"error: {message}; see {self.prog} --help\n")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(
+        prog="freecad_ortho",
+        description="Optimise quad meshes and turn them into parts that a workshop can cut.",
+    )
+    commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)
+    _add_optimise(commands.add_parser("optimise", help="make a mesh a net, e.g. principal"))
+    _add_fabricate(commands.add_parser("fabricate", help="beams and panels, STEP, DXF, CSV"))
+    _add_check(commands.add_parser("check", help="measure a mesh against every net"))
+    return parser
+
+
+def _add_optimise(parser: argparse.ArgumentParser) -> None:
+    _add_input(parser)
+    parser.add_argument("--net", default="principal", help="which net (default: principal)")
+    parser.add_argument("-o", "--output", required=True, metavar="OUT.obj")
+    parser.add_argument("--report", metavar="R.json", help="write the numbers of the run")
+    parser.add_argument("--fairness", type=float, metavar="W", help="weight of straight lines")
+    parser.add_argument("--closeness", type=float, metavar="W", help="weight of staying put")
+    parser.add_argument(
+        "--fix", default="none", metavar="none|corners|boundary|I,J,K", help="what must not move"
+    )
+    parser.add_argument("--tolerance", type=float, default=1e-10)
+    parser.add_argument("--max-steps", type=int, default=200, metavar="N")
+    parser.add_argument("-v", "--verbose", action="store_true", help="one line a step")
+    parser.set_defaults(run=_optimise)
+
+
+def _add_fabricate(parser: argparse.ArgumentParser) -> None:
+    _add_input(parser)
+    parser.add_argument("--system", default="beams+panels", metavar="beams|panels|beams+panels")
+    parser.add_argument("--height", type=float, default=200.0, metavar="MM")
+    parser.add_argument("--thickness", type=float, default=12.0, metavar="MM")
+    parser.add_argument("--panel-thickness", type=float, metavar="MM", help="default: thickness")
+    parser.add_argument("--gap", type=float, default=10.0, metavar="MM")
+    parser.add_argument("--offset", default="centre", metavar="above|centre|below")
+    parser.add_argument("--density", type=float, default=7850.0, metavar="KG/M3")
+    parser.add_argument("-o", "--output", required=True, metavar="DIR")
+    parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
+    parser.set_defaults(run=_fabricate)
+
+
+def _add_check(parser: argparse.ArgumentParser) -> None:
+    _add_input(parser)
+    parser.add_argument("--json", action="store_true", help="numbers for other programs")
+    parser.set_defaults(run=_check)
+
+
+def _add_input(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("input", metavar="IN.obj")
+    parser.add_argument(
+        "--unit",
+        choices=tuple(MILLIMETRES),
+        help="unit of the coordinates (default: what the file says, else mm)",
+    )
+
+
+def _optimise(options: argparse.Namespace) -> int:
+    return EXIT_OK if optimising.run(options) else EXIT_NOT_CONVERGED
+
+
+def _fabricate(options: argparse.Namespace) -> int:
+    loaded = reporting.load(options)
+    structure = api.fabricate(
+        loaded.mesh,
+        options.system,
+        height=options.height,
+        thickness=options.thickness,
+        panel_thickness=options.panel_thickness,
+        gap=options.gap,
+        offset=options.offset,
+        density=options.density,
+        unit=loaded.unit,
+    )
+    with kept_whole(), missing_package_named():
+        import cadquery  # noqa: F401
+        import ezdxf  # noqa: F401
+    with reporting.Progress(options.verbose) as progress:
+        api.write_fabrication(structure, options.output, progress)
+    sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")
+    return EXIT_OK
+
+
+def _check(options: argparse.Namespace) -> int:
+    loaded = reporting.load(options)
+    result = {"file": options.input, "unit": loaded.unit, **api.check(loaded.mesh)}
+    text = json.dumps(result, indent=2) if options.json else reporting.check_table(result)
+    sys.stdout.write(text + "\n")
+    return EXIT_OK
