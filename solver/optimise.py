@@ -10,6 +10,7 @@ from solver.errors import InputError
 from solver.gauss_newton import Optimisation
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import RECIPES
+from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides, fixed_vertices
 from solver.problem import Problem
 from solver.report import Outcome, StepRecord
@@ -25,6 +26,7 @@ def optimise(
     tolerance: float = 1e-10,
     max_steps: int = 200,
     backend: str | None = None,
+    options: NetOptions | None = None,
     callback: Callable[[StepRecord], bool | None] | None = None,
 ) -> Outcome:
     """Move the vertices of a mesh until it is the wanted net.
@@ -38,6 +40,7 @@ def optimise(
         tolerance: largest residual that counts as zero, dimensionless.
         max_steps: largest number of steps.
         backend: ``rslab`` or ``scipy``; by default the fastest installed.
+        options: choices that only some nets have: diagonal variant, radius, length, reference.
         callback: called after each step; returning True stops.
 
     Returns:
@@ -56,6 +59,7 @@ def optimise(
         tolerance=tolerance,
         max_steps=max_steps,
         backend=backend,
+        options=options,
     )
     try:
         while not run.finished:
@@ -78,6 +82,7 @@ def start_optimisation(
     tolerance: float = 1e-10,
     max_steps: int = 200,
     backend: str | None = None,
+    options: NetOptions | None = None,
 ) -> Optimisation:
     """Prepare an optimisation that the caller advances step by step; see :func:`optimise`."""
     if net not in RECIPES:
@@ -91,8 +96,9 @@ def start_optimisation(
         weights = replace(weights, fairness=fairness)
     if closeness is not None:
         weights = replace(weights, closeness=closeness)
+    options = options or NetOptions()
     problem = Problem(net, mesh, fixed_vertices(mesh, fix))
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     free_hand = fairness is None
-    add_guides(RECIPES[net](problem), weights.ladder() if free_hand else [weights])
+    add_guides(RECIPES[net](problem, options), weights.ladder() if free_hand else [weights])
     return Optimisation(problem, tolerance, max_steps, backend, accept_start=free_hand)

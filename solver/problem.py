@@ -60,6 +60,12 @@ class Problem:
         self.start: FloatArray = ((self.mesh.vertices - self.centre) / self.scale).ravel()
         self.free: BoolArray = np.repeat(used & ~self.fixed, 3)
 
+    def scalar(self, value: float) -> int:
+        """Add an unknown that many elements share; return its position in the flat vector."""
+        self.start = np.append(self.start, value)
+        self.free = np.append(self.free, True)
+        return len(self.start) - 1
+
     def require(self, term: Term, measure: Measure) -> Problem:
         """Add a term that has to vanish, and the measure by which that is judged."""
         self.constraints.append(term)

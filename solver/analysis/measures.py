@@ -49,26 +49,71 @@ def conical(mesh: QuadMesh) -> FloatArray:
     return np.abs(angles[:, 0] + angles[:, 2] - angles[:, 1] - angles[:, 3])
 
 
-def geodesic(mesh: QuadMesh) -> FloatArray:
+def medial_angle(mesh: QuadMesh, angle: float = np.pi / 2) -> FloatArray:
+    """(F,) deviation of the angle between the medial lines from ``angle``, in radians.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, lemma 4.
+    """
+    a, b, c, d = _corners(mesh)
+    return np.abs(_angles(b + c - a - d, c + d - a - b) - angle)
+
+
+def isometry(mesh: QuadMesh, reference: FloatArray) -> FloatArray:
+    """(F,) worst relative change of a face's edge and diagonal lengths against a reference.
+
+    Args:
+        mesh: the shape to judge.
+        reference: (V, 3) positions of the same mesh in the reference shape.
+    """
+    rest = mesh.with_vertices(reference)
+    changes = []
+    for one, two in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3)):
+        now, then = (
+            np.linalg.norm(m.vertices[m.faces[:, one]] - m.vertices[m.faces[:, two]], axis=1)
+            for m in (mesh, rest)
+        )
+        changes.append(np.abs(now / then - 1.0))
+    return np.asarray(np.max(changes, axis=0))
+
+
+def equal_edges(
+    mesh: QuadMesh, chosen: BoolArray | None = None, length: float | None = None
+) -> FloatArray:
+    """(n,) deviation of chosen edges from their mean length, or a given one, relative to it."""
+    lengths = mesh.edge_lengths if chosen is None else mesh.edge_lengths[chosen]
+    return np.abs(lengths / (lengths.mean() if length is None else length) - 1.0)
+
+
+def equal_angles(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
+    """(S,) largest difference between the cosines of the four angles of a star.
+
+    Source: Rabinovich, Hoffmann, Sorkine-Hornung (2018), Discrete geodesic nets for modeling
+    developable surfaces.
+    """
+    cosines = np.cos(star_angles(mesh, diagonal))
+    return np.asarray(cosines.max(axis=1) - cosines.min(axis=1))
+
+
+def geodesic(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
     """(S,) difference of the cosines of opposite angles at each interior star, the worse pair.
 
     Source: Wunderlich (1951), via Dellinger, Li, Wang (2023), definition 6.
     """
-    cosines = np.cos(star_angles(mesh))
+    cosines = np.cos(star_angles(mesh, diagonal))
     return np.maximum(np.abs(cosines[:, 0] - cosines[:, 2]), np.abs(cosines[:, 1] - cosines[:, 3]))
 
 
 def chebyshev(mesh: QuadMesh) -> FloatArray:
     """(E,) deviation of each edge length from the mean / mean."""
-    return np.abs(mesh.edge_lengths / mesh.mean_edge - 1.0)
+    return equal_edges(mesh)
 
 
-def asymptotic(mesh: QuadMesh) -> FloatArray:
+def asymptotic(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
     """(S,) farthest neighbour of a star from the best plane through its centre / mean edge.
 
     Source: Sauer (1937), via Dellinger, Li, Wang (2023), section 4.3.
     """
-    spokes = star_spokes(mesh)
+    spokes = star_spokes(mesh, diagonal)
     if not len(spokes):
         return np.zeros(0)
     normal = np.linalg.svd(spokes)[2][:, 2]
@@ -117,15 +162,19 @@ def face_angles(mesh: QuadMesh) -> FloatArray:
     return _angles(np.roll(points, -1, axis=1) - points, np.roll(points, 1, axis=1) - points)
 
 
-def star_angles(mesh: QuadMesh) -> FloatArray:
+def star_angles(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
     """(S, 4) angles between consecutive edges of each interior star, in radians."""
-    spokes = star_spokes(mesh)
+    spokes = star_spokes(mesh, diagonal)
     return _angles(spokes, np.roll(spokes, -1, axis=1))
 
 
-def star_spokes(mesh: QuadMesh) -> FloatArray:
-    """(S, 4, 3) vectors from the centre of each interior star to its neighbours."""
-    points = mesh.vertices[mesh.connectivity.stars]
+def star_spokes(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
+    """(S, 4, 3) vectors from the centre of each interior star to its neighbours.
+
+    With ``diagonal``, to the opposite corners of its faces: the star of the diagonal net.
+    """
+    net = mesh.connectivity
+    points = mesh.vertices[net.diagonal_stars if diagonal else net.stars]
     return points[:, 1:] - points[:, :1]
 
 

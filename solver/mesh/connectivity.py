@@ -208,6 +208,22 @@ class Connectivity:
         return np.stack(star, axis=1), np.stack(diagonal, axis=1)
 
     @cached_property
+    def edge_families(self) -> IntArray:
+        """(E,) number of the family of parameter lines that each edge belongs to.
+
+        Opposite edges of a face share a family, and so do edges in line at a regular vertex. A grid
+        has two; irregular vertices can join them into one.
+        """
+        sides = self.face_edges
+        half = np.flatnonzero(self.continuation >= 0)
+        edge_of = sides.ravel()
+        one = np.concatenate([sides[:, 0], sides[:, 1], edge_of[half]])
+        two = np.concatenate([sides[:, 2], sides[:, 3], edge_of[self.continuation[half]]])
+        count = len(self.edges)
+        graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count))
+        return connected_components(graph, directed=False)[1].astype(np.int64)
+
+    @cached_property
     def components(self) -> IntArray:
         """(F,) number of the connected component of each face."""
         left, right = self.edge_faces[~self.boundary_edges].T

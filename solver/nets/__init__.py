@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from solver.nets.curvature import asymptotic, cmc, snet
+from solver.nets.developable import chebyshev, dog, geodesic, geodesic_chebyshev, isometric
+from solver.nets.options import NetOptions
 from solver.nets.orthogonal import orthogonal
-from solver.nets.principal import principal
+from solver.nets.principal import circular, conical, principal
 from solver.problem import Problem
 
-RECIPES: dict[str, Callable[[Problem], Problem]] = {
+RECIPES: dict[str, Callable[[Problem, NetOptions], Problem]] = {
     "orthogonal": orthogonal,
     "principal": principal,
+    "circular": circular,
+    "conical": conical,
+    "geodesic": geodesic,
+    "dog": dog,
+    "chebyshev": chebyshev,
+    "geodesic-chebyshev": geodesic_chebyshev,
+    "asymptotic": asymptotic,
+    "cmc": cmc,
+    "snet": snet,
+    "isometric": isometric,
 }

@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+import functools
+import math
+
 from solver.analysis import measures
+from solver.nets.options import NetOptions
 from solver.problem import Problem
+from solver.terms.medial_angle import MedialAngle
 from solver.terms.orthogonality import Orthogonality
 
 
-def orthogonal(problem: Problem) -> Problem:
-    """Require equal diagonals only.
+def orthogonal(problem: Problem, options: NetOptions) -> Problem:
+    """Require equal diagonals only, or another angle of the medial lines.
 
-    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 3.
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 3 and the remark
+    after lemma 4.
     """
-    return problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    faces = problem.mesh.faces
+    if options.angle == 90.0:
+        return problem.require(Orthogonality(faces), measures.orthogonality)
+    angle = math.radians(options.angle)
+    return problem.require(
+        MedialAngle(faces, angle), functools.partial(measures.medial_angle, angle=angle)
+    )

@@ -1,19 +1,41 @@
-"""Principal mesh: orthogonal faces that are planar."""
+"""Nets with planar faces: principal, circular, conical."""
 
 from __future__ import annotations
 
 from solver.analysis import measures
+from solver.nets.options import NetOptions
 from solver.problem import Problem
+from solver.terms.face_angles import CircularFace
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.planarity import Planarity
+from solver.terms.star_angles import ConicalStar
 
 
-def principal(problem: Problem) -> Problem:
+def principal(problem: Problem, options: NetOptions) -> Problem:
     """Require equal diagonals and planar faces: discrete principal curvature lines.
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.1.
     """
     faces = problem.mesh.faces
-    return problem.require(Orthogonality(faces), measures.orthogonality).require(
-        Planarity(faces), measures.planarity
-    )
+    problem.require(Orthogonality(faces), measures.orthogonality)
+    return problem.require(Planarity(faces), measures.planarity)
+
+
+def circular(problem: Problem, options: NetOptions) -> Problem:
+    """Require planar faces with a circle through their corners.
+
+    Source: Bobenko, Suris (2008), Discrete Differential Geometry.
+    """
+    faces = problem.mesh.faces
+    problem.require(Planarity(faces), measures.planarity)
+    return problem.require(CircularFace(faces), measures.circular)
+
+
+def conical(problem: Problem, options: NetOptions) -> Problem:
+    """Require planar faces that touch a common cone at every vertex.
+
+    Source: Liu et al. (2006), Geometric modeling with conical meshes and developable surfaces.
+    """
+    stars = options.stars(problem)
+    problem.require(Planarity(problem.mesh.faces), measures.planarity)
+    return problem.require(ConicalStar(stars), measures.conical)

@@ -62,10 +62,11 @@ def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
     """Add the guides that all recipes share, with their weights in each attempt."""
     net, start = problem.mesh.connectivity, problem.start
     used = np.flatnonzero(net.referenced)
+    points = start[: 3 * net.vertex_count].reshape(-1, 3)
     return (
         problem.guide(Fairness(net.line_triples), *(w.fairness for w in attempts))
         .guide(multi_net(net), *(w.multi for w in attempts))
-        .guide(Closeness(used, start.reshape(-1, 3)[used]), *(w.closeness for w in attempts))
+        .guide(Closeness(used, points[used]), *(w.closeness for w in attempts))
         .guide(
             Fairness(net.line_triples, start, "smooth motion"),
             *(w.smooth_motion for w in attempts),

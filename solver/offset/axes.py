@@ -141,7 +141,8 @@ def _filtered(mesh: QuadMesh, across: FloatArray, normals: FloatArray) -> FloatA
     residual = np.inf
     for _ in range(_PASSES):
         opening = _apply(across, offsets[end] - offsets[start])
-        previous, residual = residual, float(np.abs(opening).max() / np.abs(offsets).max())
+        largest = max(float(np.abs(offsets).max()), np.finfo(float).tiny)
+        previous, residual = residual, float(np.abs(opening).max()) / largest
         if residual <= _CLOSED or residual > previous / 2:
             break
         offsets = factors.solve(_apply(diagonal, offsets).ravel()).reshape(count, 3)

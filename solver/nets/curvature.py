@@ -1,0 +1,59 @@
+"""Nets on minimal surfaces and surfaces of constant mean curvature."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from solver.analysis import measures, spheres
+from solver.nets.options import NetOptions
+from solver.problem import Problem
+from solver.terms.orthogonality import Orthogonality
+from solver.terms.spherical_star import SphericalStar
+
+
+def asymptotic(problem: Problem, options: NetOptions) -> Problem:
+    """Require equal diagonals and planar stars: asymptotic lines of a minimal surface.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.3.
+    """
+    stars = options.stars(problem)
+    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    return problem.require(
+        SphericalStar(stars, curvature=0.0, name="asymptotic"),
+        functools.partial(measures.asymptotic, diagonal=options.diagonal),
+    )
+
+
+def cmc(problem: Problem, options: NetOptions) -> Problem:
+    """Require equal diagonals and star spheres of one radius, given or free.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 10.
+    """
+    stars = options.stars(problem)
+    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    curvatures, _ = spheres.star_curvatures(problem.mesh, options.diagonal)
+    mean = float(np.median(curvatures)) * problem.scale
+    radius = options.radius
+    if radius is not None:
+        radius = float(np.copysign(radius, mean))
+        term = SphericalStar(stars, curvature=problem.scale / radius, name="cmc")
+    else:
+        term = SphericalStar(stars, shared=problem.scalar(mean), name="cmc")
+    return problem.require(
+        term, functools.partial(spheres.cmc, radius=radius, diagonal=options.diagonal)
+    )
+
+
+def snet(problem: Problem, options: NetOptions) -> Problem:
+    """Require equal diagonals and star spheres, each with a radius of its own.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 9.
+    """
+    stars = options.stars(problem)
+    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    return problem.require(
+        SphericalStar(stars, name="snet"),
+        functools.partial(spheres.snet, diagonal=options.diagonal),
+    )

@@ -1,0 +1,89 @@
+"""Nets on developable surfaces: geodesic, stricter geodesic, Chebyshev, isometric."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from solver.analysis import measures
+from solver.errors import InputError
+from solver.nets.options import NetOptions
+from solver.problem import Problem
+from solver.terms.chebyshev import EqualEdges
+from solver.terms.isometry import Isometry
+from solver.terms.orthogonality import Orthogonality
+from solver.terms.star_angles import EqualAngleStar, GeodesicStar
+
+
+def geodesic(problem: Problem, options: NetOptions) -> Problem:
+    """Require equal diagonals and equal opposite angles at every star.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 6.
+    """
+    stars = options.stars(problem)
+    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    return problem.require(
+        GeodesicStar(stars), functools.partial(measures.geodesic, diagonal=options.diagonal)
+    )
+
+
+def dog(problem: Problem, options: NetOptions) -> Problem:
+    """Require four equal angles at every star.
+
+    Source: Rabinovich, Hoffmann, Sorkine-Hornung (2018), Discrete geodesic nets for modeling
+    developable surfaces.
+    """
+    return problem.require(EqualAngleStar(options.stars(problem)), measures.equal_angles)
+
+
+def chebyshev(problem: Problem, options: NetOptions) -> Problem:
+    """Require equal diagonals and equal edges, or equal edges in each family.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 7.
+    """
+    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    return _equal_edges(problem, options)
+
+
+def geodesic_chebyshev(problem: Problem, options: NetOptions) -> Problem:
+    """Require a net that is geodesic and Chebyshev at once.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, figure 14 (e, f).
+    """
+    return _equal_edges(geodesic(problem, options), options)
+
+
+def isometric(problem: Problem, options: NetOptions) -> Problem:
+    """Require that every face keeps the shape it has in the reference.
+
+    Source: Jiang et al. (2021), Using isometries for computational design and fabrication.
+    """
+    reference = problem.mesh.vertices if options.reference is None else options.reference
+    if reference.shape != problem.mesh.vertices.shape:
+        raise InputError(
+            f"reference: expected {len(problem.mesh.vertices)} vertices as in the mesh, got "
+            f"{len(reference)}; give the same mesh in another shape"
+        )
+    return problem.require(
+        Isometry(problem.mesh.faces, reference / problem.scale),
+        functools.partial(measures.isometry, reference=reference),
+    )
+
+
+def _equal_edges(problem: Problem, options: NetOptions) -> Problem:
+    net = problem.mesh.connectivity
+    family = net.edge_families if options.per_family else np.zeros(len(net.edges), dtype=np.int64)
+    lengths = problem.mesh.edge_lengths / problem.scale
+    for number in range(int(family.max()) + 1):
+        chosen = family == number
+        name = "chebyshev" if number == 0 else f"chebyshev {number + 1}"
+        if options.length is not None:
+            term = EqualEdges(net.edges[chosen], length=options.length / problem.scale, name=name)
+        else:
+            shared = problem.scalar(float(lengths[chosen].mean()))
+            term = EqualEdges(net.edges[chosen], shared=shared, name=name)
+        problem.require(
+            term, functools.partial(measures.equal_edges, chosen=chosen, length=options.length)
+        )
+    return problem

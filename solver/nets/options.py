@@ -1,0 +1,54 @@
+"""What only some nets can be told."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from solver.errors import InputError
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray
+from solver.problem import Problem
+
+
+@dataclass(frozen=True)
+class NetOptions:
+    """Choices beyond the name of the net.
+
+    Attributes:
+        diagonal: ask star properties of a vertex and the four opposite corners of its faces.
+        radius: radius of the star spheres in model units, None for free.
+        length: edge length of a Chebyshev net in model units, None for free.
+        per_family: a Chebyshev net has one length for each family of parameter lines.
+        angle: angle of the medial lines in degrees, 90 for orthogonal.
+        reference: (V, 3) positions of the shape to which an isometric net is isometric.
+    """
+
+    diagonal: bool = False
+    radius: float | None = None
+    length: float | None = None
+    per_family: bool = False
+    angle: float = 90.0
+    reference: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("radius", "length"):
+            value = getattr(self, name)
+            if value is not None and not (math.isfinite(value) and value > 0):
+                raise InputError(f"{name}: expected a positive length, got {value}")
+        if not 0 < self.angle < 180:
+            raise InputError(f"angle: expected degrees between 0 and 180, got {self.angle}")
+
+    def stars(self, problem: Problem) -> IntArray:
+        """(S, 5) stars of the net or of its diagonal net.
+
+        Raises:
+            InputError: the mesh has no vertex with four faces around it.
+        """
+        net = problem.mesh.connectivity
+        if not len(net.stars):
+            raise InputError(
+                f"{problem.net} net: needs inner vertices with four faces around them, the mesh "
+                "has none; give a mesh of at least 2 x 2 faces"
+            )
+        return net.diagonal_stars if self.diagonal else net.stars
