@@ -9,6 +9,8 @@ from solver.errors import InputError
 
 OFFSETS = ("above", "centre", "below")
 STEEL_DENSITY = 7850.0
+# Below it, mm, the CAD kernel takes the corners of a plate for one point.
+_SMALLEST = 1e-3
 
 
 @dataclass(frozen=True)
@@ -31,8 +33,8 @@ class BeamSettings:
     offset: str = "centre"
 
     def __post_init__(self) -> None:
-        positive("beam height", self.height, "mm")
-        positive("beam thickness", self.thickness, "mm")
+        _size("beam height", self.height)
+        _size("beam thickness", self.thickness)
         _known_offset(self.offset)
 
     @property
@@ -60,8 +62,8 @@ class PanelSettings:
     offset: str = "centre"
 
     def __post_init__(self) -> None:
-        positive("panel thickness", self.thickness, "mm")
-        positive("gap", self.gap, "mm")
+        _size("panel thickness", self.thickness)
+        _size("gap", self.gap)
         _known_offset(self.offset)
 
     @property
@@ -79,6 +81,14 @@ def positive(name: str, value: float, unit: str) -> None:
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     if not number or not math.isfinite(value) or value <= 0:
         raise InputError(f"{name}: expected a number above 0 {unit}, got {value}; give a size")
+
+
+def _size(name: str, value: float) -> None:
+    positive(name, value, "mm")
+    if value < _SMALLEST:
+        raise InputError(
+            f"{name}: expected at least {_SMALLEST:g} mm, got {value:g}; check the unit"
+        )
 
 
 def rounded_down(value: float) -> str:

@@ -29,6 +29,8 @@ Progress = Callable[[float, str], None]
 # Twist above which a beam is visibly not a plane plate, degrees.
 _TWIST_WORTH_SAYING = 0.01
 _HEIGHT_WORTH_SAYING = 0.05
+# The CAD kernel tells points apart that are 1e-7 mm from each other; far longer edges lose that.
+_LONGEST_EDGE = 1e6
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,6 +181,7 @@ def build(
     if beams is None and panels is None:
         raise InputError("system: expected beams, panels or both, got neither; choose one")
     positive("density", density, "kg/m3")
+    _refuse_long_edges(mesh_mm)
     say = progress or (lambda fraction, words: None)
     # Near the origin no digits are lost, wherever the model is.
     centre = mesh_mm.vertices[mesh_mm.connectivity.referenced].mean(axis=0)
@@ -200,6 +203,17 @@ def build(
         parts += panel_parts(mesh, panels, of_panels, density, centre)
     say(1.0, f"{len(parts)} parts")
     return Structure(mesh_mm, axes, beams, panels, density, tuple(parts), of_beams, of_panels)
+
+
+def _refuse_long_edges(mesh: QuadMesh) -> None:
+    longest = float(mesh.edge_lengths.max())
+    if longest > _LONGEST_EDGE:
+        edge = int(mesh.edge_lengths.argmax())
+        first, second = mesh.connectivity.edges[edge]
+        raise InputError(
+            f"mesh: edge {edge} (vertices {first} and {second}) is {longest / 1e6:.3g} km long; "
+            "check the unit"
+        )
 
 
 def _sums(parts: list[Part]) -> dict[str, float]:

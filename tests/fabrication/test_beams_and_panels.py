@@ -234,3 +234,19 @@ def test_edge_without_length_is_named(roof):
     vertices[1] = vertices[0]
     with pytest.raises(InputError, match=r"edges: 1 have no length.*vertices 0 and 1"):
         build(roof.with_vertices(vertices), BEAMS, None)
+
+
+def test_plates_thinner_than_the_kernel_can_tell_are_refused():
+    for settings in (
+        lambda: BeamSettings(1e-6, 12),
+        lambda: BeamSettings(200, 1e-9),
+        lambda: PanelSettings(1e-6, 10),
+        lambda: PanelSettings(12, 1e-6),
+    ):
+        with pytest.raises(InputError, match=r"at least 0\.001 mm.*check the unit"):
+            settings()
+
+
+def test_edges_of_kilometres_are_refused(roof):
+    with pytest.raises(InputError, match=r"edge \d+ .* km long; check the unit"):
+        build(roof.scaled(1e4), BeamSettings(200, 12), None)

@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
+from solver import optimise
 from solver.mesh.quadmesh import QuadMesh, unit_rows
 from solver.offset.axes import torsion_free_axes
+from tests.conftest import demo_roof, shared_mesh
 
 
 def grid(rows, columns, closed=False):
@@ -215,3 +217,28 @@ def test_single_face_and_straight_corner():
     assert np.allclose(torsion_free_axes(square).offsets, [0, 0, 1])
     straight = QuadMesh.from_arrays([[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, 1, 0]], [[0, 1, 2, 3]])
     assert np.allclose(torsion_free_axes(straight).directions, [0, 0, 1], atol=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name",
+    [
+        "demo roof",
+        *(
+            pytest.param(name, marks=pytest.mark.shared)
+            for name in ("heart", "conical1", "botanic-garden-bubble-0", "complete01")
+        ),
+    ],
+)
+def test_optimised_meshes_get_torsion_free_beams_of_even_height(name):
+    mesh = demo_roof() if name == "demo roof" else shared_mesh(name)
+    axes = torsion_free_axes(optimise(mesh, "principal").mesh)
+    assert axes.twist.max() <= 1e-7
+    assert np.abs(axes.heights - 1).max() <= 0.05
+
+
+def test_double_face_is_no_division_by_zero():
+    """A face and its reverse have no normal at all, so no axes; whoever uses them says so."""
+    square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    pillow = QuadMesh.from_arrays(square, [[0, 1, 2, 3], [3, 2, 1, 0]])
+    assert np.isfinite(torsion_free_axes(pillow).offsets).all()
