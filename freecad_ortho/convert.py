@@ -34,6 +34,11 @@ def quad_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
     """
     if not net.Faces:
         raise InputError(f"{net.Label}: the net is empty; import a quad mesh first")
+    if len(net.Faces) % 4:
+        raise InputError(
+            f"{net.Label}: 'Faces' holds {len(net.Faces)} numbers, expected four a face; undo the "
+            "change or import the mesh again"
+        )
     faces = np.array(net.Faces, dtype=np.int64).reshape(-1, 4)
     return QuadMesh.from_arrays(array(net.Vertices), faces)
 
@@ -67,7 +72,10 @@ def millimetres(value: float | str | FreeCAD.Units.Quantity, name: str) -> float
         if value.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
             raise InputError(f"{name}: '{value}' is not a length; give it like '12 mm'")
         value = value.Value
-    return float(value)
+    try:
+        return float(value)
+    except TypeError:
+        raise InputError(f"{name}: {value!r} is not a length; give it like '12 mm'") from None
 
 
 def part_shape(shape: cadquery.Shape) -> Part.Shape:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from freecad_ortho import convert
 from freecad_ortho.fabrication import BeamSettings, PanelSettings, Structure, build
 from freecad_ortho.objects import structure as structure_object
+from freecad_ortho.objects.net import is_net
 from solver.errors import InputError
 
 if TYPE_CHECKING:
@@ -65,6 +66,11 @@ def _common_net(features: Sequence[FreeCAD.DocumentObject]) -> FreeCAD.DocumentO
             raise InputError(f"structures: {feature.Label} is not a structure; {_REMEDY}")
         if feature.Net is None:
             raise InputError(f"{feature.Label}: stands on no net; set its property 'Net'")
+        if not is_net(feature.Net):
+            raise InputError(
+                f"{feature.Label}: stands on {feature.Net.Label}, which is no net; set its "
+                "property 'Net' to one"
+            )
     net = features[0].Net
     for feature in features:
         if feature.Net is not net:

@@ -187,6 +187,7 @@ class TestStructure(DocumentCase):
         attempts = (
             lambda: api.add_beams(net, height=0),
             lambda: api.add_beams(net, thickness=-3),
+            lambda: api.add_beams(net, height=None),
             lambda: api.add_beams(net, thickness="1 kg"),
             lambda: api.add_beams(net, thickness="thick"),
             lambda: api.add_beams(net, thickness=1e5),
@@ -216,6 +217,56 @@ class TestStructure(DocumentCase):
         beams.Thickness = 12
         self.document.recompute()
         self.assertIn("Up-to-date", beams.State)
+
+    def test_what_a_structure_stands_on_must_be_a_net(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        volume, faces = beams.Shape.Volume, list(net.Faces)
+        box = self.document.addObject("Part::Box", "Box")
+
+        def swap():
+            beams.Net = box
+
+        def remove():
+            beams.Net = None
+
+        def break_faces():
+            net.Faces = faces[:-1]
+
+        for damage, words in (
+            (swap, "which is no net"),
+            (remove, "stands on no net"),
+            (break_faces, "expected four a face"),
+        ):
+            with self.subTest(words):
+                damage()
+                self.document.recompute()
+                self.assertIn(words, beams.getStatusString())
+                self.assertEqual(beams.Shape.Volume, volume)
+                beams.Net, net.Faces = net, faces
+                self.document.recompute()
+                self.assertIn("Up-to-date", beams.State)
+
+    def test_deleting_the_net_keeps_the_shape_and_undoes(self):
+        net = self.net()
+        beams = api.add_beams(net)
+        panels = api.add_panels(net, beams=beams)
+        volumes = [beams.Shape.Volume, panels.Shape.Volume]
+        self.document.openTransaction("Delete")
+        self.document.removeObject(net.Name)
+        self.document.commitTransaction()
+        self.document.recompute()
+        self.assertIn("stands on no net", beams.getStatusString())
+        self.assertEqual([beams.Shape.Volume, panels.Shape.Volume], volumes)
+        self.document.undo()
+        self.document.recompute()
+        self.assertEqual([item.State for item in (beams, panels)], [["Up-to-date"]] * 2)
+        self.assertEqual(beams.Net.Name, net.Name)
+
+    def test_reopened_documents_are_up_to_date(self):
+        api.add_panels(self.net(), beams=None)
+        again = self.reopened("fresh.FCStd")
+        self.assertEqual([item.State for item in again.Objects], [["Up-to-date"]] * 2)
 
     def test_saves_and_reopens_with_shapes(self):
         beams = api.add_beams(self.net())
