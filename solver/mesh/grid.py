@@ -32,7 +32,8 @@ class Grid:
     @property
     def faces(self) -> IntArray:
         """(F, 4) faces of the grid in its own vertex numbers."""
-        return self.numbers.ravel()[grid_faces(*self.numbers.shape, self.closed_u, self.closed_v)]
+        m, n = self.numbers.shape
+        return self.numbers.ravel()[grid_faces(m, n, self.closed_u, self.closed_v)]
 
 
 def grid_faces(m: int, n: int, closed_u: bool = False, closed_v: bool = False) -> IntArray:

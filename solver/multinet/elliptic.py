@@ -177,7 +177,9 @@ def elliptic_net(
                 factors.append(_factors(system, name, given))
         return system.base_curve(moving, base, (factors[0], factors[1]))
 
-    return MultiNet(quadric, on_quadric, base, closed, (low, low + span))
+    # By default clear of both ends, where the net is flat and may fold.
+    ends = (low + 0.1 * span, low + (1.0 if np.isinf(high) else 0.9) * span)
+    return MultiNet(quadric, on_quadric, base, closed, ends)
 
 
 def _factors(system: EllipticSystem, name: str, values: FloatArray) -> FloatArray:

@@ -1,0 +1,128 @@
+"""Mirror images, welding, and the orientation of a mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from solver.errors import InputError
+from solver.io.intake import quad_mesh
+from solver.mesh.grid import grid_mesh, grid_of
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+# Vertices closer than this part of the mesh's size are one vertex.
+SAME_PLACE = 1e-9
+
+
+def size_of(vertices: FloatArray) -> float:
+    """Diagonal of the bounding box, in the model's unit."""
+    return float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
+
+
+def mirrored(mesh: QuadMesh, normal: ArrayLike, point: ArrayLike = (0, 0, 0)) -> QuadMesh:
+    """A mesh and its mirror image in a plane as one mesh, the seam merged.
+
+    The old vertices and faces come first and keep their numbers; those in the plane serve both
+    halves and are set into it to the last digit. The image is oriented so that it continues the
+    mesh.
+
+    Args:
+        mesh: the mesh, on one side of the plane.
+        normal: (3,) normal of the plane, any length.
+        point: (3,) a point of the plane, in the model's unit.
+
+    Raises:
+        InputError: a zero normal, or an inner edge in the plane, so that halves would overlap.
+    """
+    direction, origin = _plane(normal, point)
+    height = (mesh.vertices - origin) @ direction
+    seam = np.abs(height) <= SAME_PLACE * size_of(mesh.vertices)
+    inner = ~mesh.connectivity.boundary_edges
+    if seam[mesh.connectivity.edges[inner]].all(axis=1).any() or _crosses(height, seam):
+        raise InputError(
+            "mirror: the mesh reaches across the plane, so that the halves would overlap; "
+            "trim it at the plane or choose another plane"
+        )
+    old = np.where(seam[:, None], mesh.vertices - height[:, None] * direction, mesh.vertices)
+    image = mesh.vertices - 2 * height[:, None] * direction
+    number = np.where(seam, np.arange(len(old)), len(old) - 1 + np.cumsum(~seam))
+    faces = np.concatenate([mesh.faces, number[mesh.faces[:, [1, 0, 3, 2]]]])
+    return QuadMesh.from_arrays(np.concatenate([old, image[~seam]]), faces)
+
+
+def _crosses(height: FloatArray, seam: np.ndarray) -> bool:
+    apart = height[~seam]
+    return bool((apart > 0).any() and (apart < 0).any())
+
+
+def _plane(normal: ArrayLike, point: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    direction, origin = np.asarray(normal, dtype=np.float64), np.asarray(point, dtype=np.float64)
+    length = np.linalg.norm(direction)
+    if direction.shape != (3,) or origin.shape != (3,) or not length > 0:
+        raise InputError("plane: expected a normal and a point of three numbers each, normal not 0")
+    return direction / length, origin
+
+
+def reflection(mesh: QuadMesh, normal: ArrayLike, point: ArrayLike = (0, 0, 0)) -> QuadMesh:
+    """The mirror image alone, vertex numbers kept, orientation reversed to stay outward.
+
+    Raises:
+        InputError: a zero normal.
+    """
+    direction, origin = _plane(normal, point)
+    height = (mesh.vertices - origin) @ direction
+    image = mesh.vertices - 2 * height[:, None] * direction
+    return QuadMesh.from_arrays(image, mesh.faces[:, [1, 0, 3, 2]])
+
+
+def welded(patches: Sequence[QuadMesh], tolerance: float = SAME_PLACE) -> QuadMesh:
+    """One mesh of several patches, vertices at the same place merged, orientation made consistent.
+
+    Vertices keep the order in which the patches are given; a merged vertex stays at the place and
+    number of its first copy. Where other than four faces meet there is an irregular vertex.
+
+    Args:
+        patches: at least one mesh.
+        tolerance: merge distance as a part of the size of the whole.
+
+    Raises:
+        InputError: no patch, a face that collapses, or edges with more than two faces.
+    """
+    if not patches:
+        raise InputError("weld: expected at least one patch, got none")
+    vertices = np.concatenate([patch.vertices for patch in patches])
+    offsets = np.cumsum([0] + [len(patch.vertices) for patch in patches[:-1]])
+    faces = np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=True)])
+    pairs = cKDTree(vertices).query_pairs(tolerance * size_of(vertices), output_type="ndarray")
+    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(vertices),) * 2)
+    label = connected_components(graph, directed=False)[1]
+    _, first, group = np.unique(label, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    number = np.empty_like(order)
+    number[order] = np.arange(len(order))
+    merged = number[group][faces]
+    return quad_mesh(vertices[first[order]], merged.tolist())[0]
+
+
+def reversed_orientation(mesh: QuadMesh) -> QuadMesh:
+    """The same net seen from its other side; vertex and face numbers and families stay."""
+    return QuadMesh.from_arrays(mesh.vertices, mesh.faces[:, [1, 0, 3, 2]])
+
+
+def swapped(mesh: QuadMesh) -> QuadMesh:
+    """Exchange the families u and v, orientation kept.
+
+    A mesh of grid type is renumbered: its new vertex (i, j) is the old (M - 1 - j, i). Any other
+    mesh keeps its vertex numbers, and each face starts at its next corner.
+    """
+    try:
+        grid = grid_of(mesh)
+    except InputError:
+        return QuadMesh.from_arrays(mesh.vertices, np.roll(mesh.faces, -1, axis=1))
+    turned = grid.points(mesh)[::-1].transpose(1, 0, 2)
+    return grid_mesh(turned, closed_u=grid.closed_v, closed_v=grid.closed_u)
