@@ -32,10 +32,15 @@ BEGIN, END = "<!-- solver table: begin -->", "<!-- solver table: end -->"
 
 
 def wavy_grid(side: int) -> QuadMesh:
-    """One sheared, waved sheet, sampled by ``side`` x ``side`` vertices."""
+    """A wavy vase sampled by ``side`` x ``side`` vertices, every vertex pushed off its place.
+
+    The pushes are waves of 0.3 edges, about 15 edges long: as hard everywhere, whatever the size.
+    """
     i, j = np.meshgrid(np.arange(side, dtype=float), np.arange(side, dtype=float), indexing="ij")
-    x, y = i + 0.15 * j, j
-    z = 0.1 * side * np.sin(2.2 * x / side + 0.3) * np.cos(1.9 * y / side - 0.2)
+    turn = 1.6 * (i + 0.3 * np.sin(0.41 * j + 0.2 * i)) / side
+    height = j + 0.3 * np.sin(0.37 * i - 0.25 * j)
+    radius = side * (0.6 + 0.06 * np.sin(4.0 * height / side)) + 0.3 * np.sin(0.4 * i + 0.3 * j)
+    x, y, z = radius * np.cos(turn), radius * np.sin(turn), height
     corner = np.arange(side * side).reshape(side, side)
     quads = [corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]]
     return QuadMesh.from_arrays(

@@ -8,7 +8,7 @@ import numpy as np
 
 from solver.analysis.measures import edge_ratio, flipped, sharpest_crease
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.problem import Problem
+from solver.problem import Detail, Problem
 from solver.report import Spread
 
 # A result with a shorter shortest edge, relative to the input's, is a collapse.
@@ -25,6 +25,7 @@ class Candidate:
 
     Attributes:
         mesh: the shape in model units.
+        details: shared unknowns in words that a user knows, such as a radius.
         residuals: largest and mean value of each measure of the net.
         edge_ratio: shortest / mean edge; ``edge_ratio_start`` the same of the input.
         crease: sharpest angle between neighbouring faces, in degrees; ``crease_start`` likewise.
@@ -33,6 +34,7 @@ class Candidate:
     """
 
     mesh: QuadMesh
+    details: dict[str, Detail]
     residuals: dict[str, Spread]
     edge_ratio: float
     edge_ratio_start: float
@@ -79,19 +81,26 @@ class Candidate:
         return (self.valid, self.good, self.sound, kept, -self.worst)
 
 
-def judge(problem: Problem, x: FloatArray, tolerance: float) -> Candidate:
-    """Measure the shape at the flat vector ``x``."""
+def judge(
+    problem: Problem, x: FloatArray, tolerance: float, original: Problem | None = None
+) -> Candidate:
+    """Measure the shape at the flat vector ``x``, against the start of the original problem."""
+    start = original or problem
     mesh = problem.mesh_at(x)
-    residuals = {name: spread_of(measure(mesh)) for name, measure in problem.measures.items()}
+    scalars = x[3 * len(mesh.vertices) :]
+    residuals = {
+        name: spread_of(measure(mesh, scalars)) for name, measure in problem.measures.items()
+    }
     return Candidate(
         mesh=mesh,
+        details={name: tell(scalars) for name, tell in problem.details.items()},
         residuals=residuals,
         edge_ratio=edge_ratio(mesh),
-        edge_ratio_start=problem.edge_ratio_start,
+        edge_ratio_start=start.edge_ratio_start,
         crease=sharpest_crease(mesh),
-        crease_start=problem.crease_start,
+        crease_start=start.crease_start,
         flipped=int(flipped(mesh).sum()),
-        flipped_start=problem.flipped_start,
+        flipped_start=start.flipped_start,
         met=all(spread.max <= tolerance for spread in residuals.values()),
     )
 

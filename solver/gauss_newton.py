@@ -12,6 +12,7 @@ Form-finding with polyhedral meshes made simple.
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,7 +24,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
-from solver.terms.base import Linearisation
+from solver.terms.base import FollowingTerm, Linearisation, Term
 
 _FADE = 0.3
 _FADE_END = 1e-12
@@ -55,7 +56,8 @@ class Optimisation:
     any number of steps ``outcome`` gives the best mesh so far and its report.
 
     Args:
-        problem: what is asked.
+        problems: what is asked; further problems are the same net from other starts, and are tried
+            one after the other where a result is not good. All are judged against the first.
         tolerance: largest measure of the net, over all faces or stars, that counts as zero.
         max_steps: steps of all attempts together.
         backend: name of the sparse solver, by default the fastest installed.
@@ -64,36 +66,37 @@ class Optimisation:
 
     def __init__(
         self,
-        problem: Problem,
+        problems: Problem | Sequence[Problem],
         tolerance: float = 1e-10,
-        max_steps: int = 200,
+        max_steps: int = 400,
         backend: str | None = None,
         accept_start: bool = True,
     ) -> None:
         begin = time.perf_counter()
-        self.problem = problem
+        self._problems = [problems] if isinstance(problems, Problem) else list(problems)
         self.tolerance = tolerance
         self.max_steps = max_steps
         self.backend = backend or default_backend()
         self.history: list[StepRecord] = []
         self.status: str | None = None
-        self._attempt = 1
+        self._turn, self._attempt, self.attempts = 0, 1, 1
         self._best: Candidate | None = None
-        self._terms = [*problem.constraints, *(guide.term for guide in problem.guides)]
-        self._system = NormalEquations(
-            self._terms,
-            problem.free,
-            problem.mesh.connectivity.vertex_count,
-            # rslab orders the unknowns itself.
-            reorder=self.backend == "scipy",
-        )
-        self._solver = symmetric_solver(self._system.pattern, self.backend)
-        self._state = self._fresh_state()
+        self._prepare()
         self.seconds_setup = time.perf_counter() - begin
-        if not problem.free.any():
+        if not self.problem.free.any():
             self._conclude(STALLED)
-        elif accept_start and judge(problem, problem.start, tolerance).valid:
+        elif accept_start and self._judge(self.problem.start).valid:
             self._conclude(CONVERGED)
+
+    @property
+    def original(self) -> Problem:
+        """The problem as it was posed, against whose start results are judged."""
+        return self._problems[0]
+
+    @property
+    def problem(self) -> Problem:
+        """The problem that is being tried."""
+        return self._problems[self._turn]
 
     @property
     def finished(self) -> bool:
@@ -120,12 +123,13 @@ class Optimisation:
             raise RuntimeError("the optimisation has finished; start a new one")
         begin = time.perf_counter()
         state = self._state
+        self._follow(state)
         weights = self._weights(state.fade)
         damping = state.damping
         energy, length, solve_seconds = self._advance(state, weights)
         record = StepRecord(
             step=len(self.history) + 1,
-            attempt=self._attempt,
+            attempt=self.attempts,
             energy=energy,
             residuals=self._residuals(state.linearisations),
             step_length=length,
@@ -154,17 +158,40 @@ class Optimisation:
 
     def outcome(self) -> Outcome:
         """Best mesh so far and its report; the status is ``stopped`` while steps are left."""
-        best = self._best or judge(self.problem, self._state.x, self.tolerance)
-        return summarise(self, best)
+        return summarise(self, self._best or self._judge(self._state.x))
 
-    @property
-    def attempts(self) -> int:
-        """Number of the attempt that is running or was the last."""
-        return self._attempt
+    def _prepare(self) -> None:
+        """Lay out the equations of the current problem and stand at its start."""
+        problem = self.problem
+        terms = [*problem.constraints, *(guide.term for guide in problem.guides)]
+        self._system = NormalEquations(
+            terms,
+            problem.free,
+            problem.mesh.connectivity.vertex_count,
+            # rslab orders the unknowns itself.
+            reorder=self.backend == "scipy",
+        )
+        self._solver = symmetric_solver(self._system.pattern, self.backend)
+        self._restart()
 
-    def _fresh_state(self) -> _State:
-        x = self.problem.start.copy()
-        return _State(x, [term.linearise(x) for term in self._terms])
+    def _restart(self) -> None:
+        problem = self.problem
+        self._terms: list[Term] = [
+            *problem.constraints,
+            *(guide.term for guide in problem.guides),
+        ]
+        x = problem.start.copy()
+        self._state = _State(x, [term.linearise(x) for term in self._terms])
+
+    def _follow(self, state: _State) -> None:
+        """Let terms that depend on where the mesh is (closest points, loads) look again."""
+        for k, term in enumerate(self._terms):
+            if isinstance(term, FollowingTerm):
+                self._terms[k] = term.follow(state.x)
+                state.linearisations[k] = self._terms[k].linearise(state.x)
+
+    def _judge(self, x: FloatArray) -> Candidate:
+        return judge(self.problem, x, self.tolerance, self.original)
 
     def _weights(self, fade: float) -> FloatArray:
         guides = [fade * guide.weight(self._attempt) for guide in self.problem.guides]
@@ -213,11 +240,11 @@ class Optimisation:
         ]
 
     def _residuals(self, linearisations: list[Linearisation]) -> dict[str, float]:
-        constraints = self.problem.constraints
-        return {
-            term.name: float(np.abs(linearisation.residual).max(initial=0.0))
-            for term, linearisation in zip(constraints, linearisations, strict=False)
-        }
+        worst: dict[str, float] = {}
+        for term, part in zip(self.problem.constraints, linearisations, strict=False):
+            largest = float(np.abs(part.residual).max(initial=0.0))
+            worst[term.name] = max(worst.get(term.name, 0.0), largest)
+        return worst
 
     def _decide(self, record: StepRecord) -> None:
         """Finish the attempt where it has converged, is stuck, or the steps are used up."""
@@ -229,7 +256,7 @@ class Optimisation:
         # A shape that is still sound may be the best there will be, should the attempt fold later.
         best = self._best
         if best is None or (not best.valid and record.worst < best.worst):
-            self._consider(judge(self.problem, state.x, self.tolerance))
+            self._consider(self._judge(state.x))
         steps_left = self.max_steps - len(self.history)
         if record.worst <= _MARGIN * self.tolerance or state.idle >= _PATIENCE:
             self._end_attempt(steps_left)
@@ -237,21 +264,31 @@ class Optimisation:
             self._conclude(STOPPED)
 
     def _end_attempt(self, steps_left: int) -> None:
-        candidate = judge(self.problem, self._state.x, self.tolerance)
+        candidate = self._judge(self._state.x)
         self._consider(candidate)
-        if candidate.good or self._attempt >= self.problem.attempts or steps_left <= 0:
+        if candidate.good or steps_left <= 0 or not self._next_attempt():
             best = self._best or candidate
             self._conclude(CONVERGED if best.valid else STALLED)
-            return
-        self._attempt += 1
-        self._state = self._fresh_state()
+
+    def _next_attempt(self) -> bool:
+        """Start the next attempt, of this problem or the next; return whether there is one."""
+        if self._attempt < self.problem.attempts:
+            self._attempt += 1
+            self._restart()
+        elif self._turn + 1 < len(self._problems):
+            self._turn, self._attempt = self._turn + 1, 1
+            self._prepare()
+        else:
+            return False
+        self.attempts += 1
+        return True
 
     def _consider(self, candidate: Candidate) -> None:
         if self._best is None or candidate.rank > self._best.rank:
             self._best = candidate
 
     def _conclude(self, status: str) -> None:
-        self._consider(judge(self.problem, self._state.x, self.tolerance))
+        self._consider(self._judge(self._state.x))
         best = self._best
         self.status = CONVERGED if best is not None and best.valid else status
 

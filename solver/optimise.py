@@ -8,8 +8,9 @@ from dataclasses import replace
 
 from solver.errors import InputError
 from solver.gauss_newton import Optimisation
+from solver.mesh.bend import central_directions, unbent
 from solver.mesh.quadmesh import QuadMesh
-from solver.nets import RECIPES
+from solver.nets import DEVELOPABLE, RECIPES
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides, fixed_vertices
 from solver.problem import Problem
@@ -24,7 +25,7 @@ def optimise(
     closeness: float | None = None,
     fix: str | Sequence[int] = "none",
     tolerance: float = 1e-10,
-    max_steps: int = 200,
+    max_steps: int = 400,
     backend: str | None = None,
     options: NetOptions | None = None,
     callback: Callable[[StepRecord], bool | None] | None = None,
@@ -80,7 +81,7 @@ def start_optimisation(
     closeness: float | None = None,
     fix: str | Sequence[int] = "none",
     tolerance: float = 1e-10,
-    max_steps: int = 200,
+    max_steps: int = 400,
     backend: str | None = None,
     options: NetOptions | None = None,
 ) -> Optimisation:
@@ -97,8 +98,18 @@ def start_optimisation(
     if closeness is not None:
         weights = replace(weights, closeness=closeness)
     options = options or NetOptions()
-    problem = Problem(net, mesh, fixed_vertices(mesh, fix))
+    fixed = fixed_vertices(mesh, fix)
+
+    def posed(start: QuadMesh, attempts: list[Weights]) -> Problem:
+        return add_guides(RECIPES[net](Problem(net, start, fixed), options), attempts)
+
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
-    free_hand = fairness is None
-    add_guides(RECIPES[net](problem, options), weights.ladder() if free_hand else [weights])
-    return Optimisation(problem, tolerance, max_steps, backend, accept_start=free_hand)
+    if fairness is not None:
+        problem = posed(mesh, [weights])
+        return Optimisation(problem, tolerance, max_steps, backend, accept_start=False)
+    ladder = weights.ladder()
+    if net not in DEVELOPABLE or fixed.any():
+        return Optimisation(posed(mesh, ladder), tolerance, max_steps, backend)
+    bent = [posed(unbent(mesh, way), ladder) for way in central_directions(mesh)]
+    problems = [posed(mesh, ladder[:1]), *bent, posed(mesh, ladder[1:])]
+    return Optimisation(problems, tolerance, max_steps, backend)

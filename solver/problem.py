@@ -9,11 +9,18 @@ from functools import cached_property
 import numpy as np
 
 from solver.analysis.measures import edge_ratio, flipped, sharpest_crease
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.terms.base import Size, Term
 
-Measure = Callable[[QuadMesh], FloatArray]
+# A measure sees the mesh in model units and the shared scalars.
+Measure = Callable[[QuadMesh, FloatArray], FloatArray]
+Detail = float | list[float]
+
+
+def of_mesh(measure: Callable[..., FloatArray], **settings: object) -> Measure:
+    """Turn a measure of the bare mesh into one that a problem can use."""
+    return lambda mesh, scalars: measure(mesh, **settings)
 
 
 @dataclass(frozen=True)
@@ -52,6 +59,7 @@ class Problem:
     constraints: list[Term] = field(default_factory=list)
     guides: list[Guide] = field(default_factory=list)
     measures: dict[str, Measure] = field(default_factory=dict)
+    details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         used = self.mesh.connectivity.referenced
@@ -60,14 +68,22 @@ class Problem:
         self.start: FloatArray = ((self.mesh.vertices - self.centre) / self.scale).ravel()
         self.free: BoolArray = np.repeat(used & ~self.fixed, 3)
 
+    def scalars(self, values: FloatArray) -> IntArray:
+        """Add unknowns that elements share; return their positions in the flat vector."""
+        first = len(self.start)
+        self.start = np.append(self.start, values)
+        self.free = np.append(self.free, np.ones(len(values), dtype=bool))
+        return np.arange(first, len(self.start))
+
     def scalar(self, value: float) -> int:
-        """Add an unknown that many elements share; return its position in the flat vector."""
-        self.start = np.append(self.start, value)
-        self.free = np.append(self.free, True)
-        return len(self.start) - 1
+        """Add one unknown that many elements share; return its position in the flat vector."""
+        return int(self.scalars(np.array([value]))[0])
 
     def require(self, term: Term, measure: Measure) -> Problem:
-        """Add a term that has to vanish, and the measure by which that is judged."""
+        """Add a term that has to vanish, and the measure by which that is judged.
+
+        Terms that share a name are judged by one measure, the last given.
+        """
         self.constraints.append(term)
         self.measures[term.name] = measure
         return self

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 def summarise(run: Optimisation, best: Candidate) -> Outcome:
     """Put the outcome of ``run``, whose best shape is ``best``, into an :class:`Outcome`."""
-    problem, history = run.problem, run.history
+    problem, history = run.original, run.history
     start = problem.mesh
     used = start.connectivity.referenced
     moved = np.linalg.norm(best.mesh.vertices - start.vertices, axis=1)[used] / start.mean_edge
@@ -35,6 +35,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         seconds_per_iteration=_median([record.seconds for record in history]),
         solve_seconds_per_iteration=_median([record.solve_seconds for record in history]),
         residuals=best.residuals,
+        details=best.details,
         edge_ratio=best.edge_ratio,
         edge_ratio_start=best.edge_ratio_start,
         flipped_faces=best.flipped,
@@ -47,7 +48,9 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
 
 def _message(run: Optimisation, best: Candidate, status: str) -> str:
     if status == CONVERGED:
-        return f"{run.problem.net} net reached: worst {_worst(best)} after {len(run.history)} steps"
+        return (
+            f"{run.original.net} net reached: worst {_worst(best)} after {len(run.history)} steps"
+        )
     remedies = []
     if not best.sound:
         trouble = []
@@ -56,9 +59,9 @@ def _message(run: Optimisation, best: Candidate, status: str) -> str:
         if best.flipped > best.flipped_start:
             trouble.append(f"{best.flipped} faces are folded")
         remedies.append(" and ".join(trouble) + ": raise fairness or closeness")
-    if run.problem.fixed.any():
+    if run.original.fixed.any():
         remedies.append("fewer fixed vertices give the net room")
-    spacing = np.spacing(np.abs(run.problem.mesh.vertices).max()) / run.problem.scale
+    spacing = np.spacing(np.abs(run.original.mesh.vertices).max()) / run.original.scale
     if 100 * spacing > run.tolerance:
         remedies.append("coordinates are far from the origin: move the model near it")
     if status == STOPPED and len(run.history) >= run.max_steps:

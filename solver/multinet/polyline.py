@@ -51,7 +51,7 @@ def multi_net(
     if snap:
         points = quadric.project(points)
     _check(quadric, points)
-    return MultiNet(quadric, _spline(points, closed), closed=closed, t_range=t_range)
+    return MultiNet(quadric, Spline(points, closed), closed=closed, t_range=t_range)
 
 
 def _check(quadric: Quadric, points: FloatArray) -> None:
@@ -75,8 +75,8 @@ def _check(quadric: Quadric, points: FloatArray) -> None:
             )
 
 
-class _spline:
-    """Interpolating curve of points over equal parameter steps."""
+class Spline:
+    """Interpolating curve through (n, k) points, equal steps of s from 0 to 1 between them."""
 
     def __init__(self, points: FloatArray, closed: bool) -> None:
         knots = np.concatenate([points, points[:1]]) if closed else points

@@ -11,6 +11,10 @@ from solver.nets.orthogonal import orthogonal
 from solver.nets.principal import circular, conical, principal
 from solver.problem import Problem
 
+# Nets that exist on developable surfaces only: where a doubly curved start leads nowhere, a start
+# bent in one direction is tried.
+DEVELOPABLE = ("geodesic", "dog", "chebyshev", "geodesic-chebyshev")
+
 RECIPES: dict[str, Callable[[Problem, NetOptions], Problem]] = {
     "orthogonal": orthogonal,
     "principal": principal,

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import functools
-
 import numpy as np
 
 from solver.analysis import measures, spheres
 from solver.nets.options import NetOptions
-from solver.problem import Problem
+from solver.problem import Problem, of_mesh
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.spherical_star import SphericalStar
 
@@ -19,10 +17,10 @@ def asymptotic(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.3.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
     return problem.require(
         SphericalStar(stars, curvature=0.0, name="asymptotic"),
-        functools.partial(measures.asymptotic, diagonal=options.diagonal),
+        of_mesh(measures.asymptotic, diagonal=options.diagonal),
     )
 
 
@@ -32,7 +30,7 @@ def cmc(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 10.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
     curvatures, _ = spheres.star_curvatures(problem.mesh, options.diagonal)
     mean = float(np.median(curvatures)) * problem.scale
     radius = options.radius
@@ -41,9 +39,7 @@ def cmc(problem: Problem, options: NetOptions) -> Problem:
         term = SphericalStar(stars, curvature=problem.scale / radius, name="cmc")
     else:
         term = SphericalStar(stars, shared=problem.scalar(mean), name="cmc")
-    return problem.require(
-        term, functools.partial(spheres.cmc, radius=radius, diagonal=options.diagonal)
-    )
+    return problem.require(term, of_mesh(spheres.cmc, radius=radius, diagonal=options.diagonal))
 
 
 def snet(problem: Problem, options: NetOptions) -> Problem:
@@ -52,8 +48,8 @@ def snet(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 9.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
     return problem.require(
         SphericalStar(stars, name="snet"),
-        functools.partial(spheres.snet, diagonal=options.diagonal),
+        of_mesh(spheres.snet, diagonal=options.diagonal),
     )

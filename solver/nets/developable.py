@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import functools
-
 import numpy as np
 
 from solver.analysis import measures
 from solver.errors import InputError
 from solver.nets.options import NetOptions
-from solver.problem import Problem
+from solver.problem import Problem, of_mesh
 from solver.terms.chebyshev import EqualEdges
 from solver.terms.isometry import Isometry
 from solver.terms.orthogonality import Orthogonality
@@ -22,9 +20,9 @@ def geodesic(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 6.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
     return problem.require(
-        GeodesicStar(stars), functools.partial(measures.geodesic, diagonal=options.diagonal)
+        GeodesicStar(stars), of_mesh(measures.geodesic, diagonal=options.diagonal)
     )
 
 
@@ -34,7 +32,10 @@ def dog(problem: Problem, options: NetOptions) -> Problem:
     Source: Rabinovich, Hoffmann, Sorkine-Hornung (2018), Discrete geodesic nets for modeling
     developable surfaces.
     """
-    return problem.require(EqualAngleStar(options.stars(problem)), measures.equal_angles)
+    return problem.require(
+        EqualAngleStar(options.stars(problem)),
+        of_mesh(measures.equal_angles, diagonal=options.diagonal),
+    )
 
 
 def chebyshev(problem: Problem, options: NetOptions) -> Problem:
@@ -42,7 +43,7 @@ def chebyshev(problem: Problem, options: NetOptions) -> Problem:
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 7.
     """
-    problem.require(Orthogonality(problem.mesh.faces), measures.orthogonality)
+    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
     return _equal_edges(problem, options)
 
 
@@ -67,7 +68,7 @@ def isometric(problem: Problem, options: NetOptions) -> Problem:
         )
     return problem.require(
         Isometry(problem.mesh.faces, reference / problem.scale),
-        functools.partial(measures.isometry, reference=reference),
+        of_mesh(measures.isometry, reference=reference),
     )
 
 
@@ -83,7 +84,5 @@ def _equal_edges(problem: Problem, options: NetOptions) -> Problem:
         else:
             shared = problem.scalar(float(lengths[chosen].mean()))
             term = EqualEdges(net.edges[chosen], shared=shared, name=name)
-        problem.require(
-            term, functools.partial(measures.equal_edges, chosen=chosen, length=options.length)
-        )
+        problem.require(term, of_mesh(measures.equal_edges, chosen=chosen, length=options.length))
     return problem

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import functools
 import math
 
 from solver.analysis import measures
 from solver.nets.options import NetOptions
-from solver.problem import Problem
+from solver.problem import Problem, of_mesh
 from solver.terms.medial_angle import MedialAngle
 from solver.terms.orthogonality import Orthogonality
 
@@ -20,8 +19,6 @@ def orthogonal(problem: Problem, options: NetOptions) -> Problem:
     """
     faces = problem.mesh.faces
     if options.angle == 90.0:
-        return problem.require(Orthogonality(faces), measures.orthogonality)
+        return problem.require(Orthogonality(faces), of_mesh(measures.orthogonality))
     angle = math.radians(options.angle)
-    return problem.require(
-        MedialAngle(faces, angle), functools.partial(measures.medial_angle, angle=angle)
-    )
+    return problem.require(MedialAngle(faces, angle), of_mesh(measures.medial_angle, angle=angle))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from solver.analysis import measures
 from solver.nets.options import NetOptions
-from solver.problem import Problem
+from solver.problem import Problem, of_mesh
 from solver.terms.face_angles import CircularFace
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.planarity import Planarity
@@ -17,8 +17,8 @@ def principal(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.1.
     """
     faces = problem.mesh.faces
-    problem.require(Orthogonality(faces), measures.orthogonality)
-    return problem.require(Planarity(faces), measures.planarity)
+    problem.require(Orthogonality(faces), of_mesh(measures.orthogonality))
+    return problem.require(Planarity(faces), of_mesh(measures.planarity))
 
 
 def circular(problem: Problem, options: NetOptions) -> Problem:
@@ -27,8 +27,8 @@ def circular(problem: Problem, options: NetOptions) -> Problem:
     Source: Bobenko, Suris (2008), Discrete Differential Geometry.
     """
     faces = problem.mesh.faces
-    problem.require(Planarity(faces), measures.planarity)
-    return problem.require(CircularFace(faces), measures.circular)
+    problem.require(Planarity(faces), of_mesh(measures.planarity))
+    return problem.require(CircularFace(faces), of_mesh(measures.circular))
 
 
 def conical(problem: Problem, options: NetOptions) -> Problem:
@@ -37,5 +37,5 @@ def conical(problem: Problem, options: NetOptions) -> Problem:
     Source: Liu et al. (2006), Geometric modeling with conical meshes and developable surfaces.
     """
     stars = options.stars(problem)
-    problem.require(Planarity(problem.mesh.faces), measures.planarity)
-    return problem.require(ConicalStar(stars), measures.conical)
+    problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
+    return problem.require(ConicalStar(stars), of_mesh(measures.conical))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -59,6 +59,14 @@ class Term(Protocol):
 
     def linearise(self, x: FloatArray) -> Linearisation:
         """Return residuals and Jacobian at the flat vector ``x``."""
+
+
+@runtime_checkable
+class FollowingTerm(Term, Protocol):
+    """A term with data that depend on the current shape and are held fixed during a step."""
+
+    def follow(self, x: FloatArray) -> Term:
+        """Return the term with its data renewed at ``x``; the stencil stays the same."""
 
 
 def coordinates_of(vertices: IntArray) -> IntArray:

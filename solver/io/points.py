@@ -1,0 +1,61 @@
+"""Lists of points or values: one row a line, numbers apart by commas, semicolons or blanks."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+
+
+def read_text(path: str | os.PathLike[str]) -> str:
+    """Text of a file.
+
+    Raises:
+        InputError: no such file, or it cannot be read.
+    """
+    name = os.fspath(path)
+    try:
+        return Path(name).read_text(encoding="utf-8", errors="replace")
+    except FileNotFoundError:
+        raise InputError(f"{name}: no such file; check the path") from None
+    except OSError as error:
+        raise InputError(f"{name}: cannot be read ({error.strerror}); check the path") from None
+
+
+def read_points(path: str | os.PathLike[str], columns: tuple[int, ...] = (3,)) -> FloatArray:
+    """(n, k) numbers of a text file; ``#`` starts a comment, ``v`` lines of an OBJ file count too.
+
+    Args:
+        path: the file.
+        columns: how many numbers a row may have.
+
+    Raises:
+        InputError: a row that is not numbers, rows of different length, or fewer than two rows.
+    """
+    name, rows = os.fspath(path), []
+    only_v = name.lower().endswith(".obj")
+    for number, line in enumerate(read_text(path).splitlines(), start=1):
+        words = line.split("#")[0].replace(",", " ").replace(";", " ").split()
+        if not words or (only_v and words[0] != "v"):
+            continue
+        try:
+            rows.append([float(word) for word in words[only_v:]])
+        except ValueError:
+            raise InputError(
+                f"{name}, line {number}: expected numbers, got '{line.strip()[:40]}'; mend the line"
+            ) from None
+        if len(rows[-1]) not in columns or len(rows[-1]) != len(rows[0]):
+            wanted = " or ".join(str(k) for k in columns)
+            raise InputError(
+                f"{name}, line {number}: expected {wanted} numbers a line, all alike, got "
+                f"{len(rows[-1])}; mend the line"
+            )
+    if len(rows) < 2:
+        raise InputError(f"{name}: expected at least two points, got {len(rows)}; add points")
+    if not np.isfinite(rows).all():
+        raise InputError(f"{name}: expected finite numbers, got NaN or infinite ones; mend it")
+    return np.array(rows)

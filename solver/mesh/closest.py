@@ -1,0 +1,348 @@
+"""Closest points on a triangle mesh and on a polyline, exact and for many points at once.
+
+A tree of boxes rejects what cannot be nearest; what is left is compared exactly. Nothing is sampled
+and no neighbourhood is guessed, so a point gets its true closest point wherever it lies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import cKDTree
+
+from solver.errors import InputError
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+
+# Pairs of point and box that are looked at together; bounds the memory, about 100 bytes each.
+_PAIRS = 1_000_000
+# Triangles by the distance of their middles whose best bounds the search.
+_GUESSES = 6
+# A triangle flatter than this counts as its three sides only.
+_FLAT = 1e-12
+# Nearer than this part of the size of what is hit, a direction from point to foot is rounding.
+_TOUCHING = 1e-9
+_FACE = -1
+
+
+class TriangleSurface:
+    """A triangle mesh that answers where its closest points are.
+
+    Args:
+        vertices: (V, 3) coordinates.
+        triangles: (T, 3) vertex numbers; triangles without area count as segments or points.
+
+    Raises:
+        InputError: wrong shapes, coordinates that are not finite, vertex numbers out of range.
+    """
+
+    def __init__(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
+        self.vertices = _points(vertices, "vertices")
+        self.triangles = np.asarray(triangles, dtype=np.int64)
+        if self.triangles.ndim != 2 or self.triangles.shape[1] != 3 or not len(self.triangles):
+            raise InputError(
+                f"triangles: expected shape (T, 3) with T > 0, got {self.triangles.shape}; "
+                "triangulate the surface first"
+            )
+        if self.triangles.min() < 0 or self.triangles.max() >= len(self.vertices):
+            raise InputError(
+                f"triangles: vertices are numbered 0 to {len(self.vertices) - 1}, got "
+                f"{self.triangles.min()} to {self.triangles.max()}; mend the file"
+            )
+        self._corners = self.vertices[self.triangles]
+        self._boxes = _BoxTree(self._corners)
+        self._normals, self._side_normals, self._corner_normals = _pseudo_normals(
+            self._corners, self.triangles
+        )
+
+    @classmethod
+    def from_quads(cls, mesh: QuadMesh) -> TriangleSurface:
+        """Split every face along its shorter diagonal."""
+        quads, points = mesh.faces, mesh.vertices
+        first, second = (
+            np.linalg.norm(points[quads[:, k + 2]] - points[quads[:, k]], axis=1) for k in (0, 1)
+        )
+        turned = np.where((second < first)[:, None], np.roll(quads, -1, axis=1), quads)
+        return cls(points, np.concatenate([turned[:, [0, 1, 2]], turned[:, [0, 2, 3]]]))
+
+    def closest(self, points: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Return the closest points and the normals of the tangent planes there.
+
+        Args:
+            points: (N, 3) coordinates.
+
+        Returns:
+            (N, 3) feet, and (N, 3) unit normals on the side that the triangles face. Inside a
+            triangle it is its normal. On an edge or a vertex it is the direction between point and
+            foot; of a point that lies there itself, the mean of the faces around (edge: of their
+            normals, vertex: weighted by their angles). Where the surface has no area it is some
+            unit vector.
+        """
+        query = _points(points, "points", empty=True)
+        hit = self._boxes.nearest(query, self._corners)
+        pseudo = self._pseudo_normals(hit)
+        away = query - hit.feet
+        distance = np.linalg.norm(away, axis=1)
+        size = self._boxes.sizes[hit.item]
+        on_rim = (hit.feature != _FACE) & (distance > _TOUCHING * size)
+        side = np.where(np.einsum("ij,ij->i", away, pseudo) < 0, -1.0, 1.0)
+        directed = unit_rows(away) * side[:, None]
+        normals = np.where(on_rim[:, None], directed, pseudo)
+        normals[~normals.any(axis=1)] = [0.0, 0.0, 1.0]
+        return hit.feet, normals
+
+    def _pseudo_normals(self, hit: _Hit) -> FloatArray:
+        """(N, 3) mean normals of the faces, edges and vertices that were hit."""
+        normals = self._normals[hit.item].copy()
+        on_side = (hit.feature >= 0) & (hit.feature < 3)
+        on_corner = hit.feature >= 3
+        normals[on_side] = self._side_normals[hit.item[on_side], hit.feature[on_side]]
+        numbers = self.triangles[hit.item[on_corner], hit.feature[on_corner] - 3]
+        normals[on_corner] = self._corner_normals[numbers]
+        return normals
+
+
+class Polyline:
+    """A polyline that answers where its closest points are.
+
+    Args:
+        points: (M, 3) coordinates in order; repeated points are allowed.
+        closed: whether the last point is joined to the first.
+
+    Raises:
+        InputError: fewer than two points, or coordinates that are not finite.
+    """
+
+    def __init__(self, points: ArrayLike, closed: bool = False) -> None:
+        path = _points(points, "polyline")
+        keep = np.append(True, (path[1:] != path[:-1]).any(axis=1))
+        path = path[keep]
+        if closed and len(path) > 1 and (path[0] == path[-1]).all():
+            path = path[:-1]
+        if len(path) < 2:
+            raise InputError(
+                f"polyline: expected two different points or more, got {len(path)}; add points"
+            )
+        self.points = path
+        self.closed = closed
+        ends = np.roll(path, -1, axis=0)
+        starts, ends = (path, ends) if closed else (path[:-1], ends[:-1])
+        self._corners = np.stack([starts, ends, ends], axis=1)
+        self._boxes = _BoxTree(self._corners)
+        self._directions = unit_rows(ends - starts)
+
+    def closest(self, points: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Return the closest points and the tangents there.
+
+        Args:
+            points: (N, 3) coordinates.
+
+        Returns:
+            (N, 3) feet and (N, 3) unit tangents in the direction of the polyline. At a vertex it
+            is the mean of the two directions (of the first, where they are opposite). It is zero
+            for a point beyond an open end: nothing leads on from there.
+        """
+        query = _points(points, "points", empty=True)
+        hit = self._boxes.nearest(query, self._corners)
+        tangents = self._directions[hit.item].copy()
+        at_start, at_end = _ends(hit, self._corners)
+        count = len(self._directions)
+        for mask, other in ((at_start, hit.item - 1), (at_end, hit.item + 1)):
+            mean = unit_rows(tangents + self._directions[other % count])
+            joined = mask & (self.closed | ((other >= 0) & (other < count))) & mean.any(axis=1)
+            tangents[joined] = mean[joined]
+        if not self.closed:
+            along = np.einsum("ij,ij->i", query - hit.feet, self._directions[hit.item])
+            touching = _TOUCHING * self._boxes.sizes[hit.item]
+            before = at_start & (hit.item == 0) & (along < -touching)
+            after = at_end & (hit.item == count - 1) & (along > touching)
+            tangents[before | after] = 0.0
+        return hit.feet, tangents
+
+
+class _Hit(NamedTuple):
+    """(N,) triangle hit; (N,) face -1, side 0 to 2 or corner 3 to 5 of it; (N, 3) feet."""
+
+    item: IntArray
+    feature: IntArray
+    feet: FloatArray
+
+
+class _BoxTree:
+    """A complete binary tree of axis-parallel boxes around triangles.
+
+    Level by level the triangles of a box are halved at the median of their middles along the
+    longest side. Empty places have boxes that are infinitely far away.
+    """
+
+    def __init__(self, corners: FloatArray) -> None:
+        lower, upper = corners.min(axis=1), corners.max(axis=1)
+        middles = corners.mean(axis=1)
+        self.sizes = np.linalg.norm(upper - lower, axis=1)
+        self._middles = cKDTree(middles)
+        count = len(corners)
+        depth = int(np.ceil(np.log2(count))) if count > 1 else 0
+        order = np.concatenate([np.arange(count), np.full(2**depth - count, -1)])
+        for level in range(depth):
+            order = _halve(order.reshape(2**level, -1), middles).ravel()
+        self._order = order
+        empty = (order < 0)[:, None]
+        self._lower = [np.where(empty, np.inf, lower[order])]
+        self._upper = [np.where(empty, -np.inf, upper[order])]
+        for _ in range(depth):
+            self._lower.insert(0, self._lower[0].reshape(-1, 2, 3).min(axis=1))
+            self._upper.insert(0, self._upper[0].reshape(-1, 2, 3).max(axis=1))
+
+    def nearest(self, points: FloatArray, corners: FloatArray) -> _Hit:
+        """Return what is nearest to each of the (N, 3) points; ties go to the smaller number."""
+        count = len(points)
+        result = _Hit(np.zeros(count, dtype=np.int64), np.zeros(count, dtype=np.int64), 0 * points)
+        for index, item in self._candidates(points, self._bounds(points, corners)):
+            near, kind, distance = _closest_on_triangles(points[index], corners[item])
+            order = np.lexsort((item, distance, index))
+            first = order[np.diff(index[order], prepend=-1) > 0]
+            place = index[first]
+            result.item[place], result.feature[place] = item[first], kind[first]
+            result.feet[place] = near[first]
+        return result
+
+    def _bounds(self, points: FloatArray, corners: FloatArray) -> FloatArray:
+        """(N,) squared distances that some triangle with a near middle keeps."""
+        guesses = self._middles.query(points, k=np.arange(1, min(_GUESSES, len(corners)) + 1))[1]
+        bound = np.full(len(points), np.inf)
+        for guess in guesses.T:
+            bound = np.minimum(bound, _closest_on_triangles(points, corners[guess])[2])
+        return bound
+
+    def _candidates(
+        self, points: FloatArray, square: FloatArray
+    ) -> Iterator[tuple[IntArray, IntArray]]:
+        """Yield pairs (point, triangle) whose box is no further than the point's bound."""
+        # The triangle that gave the bound must not be lost to rounding.
+        reach = square * (1 + 1e-9) + 1e-300
+        block = 20_000
+        waiting = [np.arange(k, min(k + block, len(points))) for k in range(0, len(points), block)]
+        while waiting:
+            chosen = waiting.pop()
+            index, node = chosen, np.zeros(len(chosen), dtype=np.int64)
+            for level, (lower, upper) in enumerate(zip(self._lower, self._upper, strict=True)):
+                if level:
+                    index = np.repeat(index, 2)
+                    node = np.repeat(2 * node, 2)
+                    node[1::2] += 1
+                here = points[index]
+                gap = np.maximum(np.maximum(lower[node] - here, here - upper[node]), 0.0)
+                near = np.einsum("ij,ij->i", gap, gap) <= reach[index]
+                index, node = index[near], node[near]
+                if len(index) > _PAIRS and len(chosen) > 1:
+                    waiting += np.array_split(chosen, 2)
+                    break
+            else:
+                yield index, self._order[node]
+
+
+def _halve(groups: IntArray, middles: FloatArray) -> IntArray:
+    """Sort each row of numbers (-1 for none, last) along the longest side of its middles."""
+    empty = (groups < 0)[..., None]
+    here = middles[groups]
+    low = np.where(empty, np.inf, here).min(axis=1)
+    high = np.where(empty, -np.inf, here).max(axis=1)
+    # A row without triangles has no sides: inf - inf, minus infinity here.
+    axis = np.argmax(np.where(low <= high, high, -np.inf) - np.where(low <= high, low, 0), axis=1)
+    key = np.take_along_axis(here, axis[:, None, None], axis=2)[..., 0]
+    order = np.argsort(np.where(empty[..., 0], np.inf, key), axis=1, kind="stable")
+    return np.take_along_axis(groups, order, axis=1)
+
+
+def _closest_on_triangles(
+    points: FloatArray, corners: FloatArray
+) -> tuple[FloatArray, IntArray, FloatArray]:
+    """Return the closest point of one triangle a point: (N, 3) feet, (N,) features, (N,) squares.
+
+    The foot is on the best of the three sides, unless the foot on the plane lies inside.
+    """
+    feet = np.empty_like(points)
+    feature = np.empty(len(points), dtype=np.int64)
+    best = np.full(len(points), np.inf)
+    for k in range(3):
+        start, end = corners[:, k], corners[:, (k + 1) % 3]
+        side = end - start
+        length = np.einsum("ij,ij->i", side, side)
+        along = np.einsum("ij,ij->i", points - start, side) / np.where(length > 0, length, 1.0)
+        t = np.clip(along, 0.0, 1.0)
+        # Measured from the end where that is nearer, so that an end is met exactly.
+        near = np.where(
+            (t < 0.5)[:, None], start + t[:, None] * side, end - (1 - t)[:, None] * side
+        )
+        square = _squares(points - near)
+        kind = np.where(t <= 0, 3 + k, np.where(t >= 1, 3 + (k + 1) % 3, k))
+        better = square < best
+        feet[better], feature[better], best[better] = near[better], kind[better], square[better]
+    inside, foot = _feet_inside(points, corners)
+    feet[inside], feature[inside] = foot[inside], _FACE
+    best[inside] = _squares(points - foot)[inside]
+    return feet, feature, best
+
+
+def _feet_inside(points: FloatArray, corners: FloatArray) -> tuple[NDArray[np.bool_], FloatArray]:
+    """(N,) whether the foot on the triangle's plane lies inside, and (N, 3) that foot."""
+    a = corners[:, 0]
+    u, v, w = corners[:, 1] - a, corners[:, 2] - a, points - a
+    normal = np.cross(u, v)
+    area = np.einsum("ij,ij->i", normal, normal)
+    solid = area > (_FLAT * np.maximum(_squares(u), _squares(v))) ** 2
+    safe = np.where(solid, area, 1.0)
+    second = np.einsum("ij,ij->i", np.cross(w, v), normal) / safe
+    third = np.einsum("ij,ij->i", np.cross(u, w), normal) / safe
+    inside = solid & (second > 0) & (third > 0) & (second + third < 1)
+    return inside, a + second[:, None] * u + third[:, None] * v
+
+
+def _pseudo_normals(
+    corners: FloatArray, triangles: IntArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """(T, 3) unit normals of faces, (T, 3, 3) of their sides, (V, 3) of vertices.
+
+    Source: Baerentzen, Aanaes (2005), Signed distance computation using the angle weighted
+    pseudonormal.
+    """
+    normals = unit_rows(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    pairs = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2), axis=2)
+    edges, which = np.unique(pairs.reshape(-1, 2), axis=0, return_inverse=True)
+    of_edges = _sums(which.ravel(), np.repeat(normals, 3, axis=0), len(edges))
+    sides = unit_rows(np.roll(corners, -1, axis=1) - corners)
+    cosine = -np.einsum("tki,tki->tk", sides, np.roll(sides, 1, axis=1))
+    angle = np.arccos(np.clip(cosine, -1, 1))
+    weighted = (angle[..., None] * normals[:, None]).reshape(-1, 3)
+    of_vertices = _sums(triangles.ravel(), weighted, int(triangles.max()) + 1)
+    return normals, of_edges[which.ravel()].reshape(-1, 3, 3), of_vertices
+
+
+def _sums(places: IntArray, vectors: FloatArray, count: int) -> FloatArray:
+    """(count, 3) unit vectors along the sums of the vectors of each place."""
+    total = [np.bincount(places, vectors[:, k], count) for k in range(3)]
+    return unit_rows(np.stack(total, axis=1))
+
+
+def _ends(hit: _Hit, corners: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """(N,) whether the foot is the start of the segment that was hit, and whether its end."""
+    segment = corners[hit.item]
+    at_start = (hit.feet == segment[:, 0]).all(axis=1)
+    return at_start, (hit.feet == segment[:, 1]).all(axis=1)
+
+
+def _squares(vectors: FloatArray) -> FloatArray:
+    return np.einsum("ij,ij->i", vectors, vectors)
+
+
+def _points(points: ArrayLike, name: str, empty: bool = False) -> FloatArray:
+    """(N, 3) finite coordinates."""
+    result = np.asarray(points, dtype=np.float64)
+    if result.ndim != 2 or result.shape[1] != 3 or (not empty and not len(result)):
+        raise InputError(f"{name}: expected shape (N, 3), got {result.shape}; give 3D points")
+    if not np.isfinite(result).all():
+        raise InputError(f"{name}: some coordinates are NaN or infinite; mend the file")
+    return result

@@ -1,0 +1,95 @@
+"""Formulas that a user types, e.g. ``-3.5 + sin(pi*s)``: arithmetic only, nothing else runs."""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+
+Formula = Callable[[Mapping[str, FloatArray | float]], FloatArray | float]
+
+_OPERATORS: dict[type, Callable[..., FloatArray]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+    ast.USub: operator.neg,
+    ast.UAdd: operator.pos,
+}
+_FUNCTIONS: dict[str, Callable[[FloatArray], FloatArray]] = {
+    name: getattr(np, name)
+    for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs")
+}
+_LONGEST = 500
+
+
+def formula(text: str, names: tuple[str, ...]) -> Callable[..., FloatArray]:
+    """A function of the named values, given by keyword, from the text of a formula.
+
+    Args:
+        text: numbers, the names, pi, + - * / ** ( ), and sin cos tan sinh cosh tanh exp log sqrt
+            abs.
+        names: what the formula may use.
+
+    Raises:
+        InputError: anything else, or (when called) a result that is not finite.
+    """
+    try:
+        tree = ast.parse(text.strip().replace("^", "**"), mode="eval") if text else None
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        tree = None
+    if tree is None or len(text) > _LONGEST:
+        raise InputError(f"formula: '{text[:40]}' cannot be read; write e.g. 0.5 + 0.2*sin(pi*s)")
+    _check(tree.body, text, names)
+
+    def value(**given: FloatArray | float) -> FloatArray:
+        with np.errstate(all="ignore"):
+            result = np.asarray(_value(tree.body, {**given, "pi": np.pi}), dtype=np.complex128)
+        if not np.isfinite(result).all() or (result.imag != 0).any():
+            raise InputError(f"formula: '{text}' is not a finite number everywhere; mend it")
+        return np.asarray(result.real)
+
+    return value
+
+
+def _check(node: ast.expr, text: str, names: tuple[str, ...]) -> None:
+    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
+        _check(node.left, text, names)
+        _check(node.right, text, names)
+    elif isinstance(node, ast.UnaryOp) and type(node.op) in _OPERATORS:
+        _check(node.operand, text, names)
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
+        if node.func.id not in _FUNCTIONS or node.keywords:
+            raise _unknown(node.func.id, text, names)
+        _check(node.args[0], text, names)
+    elif isinstance(node, ast.Name):
+        if node.id not in (*names, "pi"):
+            raise _unknown(node.id, text, names)
+    elif not (isinstance(node, ast.Constant) and type(node.value) in (int, float)):
+        raise _unknown(ast.unparse(node)[:20], text, names)
+
+
+def _unknown(part: str, text: str, names: tuple[str, ...]) -> InputError:
+    return InputError(
+        f"formula: '{part}' in '{text[:40]}' is not allowed; use {', '.join(names)}, pi, + - * / ** "
+        f"and {', '.join(_FUNCTIONS)}"
+    )
+
+
+def _value(node: ast.expr, given: Mapping[str, FloatArray | float]) -> FloatArray | float:
+    if isinstance(node, ast.BinOp):
+        return _OPERATORS[type(node.op)](_value(node.left, given), _value(node.right, given))
+    if isinstance(node, ast.UnaryOp):
+        return _OPERATORS[type(node.op)](_value(node.operand, given))
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        return _FUNCTIONS[node.func.id](np.asarray(_value(node.args[0], given)))
+    if isinstance(node, ast.Name):
+        return given[node.id]
+    assert isinstance(node, ast.Constant)
+    return np.asarray(node.value, dtype=np.float64)
