@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from freecad_ortho import api
-from freecad_ortho.cli import optimising, reporting
+from freecad_ortho.cli import multinet, optimising, reporting
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK, kept_whole
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.units import MILLIMETRES
@@ -51,6 +51,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_optimise(commands.add_parser("optimise", help="make a mesh a net, e.g. principal"))
     _add_fabricate(commands.add_parser("fabricate", help="beams and panels, STEP, DXF, CSV"))
     _add_check(commands.add_parser("check", help="measure a mesh against every net"))
+    multinet.add(commands.add_parser("multinet", help="an exact orthogonal multi-net"))
     return parser
 
 

@@ -77,8 +77,8 @@ def _check(node: ast.expr, text: str, names: tuple[str, ...]) -> None:
 
 def _unknown(part: str, text: str, names: tuple[str, ...]) -> InputError:
     return InputError(
-        f"formula: '{part}' in '{text[:40]}' is not allowed; use {', '.join(names)}, pi, + - * / ** "
-        f"and {', '.join(_FUNCTIONS)}"
+        f"formula: '{part}' in '{text[:40]}' is not allowed; use {', '.join(names)}, pi, "
+        f"+ - * / ** and {', '.join(_FUNCTIONS)}"
     )
 
 

@@ -86,6 +86,7 @@ class Spline:
         )
 
     def __call__(self, s: FloatArray) -> FloatArray:
+        """(m, k) points at parameters s; exactly the given points at theirs."""
         place = np.asarray(s) * self._last
         nearest = np.clip(np.rint(place), 0, self._last).astype(np.int64)
         at_knot = np.abs(place - nearest) < 1e-9

@@ -1,0 +1,81 @@
+"""Values of options that are more than one number, and where a result goes."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import sys
+
+from freecad_ortho import api
+from freecad_ortho.units import MILLIMETRES
+from solver.errors import InputError, OutputError
+from solver.mesh.quadmesh import QuadMesh
+
+
+def allow_negative_lists(parser: argparse.ArgumentParser) -> None:
+    """Let ``--range -5,-2`` be a value: by default such a word is taken for an option."""
+    parser._negative_number_matcher = re.compile(r"^-[\d.]")  # type: ignore[attr-defined]
+
+
+def numbers(option: str, text: str, count: int) -> tuple[float, ...]:
+    """The ``count`` numbers of ``1,2,3``.
+
+    Raises:
+        InputError: other than that many finite numbers.
+    """
+    try:
+        values = tuple(float(word) for word in text.split(","))
+    except ValueError:
+        values = ()
+    if len(values) != count or any(value != value or abs(value) > 1e300 for value in values):
+        raise InputError(
+            f"{option}: expected {count} finite numbers separated by commas, got '{text[:40]}'"
+        )
+    return values
+
+
+def sampling(text: str, option: str = "--sampling") -> tuple[int, int]:
+    """The two counts of ``MxN``.
+
+    Raises:
+        InputError: not two positive whole numbers, or more than ten million vertices.
+    """
+    match = re.fullmatch(r"(\d{1,7})[x,](\d{1,7})", text.strip().lower())
+    if match is None:
+        raise InputError(f"{option}: expected MxN, e.g. 20x15, got '{text[:40]}'")
+    m, n = int(match[1]), int(match[2])
+    if m * n > 10_000_000:
+        raise InputError(f"{option}: {m} x {n} are more than ten million vertices; take fewer")
+    return m, n
+
+
+def add_output(parser: argparse.ArgumentParser) -> None:
+    """Options that every source of meshes has."""
+    parser.add_argument("-o", "--output", required=True, metavar="OUT.obj")
+    parser.add_argument(
+        "--unit", choices=tuple(MILLIMETRES), help="unit of the coordinates, noted in the file"
+    )
+    allow_negative_lists(parser)
+
+
+def refuse_unwritable(path: str) -> None:
+    """Say before the work, not after it, that a result has nowhere to go.
+
+    Raises:
+        InputError: the path is a folder.
+        OutputError: its folder is missing or cannot be written.
+    """
+    folder = os.path.dirname(os.path.abspath(path))
+    if os.path.isdir(path):
+        raise InputError(f"{path}: is a folder; name a file in it")
+    if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
+        raise OutputError(f"{folder}: does not exist or cannot be written; make it first")
+
+
+def write(path: str, mesh: QuadMesh, unit: str | None, words: str = "") -> int:
+    """Write a mesh and say so in one line; exit code 0."""
+    api.write_mesh(path, mesh, unit)
+    count = f"{len(mesh.vertices)} vertices, {len(mesh.faces)} quads"
+    sys.stdout.write("; ".join(part for part in (count, words, path) if part) + "\n")
+    return 0
