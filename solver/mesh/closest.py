@@ -19,8 +19,6 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # Pairs of point and box that are looked at together; bounds the memory, about 100 bytes each.
 _PAIRS = 1_000_000
-# Triangles by the distance of their middles whose best bounds the search.
-_GUESSES = 6
 # A triangle flatter than this counts as its three sides only.
 _FLAT = 1e-12
 # Nearer than this part of the size of what is hit, a direction from point to foot is rounding.
@@ -200,7 +198,9 @@ class _BoxTree:
         """Return what is nearest to each of the (N, 3) points; ties go to the smaller number."""
         count = len(points)
         result = _Hit(np.zeros(count, dtype=np.int64), np.zeros(count, dtype=np.int64), 0 * points)
-        for index, item in self._candidates(points, self._bounds(points, corners)):
+        guess = self._middles.query(points)[1]
+        bound = _closest_on_triangles(points, corners[guess])[2]
+        for index, item in self._candidates(points, bound):
             near, kind, distance = _closest_on_triangles(points[index], corners[item])
             order = np.lexsort((item, distance, index))
             first = order[np.diff(index[order], prepend=-1) > 0]
@@ -208,14 +208,6 @@ class _BoxTree:
             result.item[place], result.feature[place] = item[first], kind[first]
             result.feet[place] = near[first]
         return result
-
-    def _bounds(self, points: FloatArray, corners: FloatArray) -> FloatArray:
-        """(N,) squared distances that some triangle with a near middle keeps."""
-        guesses = self._middles.query(points, k=np.arange(1, min(_GUESSES, len(corners)) + 1))[1]
-        bound = np.full(len(points), np.inf)
-        for guess in guesses.T:
-            bound = np.minimum(bound, _closest_on_triangles(points, corners[guess])[2])
-        return bound
 
     def _candidates(
         self, points: FloatArray, square: FloatArray
