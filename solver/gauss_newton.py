@@ -123,10 +123,10 @@ class Optimisation:
             raise RuntimeError("the optimisation has finished; start a new one")
         begin = time.perf_counter()
         state = self._state
-        self._follow(state)
         weights = self._weights(state.fade)
         damping = state.damping
         energy, length, solve_seconds = self._advance(state, weights)
+        self._follow(state)
         record = StepRecord(
             step=len(self.history) + 1,
             attempt=self.attempts,

@@ -9,6 +9,7 @@ from solver.nets.developable import chebyshev, dog, geodesic, geodesic_chebyshev
 from solver.nets.options import NetOptions
 from solver.nets.orthogonal import orthogonal
 from solver.nets.principal import circular, conical, principal
+from solver.nets.stress import stress
 from solver.problem import Problem
 
 # Nets that exist on developable surfaces only: where a doubly curved start leads nowhere, a start
@@ -27,5 +28,6 @@ RECIPES: dict[str, Callable[[Problem, NetOptions], Problem]] = {
     "asymptotic": asymptotic,
     "cmc": cmc,
     "snet": snet,
+    "stress": stress,
     "isometric": isometric,
 }

@@ -22,6 +22,10 @@ class NetOptions:
         per_family: a Chebyshev net has one length for each family of parameter lines.
         angle: angle of the medial lines in degrees, 90 for orthogonal.
         reference: (V, 3) positions of the shape to which an isometric net is isometric.
+        load: vertical load of each vertex of a stress net, downwards, in any unit of force.
+        load_area: load of a unit of surface, in the same unit of force.
+        load_length: weight of a unit of edge, in the same unit of force.
+        forces: free, compression or tension: which forces the edges of a stress net may carry.
     """
 
     diagonal: bool = False
@@ -30,12 +34,21 @@ class NetOptions:
     per_family: bool = False
     angle: float = 90.0
     reference: FloatArray | None = None
+    load: float = 0.0
+    load_area: float = 0.0
+    load_length: float = 0.0
+    forces: str = "free"
 
     def __post_init__(self) -> None:
         for name in ("radius", "length"):
             value = getattr(self, name)
             if value is not None and not (math.isfinite(value) and value > 0):
                 raise InputError(f"{name}: expected a positive length, got {value}")
+        for name in ("load", "load_area", "load_length"):
+            if not math.isfinite(getattr(self, name)):
+                raise InputError(f"{name}: expected a number, got {getattr(self, name)}")
+        if self.forces not in ("free", "compression", "tension"):
+            raise InputError(f"forces: expected free, compression or tension, got '{self.forces}'")
         if not 0 < self.angle < 180:
             raise InputError(f"angle: expected degrees between 0 and 180, got {self.angle}")
 

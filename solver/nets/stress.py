@@ -1,0 +1,92 @@
+"""Principal stress nets: orthogonal meshes whose edges carry the loads."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from solver.analysis import measures
+from solver.errors import InputError
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.nets.options import NetOptions
+from solver.problem import Problem, of_mesh
+from solver.statics import Loads, start_densities, supported_vertices, unbalanced
+from solver.terms.equilibrium import Equilibrium
+from solver.terms.orthogonality import Orthogonality
+
+_SIGNS = {"free": 0, "compression": -1, "tension": 1}
+
+
+def stress(problem: Problem, options: NetOptions) -> Problem:
+    """Require equal diagonals, and balance at every vertex that is neither supported nor fixed.
+
+    Supported vertices are those that do not move. Loads are vertical.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.5.
+    """
+    net = problem.mesh.connectivity
+    supports = supported_vertices(net, problem.fixed)
+    free = np.flatnonzero(~supports & net.referenced)
+    if not len(free):
+        raise InputError("supports: every vertex is supported; leave some free to carry load")
+    sign = _SIGNS[options.forces]
+    loads = _loads(problem, options, free)
+    points = problem.start[: 3 * net.vertex_count].reshape(-1, 3)
+    density = start_densities(net, points, loads.at(problem.start), supports, sign)
+    # Forces of the order of one are as easy to move as coordinates: count loads in that measure.
+    unit = float(np.abs(density).mean())
+    density, loads = density / unit, replace(loads, scale=loads.scale / unit)
+    shared = problem.scalars(density if sign == 0 else np.sqrt(np.abs(density)))
+
+    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
+
+    def left(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
+        shape = (mesh.vertices - problem.centre) / problem.scale
+        force = scalars[shared - shared[0]]
+        signed = force if sign == 0 else sign * force**2
+        return unbalanced(net, shape, signed, loads.at(shape.ravel()), free)
+
+    for centres, neighbours, edges in _by_valence(problem, free):
+        term = Equilibrium(centres, neighbours, shared[edges], loads, sign)
+        problem.require(term, left)
+    problem.details["force_densities"] = lambda scalars: (
+        scalars[: len(shared)] if sign == 0 else sign * scalars[: len(shared)] ** 2
+    ).tolist()
+    return problem
+
+
+def _loads(problem: Problem, options: NetOptions, free: IntArray) -> Loads:
+    """Loads as asked, scaled so that their mean over the free vertices is one at the start."""
+    raw = Loads(
+        problem.mesh.connectivity,
+        per_vertex=options.load,
+        per_area=options.load_area * problem.scale**2,
+        per_length=options.load_length * problem.scale,
+    )
+    if not any((raw.per_vertex, raw.per_area, raw.per_length)):
+        raw = replace(raw, per_vertex=1.0)
+    mean = float(raw.at(problem.start)[free].mean())
+    if not mean > 0:
+        raise InputError(
+            f"load: the mean load is {mean:.3g}; give loads that sum to more than zero"
+        )
+    return replace(raw, scale=1.0 / mean)
+
+
+def _by_valence(problem: Problem, free: IntArray) -> list[tuple[IntArray, IntArray, IntArray]]:
+    """Centres, neighbours (n, s) and edges (n, s) of the free vertices, grouped by valence."""
+    net = problem.mesh.connectivity
+    count = len(net.edges)
+    ends = np.concatenate([net.edges[:, 0], net.edges[:, 1]])
+    others = np.concatenate([net.edges[:, 1], net.edges[:, 0]])
+    edges = np.tile(np.arange(count), 2)
+    order = np.argsort(ends, kind="stable")
+    begins = np.searchsorted(ends[order], np.arange(net.vertex_count))
+    groups = []
+    for valence in np.unique(net.edge_valence[free]):
+        centres = free[net.edge_valence[free] == valence]
+        places = order[begins[centres][:, None] + np.arange(valence)]
+        groups.append((centres, others[places], edges[places]))
+    return groups
