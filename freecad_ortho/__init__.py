@@ -15,13 +15,30 @@ def use_own_packages() -> None:
     """Put the packages of the project's own ``.venv`` first on Python's path, if it fits.
 
     ``scripts/setup.sh`` makes that environment for FreeCAD's Python. FreeCAD with a window empties
-    PYTHONPATH when it starts, so it has to be found from here. An environment of another Python
-    version has another folder name and is passed over.
+    PYTHONPATH when it starts, so it has to be found from here.
     """
-    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
-    packages = str(_HOME / ".venv" / "lib" / version / "site-packages")
-    if Path(packages).is_dir() and packages not in sys.path:
-        sys.path.insert(0, packages)
+    packages = packages_in(_HOME / ".venv")
+    if packages is not None and str(packages) not in sys.path:
+        sys.path.insert(0, str(packages))
+
+
+def packages_in(environment: Path) -> Path | None:
+    """Give the packages folder of a virtual environment, None where it does not fit this Python.
+
+    An environment of another Python version has another folder name, or on Windows, where the name
+    is always the same, another version in its settings.
+    """
+    version = f"{sys.version_info.major}.{sys.version_info.minor}"
+    packages = environment / "lib" / f"python{version}" / "site-packages"
+    if packages.is_dir():
+        return packages
+    packages, settings = environment / "Lib" / "site-packages", environment / "pyvenv.cfg"
+    if packages.is_dir() and settings.is_file():
+        lines = settings.read_text(encoding="utf-8", errors="replace").splitlines()
+        values = [line.partition("=")[2].strip() for line in lines if line.startswith("version")]
+        if any(value.startswith(version + ".") for value in values):
+            return packages
+    return None
 
 
 def shadowing_module() -> str | None:

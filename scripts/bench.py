@@ -1,6 +1,7 @@
-"""Measures the solver: time a step, share of the factorisation, steps and memory to 1e-10.
+"""Measures the solver and the fabrication files: time a step, a file, and memory.
 
-Run with the project's Python:  python scripts/bench.py [--write] [--quick] [--backend NAME]
+Run with the project's Python:
+    python scripts/bench.py [solver] [fabrication] [--write] [--quick] [--backend NAME]
 
 Each case runs in a process of its own, so that peak memory is its own. ``--write`` puts the tables
 into docs/benchmarks.md.
@@ -15,6 +16,7 @@ import resource
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -22,13 +24,15 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from freecad_ortho import api  # noqa: E402
+from freecad_ortho.fabrication import BeamSettings, PanelSettings, stage_seconds  # noqa: E402
 from solver import QuadMesh, optimise  # noqa: E402
 from solver.linear import BACKENDS  # noqa: E402
 
 SHARED = ROOT.parent / "shared" / "meshes"
 MESHES = ("demo roof", "heart", "conical1", "botanic-garden-bubble-0", "complete01")
-GRIDS = {"wavy grid 1k": 32, "wavy grid 10k": 100, "wavy grid 100k": 317}
-BEGIN, END = "<!-- solver table: begin -->", "<!-- solver table: end -->"
+GRIDS = {"wavy grid 1k": 32, "wavy grid 1.2k": 34, "wavy grid 10k": 100, "wavy grid 100k": 317}
+STRUCTURES = ("demo roof", "conical1", "wavy grid 1.2k")
+PARTS = ("solver", "fabrication")
 
 
 def wavy_grid(side: int) -> QuadMesh:
@@ -103,45 +107,113 @@ def table(backend: str, cases: list[str]) -> str:
     """Measure all cases in processes of their own and return the table."""
     lines = [f"Sparse solver `{backend}`, net `principal`:", "", HEAD]
     for case in cases:
-        command = [sys.executable, __file__, "--case", case, "--backend", backend]
-        answer = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-        result = json.loads(answer)
+        result = answer("--case", case, "--backend", backend)
         if result is None:
-            print(f"{case}: its file is missing, left out", file=sys.stderr)
             continue
         lines.append(row(result))
         print(lines[-1], file=sys.stderr)
     return "\n".join(lines)
 
 
+def measure_fabrication(case: str) -> dict[str, object] | None:
+    """Build and write beams and panels on an optimised mesh; the fastest of three runs counts."""
+    mesh = mesh_of(case)
+    if mesh is None:
+        return None
+    mesh = optimise(mesh, "principal").mesh
+    mesh = mesh.scaled(1000 / mesh.mean_edge)
+    settings = BeamSettings(200, 12), PanelSettings(12, 10)
+    runs = [
+        {"system": system, "parts": parts, **min(times, key=lambda run: run["total"])}
+        for system, parts, chosen in (
+            ("beams", len(mesh.connectivity.edges), (settings[0], None)),
+            ("beams+panels", len(mesh.connectivity.edges) + len(mesh.faces), settings),
+        )
+        for times in [[stage_seconds(mesh, *chosen) for _ in range(3)]]
+    ]
+    return {"mesh": case, "runs": runs}
+
+
+FABRICATION_HEAD = (
+    "| mesh | system | parts | build s | solids s | STEP s | DXF s | tables s | total s | ratio |\n"
+    "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
+)
+
+
+def fabrication_rows(result: dict[str, Any]) -> list[str]:
+    """Lines of the table for one mesh."""
+    line = (
+        "| {mesh} | {system} | {parts:,} | {build:.2f} | {solids:.2f} | {step:.2f} | {dxf:.2f} "
+        "| {tables:.2f} | {total:.2f} | {ratio:.2f} |"
+    )
+    return [
+        line.format(mesh=result["mesh"], ratio=run["total"] / run["step"], **run)
+        for run in result["runs"]
+    ]
+
+
+def fabrication_table() -> str:
+    """Measure all structures in processes of their own and return the table."""
+    lines = [FABRICATION_HEAD]
+    for case in STRUCTURES:
+        for text in fabrication_rows(result) if (result := answer("--fabricate", case)) else []:
+            lines.append(text)
+            print(text, file=sys.stderr)
+    return "\n".join(lines)
+
+
+def answer(*arguments: str) -> dict[str, Any] | None:
+    """Run one case in a process of its own; None where its mesh is missing."""
+    command = [sys.executable, __file__, *arguments]
+    result = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+    if result is None:
+        print(f"{arguments[1]}: its file is missing, left out", file=sys.stderr)
+    return result
+
+
 def main() -> None:
     """Print the tables; with --write put them into the document."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("parts", nargs="*", metavar="PART", help="solver, fabrication; both")
     parser.add_argument("--write", action="store_true", help="update docs/benchmarks.md")
     parser.add_argument("--quick", action="store_true", help="leave out the 100k grid")
     parser.add_argument("--backend", choices=BACKENDS, help="only this sparse solver")
     parser.add_argument("--net", default="principal", help=argparse.SUPPRESS)
     parser.add_argument("--case", help=argparse.SUPPRESS)
+    parser.add_argument("--fabricate", help=argparse.SUPPRESS)
     options = parser.parse_args()
+    if unknown := set(options.parts) - set(PARTS):
+        parser.error(f"expected {' or '.join(PARTS)}, got {', '.join(sorted(unknown))}")
     if options.case:
         repeats = 1 if options.case == "wavy grid 100k" else 5
         print(json.dumps(measure(options.case, options.net, options.backend, repeats)))
         return
-    cases = [*MESHES, *(name for name in GRIDS if not options.quick or "100k" not in name)]
+    if options.fabricate:
+        print(json.dumps(measure_fabrication(options.fabricate)))
+        return
+    for part in options.parts or PARTS:
+        text = solver_tables(options) if part == "solver" else fabrication_table()
+        print(text)
+        if options.write:
+            write(ROOT / "docs" / "benchmarks.md", part, text)
+
+
+def solver_tables(options: argparse.Namespace) -> str:
+    """One table a sparse solver."""
+    grids = [name for name in GRIDS if name not in STRUCTURES]
+    cases = [*MESHES, *(name for name in grids if not options.quick or "100k" not in name)]
     backends = [options.backend] if options.backend else list(BACKENDS)
     text = "\n\n".join(table(backend, cases) for backend in backends)
-    text = f"Python {platform.python_version()}, numpy {np.__version__}.\n\n{text}"
-    print(text)
-    if options.write:
-        write(ROOT / "docs" / "benchmarks.md", text)
+    return f"Python {platform.python_version()}, numpy {np.__version__}.\n\n{text}"
 
 
-def write(path: Path, text: str) -> None:
-    """Replace what stands between the marks of the document."""
+def write(path: Path, part: str, text: str) -> None:
+    """Replace what stands between the part's marks in the document."""
+    begin, end = f"<!-- {part} table: begin -->", f"<!-- {part} table: end -->"
     document = path.read_text(encoding="utf-8")
-    head, rest = document.split(BEGIN)
-    tail = rest.split(END)[1]
-    path.write_text(f"{head}{BEGIN}\n{text}\n{END}{tail}", encoding="utf-8")
+    head, rest = document.split(begin)
+    tail = rest.split(end)[1]
+    path.write_text(f"{head}{begin}\n{text}\n{end}{tail}", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -20,5 +20,5 @@ def missing_package_named() -> Iterator[None]:
     except ModuleNotFoundError as error:
         raise OrthoError(
             f"fabrication: the Python package '{error.name}' is missing; "
-            "install it for FreeCAD's Python"
+            "run scripts/setup.sh in the project's folder, or install it for FreeCAD's Python"
         ) from error

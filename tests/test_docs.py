@@ -1,0 +1,46 @@
+"""The documents stay true: links lead somewhere, nets and measures and options are all named."""
+
+import re
+
+import pytest
+
+from freecad_ortho.cli import commands
+from freecad_ortho.fabrication.tables import COLUMNS
+from solver.analysis.check import MEASURES
+from solver.nets import RECIPES
+from tests.conftest import ROOT
+
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+def text(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.name)
+def test_links_lead_to_files(path):
+    links = re.findall(r"\]\(([^)#]+)", path.read_text(encoding="utf-8"))
+    for link in links:
+        if not link.startswith("https://"):
+            assert (path.parent / link).is_file(), link
+
+
+def test_every_net_and_measure_is_explained():
+    rows = set(re.findall(r"^\| `?([a-z- ]+)`? \|", text("docs/nets.md"), re.MULTILINE))
+    assert set(RECIPES) <= rows, "a net is missing in docs/nets.md"
+    assert {name for name, *_ in MEASURES} <= rows, "a measure is missing in docs/nets.md"
+
+
+def test_every_column_is_explained():
+    assert all(f"`{column}`" in text("docs/fabrication.md") for column in COLUMNS)
+
+
+def test_options_that_are_named_exist(capsys):
+    known = {"--mesh", "--help", "--write", "--quick"}  # of the scripts
+    for command in ("optimise", "fabricate", "check"):
+        with pytest.raises(SystemExit):
+            commands.run([command, "--help"])
+        known |= set(re.findall(r"--[a-z-]+", capsys.readouterr().out))
+    for path in DOCUMENTS:
+        named = set(re.findall(r"(?<![\w<-])--[a-z][a-z-]+", path.read_text(encoding="utf-8")))
+        assert named <= known, path.name
