@@ -11,6 +11,7 @@ from solver.gauss_newton import Optimisation
 from solver.mesh.bend import central_directions, unbent
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import DEVELOPABLE, RECIPES
+from solver.nets.constraints import Constraints, add_constraints, corners_that_stay
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides, fixed_vertices
 from solver.problem import Problem
@@ -28,6 +29,7 @@ def optimise(
     max_steps: int = 400,
     backend: str | None = None,
     options: NetOptions | None = None,
+    constraints: Constraints | None = None,
     callback: Callable[[StepRecord], bool | None] | None = None,
 ) -> Outcome:
     """Move the vertices of a mesh until it is the wanted net.
@@ -42,6 +44,7 @@ def optimise(
         max_steps: largest number of steps.
         backend: ``rslab`` or ``scipy``; by default the fastest installed.
         options: choices that only some nets have: diagonal variant, radius, length, reference.
+        constraints: handles, gliding, a surface to stay near, symmetry.
         callback: called after each step; returning True stops.
 
     Returns:
@@ -61,6 +64,7 @@ def optimise(
         max_steps=max_steps,
         backend=backend,
         options=options,
+        constraints=constraints,
     )
     try:
         while not run.finished:
@@ -84,6 +88,7 @@ def start_optimisation(
     max_steps: int = 400,
     backend: str | None = None,
     options: NetOptions | None = None,
+    constraints: Constraints | None = None,
 ) -> Optimisation:
     """Prepare an optimisation that the caller advances step by step; see :func:`optimise`."""
     if net not in RECIPES:
@@ -98,17 +103,21 @@ def start_optimisation(
     if closeness is not None:
         weights = replace(weights, closeness=closeness)
     options = options or NetOptions()
+    wanted = constraints or Constraints()
     fixed = fixed_vertices(mesh, fix)
+    fixed[corners_that_stay(mesh, wanted)] = True
 
     def posed(start: QuadMesh, attempts: list[Weights]) -> Problem:
-        return add_guides(RECIPES[net](Problem(net, start, fixed), options), attempts)
+        problem = RECIPES[net](Problem(net, start, fixed), options)
+        add_constraints(problem, wanted, attempts[0].closeness)
+        return add_guides(problem, attempts)
 
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     if fairness is not None:
         problem = posed(mesh, [weights])
         return Optimisation(problem, tolerance, max_steps, backend, accept_start=False)
     ladder = weights.ladder()
-    if net not in DEVELOPABLE or fixed.any():
+    if net not in DEVELOPABLE or fixed.any() or constraints is not None:
         return Optimisation(posed(mesh, ladder), tolerance, max_steps, backend)
     bent = [posed(unbent(mesh, way), ladder) for way in central_directions(mesh)]
     problems = [posed(mesh, ladder[:1]), *bent, posed(mesh, ladder[1:])]

@@ -11,7 +11,7 @@ import numpy as np
 from solver.analysis.measures import edge_ratio, flipped, sharpest_crease
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.terms.base import Size, Term
+from solver.terms.base import FollowingTerm, Size, Term
 
 # A measure sees the mesh in model units and the shared scalars.
 Measure = Callable[[QuadMesh, FloatArray], FloatArray]
@@ -87,6 +87,24 @@ class Problem:
         self.constraints.append(term)
         self.measures[term.name] = measure
         return self
+
+    def own_residual(self, name: str) -> Measure:
+        """Measure by the residuals of the constraints with a name, looked up afresh, in mean edges.
+
+        For terms whose residual is a plain distance.
+        """
+
+        def measure(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
+            points = ((mesh.vertices - self.centre) / self.scale).ravel()
+            x = np.concatenate([points, scalars])
+            parts = []
+            for term in self.constraints:
+                if term.name == name:
+                    fresh = term.follow(x) if isinstance(term, FollowingTerm) else term
+                    parts.append(np.linalg.norm(fresh.linearise(x).residual, axis=1))
+            return np.concatenate(parts)
+
+        return measure
 
     def guide(self, term: Term, *weights: float) -> Problem:
         """Add a term that fades, with its weight in each attempt; weights of zero leave it out."""

@@ -51,9 +51,13 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
     for centres, neighbours, edges in _by_valence(problem, free):
         term = Equilibrium(centres, neighbours, shared[edges], loads, sign)
         problem.require(term, left)
-    problem.details["force_densities"] = lambda scalars: (
-        scalars[: len(shared)] if sign == 0 else sign * scalars[: len(shared)] ** 2
-    ).tolist()
+    real = 1.0 / (loads.scale * problem.scale)
+
+    def densities(scalars: FloatArray) -> list[float]:
+        force = scalars[shared - shared[0]]
+        return np.asarray(real * (force if sign == 0 else sign * force**2)).tolist()
+
+    problem.details["force_densities"] = densities
     return problem
 
 
