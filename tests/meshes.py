@@ -1,0 +1,109 @@
+"""Start meshes by formula: known smooth nets, and the same with noise; all seeded."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ellipeinc, ellipj
+
+from solver import QuadMesh
+from tests.conftest import grid_faces
+
+FloatArray = NDArray[np.float64]
+
+# Mean curvature of the unduloid, and its narrowest and widest radius: they sum to 1 / H.
+UNDULOID_CURVATURE = 1.0
+_NARROW, _WIDE = 0.3, 0.7
+
+
+def noisy(mesh: QuadMesh, amount: float = 0.1, seed: int = 0) -> QuadMesh:
+    """Every vertex moved by its own Gaussian vector of RMS length ``amount`` mean edges."""
+    moves = np.random.default_rng(seed).normal(size=mesh.vertices.shape)
+    return mesh.with_vertices(mesh.vertices + amount * mesh.mean_edge / np.sqrt(3) * moves)
+
+
+def parameters(
+    rows: int, columns: int, width: float, height: float
+) -> tuple[FloatArray, FloatArray]:
+    """Two (rows, columns) arrays over a rectangle around zero."""
+    return np.meshgrid(
+        np.linspace(-width / 2, width / 2, rows),
+        np.linspace(-height / 2, height / 2, columns),
+        indexing="ij",
+    )
+
+
+def grid(x: FloatArray, y: FloatArray, z: FloatArray) -> QuadMesh:
+    """Mesh of three arrays of one (rows, columns) shape."""
+    points = np.stack(np.broadcast_arrays(x, y, z), axis=-1)
+    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(*points.shape[:2]))
+
+
+def bent_sheet(rows: int = 16, columns: int = 13, turned: float = 0.5) -> QuadMesh:
+    """A plane square grid bent over a catenary, its lines ``turned`` radians from the rulings.
+
+    Smooth limit: orthogonal, geodesic and Chebyshev, K = 0.
+    """
+    s, t = parameters(rows, columns, 0.2 * (rows - 1), 0.2 * (columns - 1))
+    along = s * np.cos(turned) - t * np.sin(turned)
+    across = s * np.sin(turned) + t * np.cos(turned)
+    return grid(np.arcsinh(along), across, np.sqrt(1 + along**2))
+
+
+def scherk(rows: int = 15, columns: int = 15, size: float = 2.0) -> QuadMesh:
+    """Asymptotic lines of Scherk's minimal surface z = log(cos x / cos y)."""
+    u, v = parameters(rows, columns, size, size)
+    a, b = u + v, u - v
+    return grid(
+        2 * np.arctan(np.tanh(a / 2)),
+        2 * np.arctan(np.tanh(b / 2)),
+        np.log(np.cosh(b) / np.cosh(a)),
+    )
+
+
+def helicoid(rows: int = 17, columns: int = 13, turn: float = 2.0, reach: float = 1.5) -> QuadMesh:
+    """Rulings and helices of a helicoid, its asymptotic lines, in a conformal sampling."""
+    u, v = parameters(rows, columns, turn, reach)
+    return grid(np.sinh(v) * np.cos(u), np.sinh(v) * np.sin(u), u)
+
+
+def catenoid(rows: int = 17, columns: int = 13, turn: float = 2.0, reach: float = 1.5) -> QuadMesh:
+    """Meridians and parallels of a catenoid, its principal curvature lines, conformal."""
+    u, v = parameters(rows, columns, turn, reach)
+    return grid(np.cosh(v) * np.cos(u), np.cosh(v) * np.sin(u), v)
+
+
+def unduloid_points(along: FloatArray, turn: FloatArray) -> FloatArray:
+    """(..., 3) points of an unduloid in conformal coordinates along its principal lines.
+
+    The radius r follows r'^2 = H^2 (wide^2 - r^2) (r^2 - narrow^2), a Jacobi function dn.
+    """
+    curvature, modulus = UNDULOID_CURVATURE, 1 - (_NARROW / _WIDE) ** 2
+    _, _, dn, amplitude = ellipj(curvature * _WIDE * along, modulus)
+    constant = curvature * _NARROW * _WIDE
+    height = _WIDE * ellipeinc(amplitude, modulus) + constant * along
+    return np.stack([_WIDE * dn * np.cos(turn), _WIDE * dn * np.sin(turn), height], axis=-1)
+
+
+def unduloid(rows: int = 15, columns: int = 15, size: float = 2.0) -> QuadMesh:
+    """Lines at 45 degrees to the principal directions of an unduloid: a smooth CMC net.
+
+    Both normal curvatures along them are H = 1: the star spheres have radius 1 in the limit.
+    """
+    u, v = parameters(rows, columns, size, size)
+    points = unduloid_points((u + v) / np.sqrt(2), (u - v) / np.sqrt(2))
+    return grid(*np.moveaxis(points, -1, 0))
+
+
+def hanging_net(rows: int = 13, columns: int = 11, sag: float = 0.2) -> QuadMesh:
+    """A level square net that sags like a parabola between its supported borders."""
+    x, y = parameters(rows, columns, 2.0, 2.0 * (columns - 1) / (rows - 1))
+    return grid(x, y, -sag * (1 - x**2) * (1 - (y / y.max()) ** 2))
+
+
+START_MESHES = {
+    "bent sheet": bent_sheet,
+    "scherk": scherk,
+    "helicoid": helicoid,
+    "unduloid": unduloid,
+}
