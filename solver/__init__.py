@@ -2,11 +2,15 @@
 
 from solver.errors import InputError, OrthoError, OutputError
 from solver.mesh.quadmesh import QuadMesh
+from solver.nets.constraints import Constraints
+from solver.nets.options import NetOptions
 from solver.optimise import optimise, start_optimisation
 from solver.report import Outcome, Report, StepRecord
 
 __all__ = [
+    "Constraints",
     "InputError",
+    "NetOptions",
     "OrthoError",
     "Outcome",
     "OutputError",

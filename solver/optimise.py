@@ -24,6 +24,7 @@ def optimise(
     *,
     fairness: float | None = None,
     closeness: float | None = None,
+    multi: float | None = None,
     fix: str | Sequence[int] = "none",
     tolerance: float = 1e-10,
     max_steps: int = 400,
@@ -39,6 +40,7 @@ def optimise(
         net: name of the recipe, see ``solver.nets.RECIPES``.
         fairness: start weight of straight parameter lines, by default the recipe's.
         closeness: start weight of staying near the start.
+        multi: start weight of orthogonality of neighbouring pairs of faces.
         fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
         tolerance: largest residual that counts as zero, dimensionless.
         max_steps: largest number of steps.
@@ -59,6 +61,7 @@ def optimise(
         net,
         fairness=fairness,
         closeness=closeness,
+        multi=multi,
         fix=fix,
         tolerance=tolerance,
         max_steps=max_steps,
@@ -83,6 +86,7 @@ def start_optimisation(
     *,
     fairness: float | None = None,
     closeness: float | None = None,
+    multi: float | None = None,
     fix: str | Sequence[int] = "none",
     tolerance: float = 1e-10,
     max_steps: int = 400,
@@ -102,6 +106,8 @@ def start_optimisation(
         weights = replace(weights, fairness=fairness)
     if closeness is not None:
         weights = replace(weights, closeness=closeness)
+    if multi is not None:
+        weights = replace(weights, multi=multi)
     options = options or NetOptions()
     wanted = constraints or Constraints()
     fixed = fixed_vertices(mesh, fix)
@@ -117,8 +123,9 @@ def start_optimisation(
         problem = posed(mesh, [weights])
         return Optimisation(problem, tolerance, max_steps, backend, accept_start=False)
     ladder = weights.ladder()
+    stay = not wanted.handles and wanted.close_to is None
     if net not in DEVELOPABLE or fixed.any() or constraints is not None:
-        return Optimisation(posed(mesh, ladder), tolerance, max_steps, backend)
+        return Optimisation(posed(mesh, ladder), tolerance, max_steps, backend, stay)
     bent = [posed(unbent(mesh, way), ladder) for way in central_directions(mesh)]
     problems = [posed(mesh, ladder[:1]), *bent, posed(mesh, ladder[1:])]
     return Optimisation(problems, tolerance, max_steps, backend)

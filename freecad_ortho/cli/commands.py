@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from freecad_ortho import api
-from freecad_ortho.cli import multinet, optimising, reporting
+from freecad_ortho.cli import multinet, net_options, optimising, reporting
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK, kept_whole
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.units import MILLIMETRES
@@ -66,7 +66,8 @@ def _add_optimise(parser: argparse.ArgumentParser) -> None:
         "--fix", default="none", metavar="none|corners|boundary|I,J,K", help="what must not move"
     )
     parser.add_argument("--tolerance", type=float, default=1e-10)
-    parser.add_argument("--max-steps", type=int, default=200, metavar="N")
+    parser.add_argument("--max-steps", type=int, default=400, metavar="N")
+    net_options.add(parser)
     parser.add_argument("-v", "--verbose", action="store_true", help="one line a step")
     parser.set_defaults(run=_optimise)
 

@@ -10,8 +10,9 @@ import sys
 from collections.abc import Callable
 
 from freecad_ortho import api
-from freecad_ortho.cli import reporting
+from freecad_ortho.cli import net_options, reporting
 from solver import InputError, Outcome, OutputError, StepRecord
+from solver.analysis.advisor import closer_variant
 from solver.io.atomic import write_text
 from solver.report import CONVERGED
 
@@ -19,14 +20,18 @@ from solver.report import CONVERGED
 def run(options: argparse.Namespace) -> bool:
     """Optimise as the options say; return whether the net was reached."""
     loaded = reporting.load(options)
+    settings = net_options.settings(options)
     _refuse_bad_targets(options.output, options.report)
+    warning = closer_variant(loaded.mesh, options.net, options.diagonal)
+    if warning is not None:
+        sys.stderr.write(f"note: {warning}\n")
     with reporting.Progress(options.verbose) as progress:
         outcome = api.optimise(
             loaded.mesh,
             options.net,
             fairness=options.fairness,
             closeness=options.closeness,
-            fix=options.fix,
+            **settings,
             tolerance=options.tolerance,
             max_steps=options.max_steps,
             callback=_follower(progress, options.tolerance),

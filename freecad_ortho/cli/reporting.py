@@ -72,4 +72,11 @@ def check_table(result: dict[str, Any]) -> str:
         lines.append(f"{name:<16}{entry['max']:>12.3e}{entry['mean']:>12.3e}   {place}")
     lines.append(f"{'edge ratio':<16}{result['edge_ratio']:>12.3f}")
     lines.append(f"{'folded faces':<16}{result['flipped_faces']:>12d}")
+    lines.append(f"{'net':<24}{'mean distance':>14}   can it be near?")
+    for advice in result["advice"]["nets"]:
+        title = advice["net"] + (" --diagonal" if advice["diagonal"] else "")
+        verdict = "yes" if advice["possible"] else "no"
+        reason = f": {advice['reason']}" if advice["reason"] else ""
+        lines.append(f"{title:<24}{advice['distance']:>14.1e}   {verdict}{reason}")
+    lines.append(result["advice"]["recommendation"])
     return "\n".join(lines)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from solver.analysis import measures
+from solver.analysis.advisor import advice_as_dict
 from solver.analysis.spheres import cmc
 from solver.candidate import spread_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -31,7 +32,8 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
     Returns:
         Plain numbers for JSON: counts, ``measures`` with ``max``, ``mean`` and ``worst`` (the
         number of the face, edge or star centre) each, ``edge_ratio``, ``flipped_faces``, ``size``
-        (lengths of the bounding box) and ``mean_edge`` in the mesh's unit.
+        (lengths of the bounding box) and ``mean_edge`` in the mesh's unit, and ``advice`` on
+        which net to optimise for.
     """
     net = mesh.connectivity
     used = mesh.vertices[net.referenced]
@@ -47,6 +49,7 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         "mean_edge": mesh.mean_edge,
         "edge_ratio": measures.edge_ratio(mesh),
         "flipped_faces": int(measures.flipped(mesh).sum()),
+        "advice": advice_as_dict(mesh),
         "measures": {name: _entry(mesh, measure, where) for name, measure, where in MEASURES},
     }
 

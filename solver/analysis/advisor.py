@@ -1,0 +1,132 @@
+"""Net advisor: which nets a mesh is near to, and which its shape can carry at all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from solver.analysis import measures
+from solver.analysis.spheres import cmc
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+# A variant of a net that starts this many times closer deserves a warning.
+CLOSER = 10.0
+# Angle defects below this, in radians, count as flat.
+_FLAT = 1e-4
+# Share of curved vertices on the wrong side that rules a net out.
+_MOST = 0.5
+
+
+@dataclass(frozen=True)
+class Advice:
+    """How a mesh relates to one net.
+
+    Attributes:
+        net: name of the recipe.
+        diagonal: whether the star property is asked of the diagonal net.
+        distance: mean of the net's measures, the largest of its parts, dimensionless.
+        own: mean of the measure that tells this net from others.
+        possible: whether a mesh of this shape can be near such a net.
+        reason: why not, or what will happen to the shape, in one sentence.
+    """
+
+    net: str
+    diagonal: bool
+    distance: float
+    own: float
+    possible: bool
+    reason: str
+
+    @property
+    def title(self) -> str:
+        """Words of the command line that ask for this net."""
+        return f"{self.net} --diagonal" if self.diagonal else self.net
+
+
+Star = Callable[[QuadMesh, bool], FloatArray]
+_FACE_NETS: dict[str, Callable[[QuadMesh], FloatArray]] = {
+    "principal": measures.planarity,
+    "circular": measures.circular,
+}
+_STAR_NETS: dict[str, Star] = {
+    "geodesic": measures.geodesic,
+    "asymptotic": measures.asymptotic,
+    "cmc": lambda mesh, diagonal: cmc(mesh, None, diagonal),
+}
+
+
+def advise(mesh: QuadMesh) -> list[Advice]:
+    """Compare a mesh with every net and diagonal net, the nearest possible one first."""
+    found = [_advice(mesh, net, False, _FACE_NETS[net](mesh)) for net in _FACE_NETS]
+    found.append(_advice(mesh, "chebyshev", False, measures.chebyshev(mesh)))
+    if len(mesh.connectivity.stars):
+        found.append(_advice(mesh, "conical", False, measures.conical(mesh)))
+        for net, measure in _STAR_NETS.items():
+            found += [
+                _advice(mesh, net, diagonal, measure(mesh, diagonal)) for diagonal in (False, True)
+            ]
+    return sorted(found, key=lambda advice: (not advice.possible, advice.distance, advice.own))
+
+
+def advice_as_dict(mesh: QuadMesh) -> dict[str, Any]:
+    """Return ``nets`` (all advice as plain data) and ``recommendation`` (one sentence)."""
+    found = advise(mesh)
+    best = found[0]
+    return {
+        "nets": [asdict(advice) for advice in found],
+        "recommendation": (
+            f"optimise for {best.title}: the mesh is {best.distance:.1e} from it on average"
+            + (f"; {best.reason}" if best.reason else "")
+        ),
+    }
+
+
+def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> str | None:
+    """Return a warning where the other variant of a net starts ten times closer."""
+    if net not in _STAR_NETS or not len(mesh.connectivity.stars):
+        return None
+    asked = float(_STAR_NETS[net](mesh, diagonal).mean())
+    other = float(_STAR_NETS[net](mesh, not diagonal).mean())
+    if asked <= CLOSER * other:
+        return None
+    words = "without --diagonal" if diagonal else "with --diagonal"
+    return (
+        f"{net}: the start is {asked:.1e} from this net but {other:.1e} from the other variant; "
+        f"try {words}"
+    )
+
+
+def _advice(mesh: QuadMesh, net: str, diagonal: bool, values: FloatArray) -> Advice:
+    orthogonal = measures.orthogonality(mesh) if net not in ("circular", "conical") else np.zeros(1)
+    parts = [float(values.mean()), float(orthogonal.mean())]
+    if net in ("circular", "conical"):
+        parts.append(float(measures.planarity(mesh).mean()))
+    possible, reason = _possible(mesh, net)
+    return Advice(net, diagonal, max(parts), parts[0], possible, reason)
+
+
+def _possible(mesh: QuadMesh, net: str) -> tuple[bool, str]:
+    positive, negative = _curved_shares(mesh)
+    if net == "asymptotic" and positive > _MOST:
+        return False, (
+            f"{100 * positive:.0f} % of the inner vertices lie where the Gauss curvature is "
+            "positive, where a surface has no asymptotic lines"
+        )
+    if net in ("geodesic", "chebyshev") and positive + negative > _MOST:
+        return True, "the shape is doubly curved and will be bent towards a developable surface"
+    return True, ""
+
+
+def _curved_shares(mesh: QuadMesh) -> tuple[float, float]:
+    """Shares of inner vertices with positive and with negative Gauss curvature."""
+    net = mesh.connectivity
+    inner = ~net.boundary_vertices & net.referenced
+    if not inner.any():
+        return 0.0, 0.0
+    angles = measures.face_angles(mesh)
+    total = np.bincount(net.faces.ravel(), angles.ravel(), minlength=net.vertex_count)
+    defect = 2 * np.pi - total[inner]
+    return float((defect > _FLAT).mean()), float((defect < -_FLAT).mean())
