@@ -1,0 +1,29 @@
+"""What every primitive asks of its parameters."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solver.errors import InputError
+
+
+def positive(**values: float) -> None:
+    """Refuse values that are not positive and finite.
+
+    Raises:
+        InputError: names the first of them.
+    """
+    for name, value in values.items():
+        if not (np.isfinite(value) and value > 0):
+            raise InputError(f"{name}: expected a positive number, got {value:g}; change it")
+
+
+def between(low: float, high: float, **values: float) -> None:
+    """Refuse values that are not strictly between two limits.
+
+    Raises:
+        InputError: names the first of them.
+    """
+    for name, value in values.items():
+        if not low < value < high:
+            raise InputError(f"{name}: expected {low:g} < {name} < {high:g}, got {value:g}")
