@@ -39,12 +39,14 @@ def grid(x: FloatArray, y: FloatArray, z: FloatArray) -> QuadMesh:
     return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(*points.shape[:2]))
 
 
-def bent_sheet(rows: int = 16, columns: int = 13, turned: float = 0.5) -> QuadMesh:
+def bent_sheet(
+    rows: int = 16, columns: int = 13, size: float = 3.0, turned: float = 0.5
+) -> QuadMesh:
     """A plane square grid bent over a catenary, its lines ``turned`` radians from the rulings.
 
     Smooth limit: orthogonal, geodesic and Chebyshev, K = 0.
     """
-    s, t = parameters(rows, columns, 0.2 * (rows - 1), 0.2 * (columns - 1))
+    s, t = parameters(rows, columns, size, size * (columns - 1) / (rows - 1))
     along = s * np.cos(turned) - t * np.sin(turned)
     across = s * np.sin(turned) + t * np.cos(turned)
     return grid(np.arcsinh(along), across, np.sqrt(1 + along**2))
