@@ -6,6 +6,7 @@ from solver.nets.constraints import Constraints
 from solver.nets.options import NetOptions
 from solver.optimise import optimise, start_optimisation
 from solver.report import Outcome, Report, StepRecord
+from solver.session import Session
 
 __all__ = [
     "Constraints",
@@ -16,6 +17,7 @@ __all__ = [
     "OutputError",
     "QuadMesh",
     "Report",
+    "Session",
     "StepRecord",
     "optimise",
     "start_optimisation",

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -121,11 +121,24 @@ class Optimisation:
         """
         if self.finished:
             raise RuntimeError("the optimisation has finished; start a new one")
+        record = self.nudge()
+        state = self._state
+        state.fade *= _FADE
+        if state.fade < _FADE_END or record.worst < _NEAR:
+            state.fade = 0.0
+        self._decide(record)
+        return record
+
+    def nudge(self, fade: float | None = None) -> StepRecord:
+        """Take one step with the guides at ``fade``, by default where the schedule stands.
+
+        For live editing: the schedule does not move on, and the optimisation never finishes by it.
+        """
         begin = time.perf_counter()
         state = self._state
-        weights = self._weights(state.fade)
+        used = state.fade if fade is None else fade
         damping = state.damping
-        energy, length, solve_seconds = self._advance(state, weights)
+        energy, length, solve_seconds = self._advance(state, self._weights(used))
         self._follow(state)
         record = StepRecord(
             step=len(self.history) + 1,
@@ -134,16 +147,30 @@ class Optimisation:
             residuals=self._residuals(state.linearisations),
             step_length=length,
             damping=damping,
-            fade=state.fade,
+            fade=used,
             seconds=time.perf_counter() - begin,
             solve_seconds=solve_seconds,
         )
         self.history.append(record)
-        state.fade *= _FADE
-        if state.fade < _FADE_END or record.worst < _NEAR:
-            state.fade = 0.0
-        self._decide(record)
         return record
+
+    def retarget(self, name: str, term: Term) -> None:
+        """Put ``term`` in the place of the guide with that name; its stencil must be the same."""
+        first = len(self.problem.constraints)
+        for k, guide in enumerate(self.problem.guides):
+            if guide.term.name == name:
+                self.problem.guides[k] = replace(guide, term=term)
+                self._terms[first + k] = term
+                self._state.linearisations[first + k] = term.linearise(self._state.x)
+                return
+        raise KeyError(name)
+
+    def restart(self) -> None:
+        """Go back to the start and the first attempt; pattern and analysis are kept."""
+        self._turn, self._attempt, self.attempts = 0, 1, 1
+        self._best, self.status = None, None
+        self.history.clear()
+        self._restart()
 
     def stop(self) -> None:
         """End here; the outcome is the best mesh so far."""

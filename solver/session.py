@@ -1,0 +1,119 @@
+"""Live editing: drag vertices of a net, see it follow, and end with the exact net."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.nets.constraints import Constraints
+from solver.nets.options import NetOptions
+from solver.optimise import start_optimisation
+from solver.report import Outcome, StepRecord
+from solver.terms.closeness import Closeness
+
+# While dragging, guides keep this part of their weight: the mesh follows the hand, nearly a net.
+_LIVE = 1e-2
+
+
+class Session:
+    """Holds a problem between drags: pattern, symbolic analysis and last shape are kept.
+
+    Args:
+        mesh: the start; every settled result is the net nearest to it with the handles where they
+            are, the same that one call of ``solver.optimise`` with these handles finds.
+        handles: vertices that may be dragged; they start where they are.
+        net: name of the recipe; the other arguments are those of ``solver.optimise``.
+
+    Raises:
+        InputError: no handle, or one that does not exist.
+
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, Interactive Design.
+    """
+
+    def __init__(
+        self,
+        mesh: QuadMesh,
+        handles: Sequence[int],
+        net: str = "principal",
+        *,
+        fix: str | Sequence[int] = "none",
+        options: NetOptions | None = None,
+        constraints: Constraints | None = None,
+        tolerance: float = 1e-10,
+        max_steps: int = 400,
+        backend: str | None = None,
+    ) -> None:
+        if not len(handles):
+            raise InputError("handles: none given; name the vertices that may be dragged")
+        for vertex in handles:
+            if not 0 <= vertex < len(mesh.vertices):
+                raise InputError(
+                    f"handle: vertex {vertex} does not exist; vertices are numbered 0 to "
+                    f"{len(mesh.vertices) - 1}"
+                )
+        self.targets = {int(vertex): mesh.vertices[vertex].copy() for vertex in handles}
+        wanted = replace(constraints or Constraints(), handles=self.targets)
+        self._run = start_optimisation(
+            mesh,
+            net,
+            fix=fix,
+            options=options,
+            constraints=wanted,
+            tolerance=tolerance,
+            max_steps=max_steps,
+            backend=backend,
+        )
+
+    @property
+    def vertices(self) -> FloatArray:
+        """(V, 3) current positions in model units."""
+        return self._run.vertices
+
+    def drag(self, targets: Mapping[int, ArrayLike], steps: int = 1) -> StepRecord:
+        """Move handles and take a few steps from the last shape.
+
+        Args:
+            targets: new positions, in model units, of some of the handles.
+            steps: how many Gauss-Newton steps to take.
+
+        Returns:
+            The record of the last step; ``vertices`` has the shape.
+
+        Raises:
+            InputError: a vertex that is no handle, or a position that is not finite.
+        """
+        for vertex, place in targets.items():
+            position = np.asarray(place, dtype=np.float64)
+            if vertex not in self.targets:
+                raise InputError(
+                    f"handle: vertex {vertex} is not one of {sorted(self.targets)}; start a "
+                    "session with it"
+                )
+            if position.shape != (3,) or not np.isfinite(position).all():
+                raise InputError(f"handle: the target of vertex {vertex} is not a point; mend it")
+            self.targets[vertex] = position
+        self._aim()
+        for _ in range(max(1, steps)):
+            record = self._run.nudge(_LIVE)
+        return record
+
+    def settle(self) -> Outcome:
+        """Find the exact net for the present handles, from the start of the session."""
+        self._run.restart()
+        self._aim()
+        return self._run.run()
+
+    def _aim(self) -> None:
+        problem = self._run.problem
+        places = np.array(list(self.targets.values()))
+        term = Closeness(
+            np.array(list(self.targets), dtype=np.int64),
+            (places - problem.centre) / problem.scale,
+            name="handles",
+        )
+        self._run.retarget("handles", term)
