@@ -235,3 +235,39 @@ def test_one_panel_is_one(tmp_path, capsys):
     path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
     assert main(["fabricate", str(path), "--unit", "m", "-o", str(tmp_path / "out")]) == 0
     assert capsys.readouterr().out.startswith("4 beams, 1 panel, ")
+
+
+def grid_text(face=lambda *corners: " ".join(map(str, corners)), scale=1.0, shift=0.0, tail=""):
+    """An OBJ file of 5 x 5 vertices, 16 quads; ``face`` writes the corners of one."""
+    points = wavy_grid(5, 5).vertices * scale + shift
+    lines = [f"v {x!r} {y!r} {z!r}{tail}" for x, y, z in points.tolist()]
+    faces = [
+        [5 * i + j + 1, 5 * i + j + 6, 5 * i + j + 7, 5 * i + j + 2]
+        for i in range(4)
+        for j in range(4)
+    ]
+    return "\n".join([*lines, *(f"f {face(*corners)}" for corners in faces)]) + "\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        grid_text().replace("\n", "\r\n"),
+        grid_text().replace("\n", "\r"),
+        grid_text(face=lambda *corners: " ".join(str(corner - 26) for corner in corners)),
+        grid_text(face=lambda a, b, c, d: f"{a}/1/1 {b}//2 {c}/3 {d}"),
+        grid_text(face=lambda a, b, c, d: f"{a} {b} \\\n{c} {d}"),
+        grid_text(tail=" 0.1 0.2 0.3"),
+        grid_text(scale=1e-6),
+        grid_text(scale=1e9),
+        grid_text(scale=1e3, shift=1e7),
+        "g part\nusemtl steel\nvn 0 0 1\nvt 0 0\n" + grid_text() + "l 1 2\np 3\n",
+    ],
+    ids="windows mac counted-back textures continued colours tiny huge far groups".split(),
+)
+def test_odd_files_optimise(tmp_path, capsys, text):
+    path, out = tmp_path / "odd ü file.obj", tmp_path / "net ß.obj"
+    path.write_bytes(text.encode())
+    assert main(["optimise", str(path), "-o", str(out)]) == 0, capsys.readouterr().err
+    assert api.check(api.read_mesh(out).mesh)["measures"]["planarity"]["max"] <= 1e-10
+    assert main(["check", str(path), "--json"]) == 0

@@ -5,29 +5,25 @@ from __future__ import annotations
 import FreeCAD
 
 from freecad_ortho.commands import context, dialogs, messages
-from freecad_ortho.resources import icon
+from freecad_ortho.commands.command import Command
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class ExportFabrication:
+class ExportFabrication(Command):
     """Ask for a folder and write STEP, DXF, parts list and report into it."""
 
-    def GetResources(self) -> dict[str, str]:
-        """Text and icon."""
-        return {
-            "Pixmap": icon("export"),
-            "MenuText": QT_TRANSLATE_NOOP("Ortho_ExportFabrication", "Export fabrication files"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "Ortho_ExportFabrication",
-                "Write solids (STEP), flat patterns (DXF) and the parts list (CSV) of the "
-                "selected structures",
-            ),
-        }
+    icon = "export"
+    text = QT_TRANSLATE_NOOP("Ortho_ExportFabrication", "Export fabrication files")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_ExportFabrication",
+        "Write solids (STEP), flat patterns (DXF) and the parts list (CSV) of the "
+        "selected structures",
+    )
 
     def IsActive(self) -> bool:
         """Where there are structures."""
-        return context.nothing_open() and bool(context.current_structures())
+        return super().IsActive() and bool(context.current_structures())
 
     def Activated(self) -> None:
         """Write the files into the folder that the user chooses."""

@@ -6,27 +6,17 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_ortho.commands import context, dialogs, messages
-from freecad_ortho.resources import icon
+from freecad_ortho.commands.command import Command
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class ImportNet:
+class ImportNet(Command):
     """Ask for an OBJ file and make a Net of it."""
 
-    def GetResources(self) -> dict[str, str]:
-        """Text and icon."""
-        return {
-            "Pixmap": icon("import"),
-            "MenuText": QT_TRANSLATE_NOOP("Ortho_ImportNet", "Import quad mesh"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "Ortho_ImportNet", "Read an OBJ file and keep its quads as a net"
-            ),
-        }
-
-    def IsActive(self) -> bool:
-        """Always, unless a task panel is open."""
-        return context.nothing_open()
+    icon = "import"
+    text = QT_TRANSLATE_NOOP("Ortho_ImportNet", "Import quad mesh")
+    tip = QT_TRANSLATE_NOOP("Ortho_ImportNet", "Read an OBJ file and keep its quads as a net")
 
     def Activated(self) -> None:
         """Import the file that the user chooses."""

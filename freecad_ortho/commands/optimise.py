@@ -6,28 +6,20 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_ortho.commands import context, messages
-from freecad_ortho.resources import icon
+from freecad_ortho.commands.command import NetCommand
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class Optimise:
+class Optimise(NetCommand):
     """Open the panel that moves a net's vertices until its quads are orthogonal and planar."""
 
-    def GetResources(self) -> dict[str, str]:
-        """Text and icon."""
-        return {
-            "Pixmap": icon("optimise"),
-            "MenuText": QT_TRANSLATE_NOOP("Ortho_Optimise", "Optimise"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "Ortho_Optimise",
-                "Move the vertices of the selected net until its faces are orthogonal and planar",
-            ),
-        }
-
-    def IsActive(self) -> bool:
-        """Where it is clear which net is meant."""
-        return context.nothing_open() and context.current_net() is not None
+    icon = "optimise"
+    text = QT_TRANSLATE_NOOP("Ortho_Optimise", "Optimise")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Optimise",
+        "Move the vertices of the selected net until its faces are orthogonal and planar",
+    )
 
     def Activated(self) -> None:
         """Open the task panel."""

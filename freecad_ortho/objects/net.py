@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 import FreeCAD
 
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, ensure
-from freecad_ortho.objects.properties import Stateless as _Stateless
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
 
 if TYPE_CHECKING:
     from solver.mesh.quadmesh import QuadMesh
@@ -73,18 +72,11 @@ _PROPERTIES = (
 )
 
 
-class Net(_Stateless):
+class Net(Persistent):
     """Proxy of a net. The properties hold everything; others react when they change."""
 
-    def __init__(self, feature: FreeCAD.DocumentObject) -> None:
-        ensure(feature, _PROPERTIES)
-        feature.Proxy = self
-
-    def onDocumentRestored(self, feature: FreeCAD.DocumentObject) -> None:
-        """Give a net from an older document the properties that came later."""
-        ensure(feature, _PROPERTIES)
-        if feature.Version != VERSION:
-            feature.Version = VERSION
+    properties = _PROPERTIES
+    version = VERSION
 
     def execute(self, feature: FreeCAD.DocumentObject) -> None:
         """Nothing follows from the properties of a net but what other objects make of them."""

@@ -61,3 +61,25 @@ class Stateless:
     # FreeCAD 0.20 asks for the old names.
     __getstate__ = dumps
     __setstate__ = loads
+
+
+class Persistent(Stateless):
+    """Base of the proxies of document objects: a table of properties with a version.
+
+    Attributes:
+        properties: all there are in this version; ``Version`` is one of them.
+        version: its number.
+    """
+
+    properties: Sequence[Property]
+    version: int
+
+    def __init__(self, feature: Any) -> None:
+        ensure(feature, self.properties)
+        feature.Proxy = self
+
+    def onDocumentRestored(self, feature: Any) -> None:
+        """Give an object from an older document the properties that came later."""
+        ensure(feature, self.properties)
+        if feature.Version != self.version:
+            feature.Version = self.version

@@ -6,8 +6,7 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, ensure
-from freecad_ortho.objects.properties import Stateless as _Stateless
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -90,18 +89,11 @@ _PROPERTIES = (
 )
 
 
-class Structure(_Stateless):
+class Structure(Persistent):
     """Proxy of a structure. Only recomputing needs the fabrication packages, showing does not."""
 
-    def __init__(self, feature: FreeCAD.DocumentObject) -> None:
-        ensure(feature, _PROPERTIES)
-        feature.Proxy = self
-
-    def onDocumentRestored(self, feature: FreeCAD.DocumentObject) -> None:
-        """Give a structure from an older document the properties that came later."""
-        ensure(feature, _PROPERTIES)
-        if feature.Version != VERSION:
-            feature.Version = VERSION
+    properties = _PROPERTIES
+    version = VERSION
 
     def execute(self, feature: FreeCAD.DocumentObject) -> None:
         """Build the solids anew; on an error the last good shape stays.

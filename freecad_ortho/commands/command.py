@@ -1,0 +1,36 @@
+"""What the commands share; their texts stand in their own files, where translators find them."""
+
+from __future__ import annotations
+
+from freecad_ortho.commands import context
+from freecad_ortho.resources import icon
+
+
+class Command:
+    """A command that is available whenever no task panel is open.
+
+    Attributes:
+        icon: name of its picture in ``resources/icons``.
+        text: in the menu, marked for translation.
+        tip: one sentence, marked for translation.
+    """
+
+    icon: str
+    text: str
+    tip: str
+
+    def GetResources(self) -> dict[str, str]:
+        """Text and icon."""
+        return {"Pixmap": icon(self.icon), "MenuText": self.text, "ToolTip": self.tip}
+
+    def IsActive(self) -> bool:
+        """Tell whether the command can be used now."""
+        return context.nothing_open()
+
+
+class NetCommand(Command):
+    """A command that needs a net, and to know which one."""
+
+    def IsActive(self) -> bool:
+        """Tell whether it is clear which net is meant."""
+        return super().IsActive() and context.current_net() is not None
