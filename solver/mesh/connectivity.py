@@ -184,6 +184,27 @@ class Connectivity:
         f = self._half_edges[_next(_next(twin)), 1]
         return np.stack([a, f, d, e], axis=1)
 
+    def patches(self, rows: int, columns: int) -> IntArray:
+        """(P, 4) corners, in cyclic order, of all patches of ``rows`` x ``columns`` faces.
+
+        Walks along parameter lines and keeps the walks that come back to where they began. Each
+        patch is found from two corners, a square one from four; one of them is kept.
+        """
+        half = np.arange(4 * len(self.faces))
+        begin, corners = half, []
+        for count in (rows, columns, rows, columns):
+            corners.append(np.where(half >= 0, self._half_edges[half, 0], -1))
+            for _ in range(count - 1):
+                half = np.where(half >= 0, self.continuation[half], -1)
+            half = self._turned(half)
+        found = np.stack(corners, axis=1)[(half == begin) & (half >= 0)]
+        rival = found[:, 1:] if rows == columns else found[:, 2:3]
+        return found[found[:, 0] < rival.min(axis=1)]
+
+    def _turned(self, half: IntArray) -> IntArray:
+        """Half-edge that turns left, inside the patch, at the end of each half-edge."""
+        return np.where(half >= 0, _next(half), -1)
+
     @cached_property
     def stars(self) -> IntArray:
         """(S, 5) centre and its four neighbours in cyclic order, interior valence four only."""

@@ -56,6 +56,32 @@ def test_double_patches_are_one_by_two_rectangles():
     assert (np.sort(np.abs(a - c), axis=0) == [[1], [2]]).all()
 
 
+@pytest.mark.parametrize(("rows", "columns"), [(1, 1), (2, 2), (3, 3), (1, 3), (2, 4)])
+def test_patches_are_all_rectangles_of_their_size(rows, columns):
+    net = Connectivity(grid_faces(6, 8), 48)
+    found = net.patches(rows, columns)
+    ways = {(rows, columns), (columns, rows)}
+    assert len(found) == sum(max(0, 5 - a + 1) * max(0, 7 - b + 1) for a, b in ways)
+    place = np.stack(np.divmod(found, 8), axis=2)
+    assert (place[:, 0] + place[:, 2] == place[:, 1] + place[:, 3]).all()
+    sides = np.abs(place[:, 1] - place[:, 0]).sum(axis=1)
+    assert (sides == rows).all()
+    assert len({frozenset(row) for row in found.tolist()}) == len(found)
+
+
+def test_edge_families_of_a_grid_are_two_and_run_straight():
+    net = Connectivity(grid_faces(5, 7), 35)
+    assert net.edge_families.max() == 1
+    along = np.abs(np.diff(net.edges, axis=1)[:, 0]) == 7
+    assert len(set(net.edge_families[along])) == 1
+    assert len(set(net.edge_families[~along])) == 1
+
+
+def test_an_odd_irregular_vertex_joins_the_families():
+    assert star_of(3).edge_families.max() == 0
+    assert star_of(4).edge_families.max() == 1
+
+
 def test_stars_are_cyclic_and_diagonals_lie_between():
     columns = 5
     net = Connectivity(grid_faces(5, columns), 25)
