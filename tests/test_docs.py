@@ -35,12 +35,23 @@ def test_every_column_is_explained():
     assert all(f"`{column}`" in text("docs/fabrication.md") for column in COLUMNS)
 
 
+def options_of(command, capsys):
+    with pytest.raises(SystemExit):
+        commands.run([command, "--help"])
+    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", capsys.readouterr().out))
+
+
+def test_every_option_is_named(capsys):
+    for command in ("optimise", "fabricate", "check"):
+        for option in options_of(command, capsys) - {"--help", "--verbose", "--output"}:
+            documents = "".join(path.read_text(encoding="utf-8") for path in DOCUMENTS)
+            assert option in documents, f"{command} {option} is in no document"
+
+
 def test_options_that_are_named_exist(capsys):
     known = {"--mesh", "--help", "--write", "--quick"}  # of the scripts
-    for command in ("optimise", "fabricate", "check"):
-        with pytest.raises(SystemExit):
-            commands.run([command, "--help"])
-        known |= set(re.findall(r"--[a-z-]+", capsys.readouterr().out))
+    for command in ("optimise", "fabricate", "check", "multinet"):
+        known |= options_of(command, capsys)
     for path in DOCUMENTS:
         named = set(re.findall(r"(?<![\w<-])--[a-z][a-z-]+", path.read_text(encoding="utf-8")))
         assert named <= known, path.name
