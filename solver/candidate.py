@@ -25,6 +25,7 @@ class Candidate:
 
     Attributes:
         mesh: the shape in model units.
+        worst_place: face, edge or vertex with the largest residual of all.
         details: shared unknowns in words that a user knows, such as a radius.
         residuals: largest and mean value of each measure of the net.
         edge_ratio: shortest / mean edge; ``edge_ratio_start`` the same of the input.
@@ -35,6 +36,7 @@ class Candidate:
 
     mesh: QuadMesh
     details: dict[str, Detail]
+    worst_place: str
     residuals: dict[str, Spread]
     edge_ratio: float
     edge_ratio_start: float
@@ -88,12 +90,12 @@ def judge(
     start = original or problem
     mesh = problem.mesh_at(x)
     scalars = x[3 * len(mesh.vertices) :]
-    residuals = {
-        name: spread_of(measure(mesh, scalars)) for name, measure in problem.measures.items()
-    }
+    values = {name: measure(mesh, scalars) for name, measure in problem.measures.items()}
+    residuals = {name: spread_of(array) for name, array in values.items()}
     return Candidate(
         mesh=mesh,
         details={name: tell(scalars) for name, tell in problem.details.items()},
+        worst_place=_worst_place(problem, values),
         residuals=residuals,
         edge_ratio=edge_ratio(mesh),
         edge_ratio_start=start.edge_ratio_start,
@@ -103,6 +105,14 @@ def judge(
         flipped_start=start.flipped_start,
         met=all(spread.max <= tolerance for spread in residuals.values()),
     )
+
+
+def _worst_place(problem: Problem, values: dict[str, FloatArray]) -> str:
+    filled = {name: array for name, array in values.items() if len(array)}
+    if not filled:
+        return ""
+    name = max(filled, key=lambda key: float(filled[key].max()))
+    return problem.places[name](int(np.argmax(filled[name])))
 
 
 def spread_of(values: FloatArray) -> Spread:

@@ -23,6 +23,18 @@ def of_mesh(measure: Callable[..., FloatArray], **settings: object) -> Measure:
     return lambda mesh, scalars: measure(mesh, **settings)
 
 
+def place_of(term: Term, index: int) -> str:
+    """Name the face, edge or vertex to which an element of a term belongs."""
+    if hasattr(term, "faces"):
+        return f"face {index}"
+    if hasattr(term, "edges"):
+        return "edge {} - {}".format(*term.edges[index])
+    for name in ("stars", "vertices", "pairs", "centres"):
+        if hasattr(term, name):
+            return f"vertex {int(np.ravel(getattr(term, name)[index])[0])}"
+    return f"element {index}"
+
+
 @dataclass(frozen=True)
 class Guide:
     """A term that shapes the path and fades to zero, so that it does not disturb the result.
@@ -60,6 +72,7 @@ class Problem:
     guides: list[Guide] = field(default_factory=list)
     measures: dict[str, Measure] = field(default_factory=dict)
     details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
+    places: dict[str, Callable[[int], str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         used = self.mesh.connectivity.referenced
@@ -79,14 +92,26 @@ class Problem:
         """Add one unknown that many elements share; return its position in the flat vector."""
         return int(self.scalars(np.array([value]))[0])
 
-    def require(self, term: Term, measure: Measure) -> Problem:
+    def require(
+        self, term: Term, measure: Measure, place: Callable[[int], str] | None = None
+    ) -> Problem:
         """Add a term that has to vanish, and the measure by which that is judged.
 
-        Terms that share a name are judged by one measure, the last given.
+        Terms that share a name are judged by one measure, the last given. ``place`` names the
+        face, edge or vertex to which an entry of the measure belongs; by default the term's own.
         """
         self.constraints.append(term)
         self.measures[term.name] = measure
+        self.places[term.name] = place or (lambda index: self._place(term.name, index))
         return self
+
+    def _place(self, name: str, index: int) -> str:
+        for term in self.constraints:
+            if term.name == name:
+                if index < len(term.unknowns):
+                    return place_of(term, index)
+                index -= len(term.unknowns)
+        return f"element {index}"
 
     def own_residual(self, name: str) -> Measure:
         """Measure by the residuals of the constraints with a name, looked up afresh, in mean edges.

@@ -70,7 +70,8 @@ def _message(run: Optimisation, best: Candidate, status: str) -> str:
         remedies.append("try more fairness, or a start mesh nearer to the net")
     advice = "; try: " + "; ".join(remedies) if remedies else ""
     verb = "stopped" if status == STOPPED else "no further progress"
-    return f"{verb} after {len(run.history)} steps, worst {_worst(best)}{advice}"
+    where = f" at {best.worst_place}" if best.worst_place else ""
+    return f"{verb} after {len(run.history)} steps, worst {_worst(best)}{where}{advice}"
 
 
 def _worst(best: Candidate) -> str:

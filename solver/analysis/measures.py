@@ -59,21 +59,20 @@ def medial_angle(mesh: QuadMesh, angle: float = np.pi / 2) -> FloatArray:
 
 
 def isometry(mesh: QuadMesh, reference: FloatArray) -> FloatArray:
-    """(F,) worst relative change of a face's edge and diagonal lengths against a reference.
+    """(F,) worst relative change of a face's diagonal lengths and of their dot product.
 
     Args:
         mesh: the shape to judge.
         reference: (V, 3) positions of the same mesh in the reference shape.
+
+    Source: Jiang et al. (2021), Using isometries for computational design and fabrication.
     """
     rest = mesh.with_vertices(reference)
-    changes = []
-    for one, two in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3)):
-        now, then = (
-            np.linalg.norm(m.vertices[m.faces[:, one]] - m.vertices[m.faces[:, two]], axis=1)
-            for m in (mesh, rest)
-        )
-        changes.append(np.abs(now / then - 1.0))
-    return np.asarray(np.max(changes, axis=0))
+    now, then = _diagonal_lengths(mesh), _diagonal_lengths(rest)
+    lengths = [np.abs(one / two - 1.0) for one, two in zip(now, then, strict=True)]
+    size = 0.5 * (then[0] ** 2 + then[1] ** 2)
+    lengths.append(np.abs(_diagonal_product(mesh) - _diagonal_product(rest)) / size)
+    return np.asarray(np.max(lengths, axis=0))
 
 
 def equal_edges(
@@ -187,6 +186,11 @@ def _angles(one: FloatArray, two: FloatArray) -> FloatArray:
 def _corners(mesh: QuadMesh) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     points = mesh.vertices[mesh.faces]
     return points[:, 0], points[:, 1], points[:, 2], points[:, 3]
+
+
+def _diagonal_product(mesh: QuadMesh) -> FloatArray:
+    a, b, c, d = _corners(mesh)
+    return np.einsum("ij,ij->i", c - a, d - b)
 
 
 def _diagonal_lengths(mesh: QuadMesh) -> tuple[FloatArray, FloatArray]:

@@ -52,8 +52,9 @@ class DiagonalPair:
         """M again, from the positions of the pair; vertex and face numbers as they were."""
         count = len(self.first_numbers) + len(self.second_numbers)
         vertices = np.empty((count, 3))
-        vertices[self.first_numbers] = self.first.vertices
-        vertices[self.second_numbers] = self.second.vertices
+        # Vertices added at the border come last and are passed over.
+        vertices[self.first_numbers] = self.first.vertices[: len(self.first_numbers)]
+        vertices[self.second_numbers] = self.second.vertices[: len(self.second_numbers)]
         faces = np.empty_like(self.crossings)
         faces[:, 0::2] = self.first_numbers[self.crossings[:, 0::2]]
         faces[:, 1::2] = self.second_numbers[self.crossings[:, 1::2]]

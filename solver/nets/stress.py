@@ -50,7 +50,7 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
 
     for centres, neighbours, edges in _by_valence(problem, free):
         term = Equilibrium(centres, neighbours, shared[edges], loads, sign)
-        problem.require(term, left)
+        problem.require(term, left, lambda index: f"vertex {free[index]}")
     real = 1.0 / (loads.scale * problem.scale)
 
     def densities(scalars: FloatArray) -> list[float]:

@@ -134,6 +134,14 @@ def test_an_interrupt_returns_what_there_is():
     assert outcome.report.iterations == 2
 
 
+def test_a_stalled_run_names_the_place():
+    start = wavy_grid(6, 6)
+    corner_and_sides = [0, 1, 6, 7, 13]
+    report = optimise(start, fix=corner_and_sides, max_steps=60).report
+    assert report.status != "converged"
+    assert "at face 0" in report.message
+
+
 def test_step_limit_is_said():
     report = optimise(wavy_grid(10, 9), max_steps=4).report
     assert report.status == "stopped"

@@ -1,0 +1,22 @@
+"""Shapes from forces: membranes, cable nets and hanging models, as starts for a design."""
+
+from solver.formfinding.equilibrium import FormFound, find_form
+from solver.formfinding.forces import (
+    CableNet,
+    Loads,
+    Membrane,
+    Tension,
+    family_densities,
+    supported,
+)
+
+__all__ = [
+    "CableNet",
+    "FormFound",
+    "Loads",
+    "Membrane",
+    "Tension",
+    "family_densities",
+    "find_form",
+    "supported",
+]

@@ -1,0 +1,182 @@
+"""Handles, gliding, symmetry, a surface to stay near; and dragging in a session."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver import Constraints, InputError, NetOptions, Session, optimise
+from solver.analysis import measures
+from solver.mesh.closest import Polyline, TriangleSurface
+from solver.nets.constraints import (
+    BoundaryGlide,
+    CurveGlide,
+    PlaneGlide,
+    SurfaceGlide,
+    boundary_loops,
+)
+from tests.conftest import QuadMesh, grid_faces, surface_of_revolution, wavy_grid
+
+
+def bent_sheet(rows: int = 13, columns: int = 11) -> QuadMesh:
+    angle = np.linspace(-0.7, 0.7, rows)
+    i, j = np.meshgrid(angle, 0.1 * np.arange(columns), indexing="ij")
+    points = np.stack([np.sin(i), j, np.cos(i)], axis=2).reshape(-1, 3)
+    return QuadMesh.from_arrays(points, grid_faces(rows, columns))
+
+
+def solved(outcome):
+    assert outcome.report.status == "converged", outcome.report.message
+    return outcome.mesh
+
+
+def test_feet_glide_on_the_ground():
+    start = wavy_grid(10, 9)
+    tilted = start.with_vertices(start.vertices - [0, 0, start.vertices[:9, 2].min()])
+    feet = np.arange(9)
+    raised = tilted.vertices.copy()
+    raised[feet, 2] = 0.1 * np.sin(feet)
+    start = tilted.with_vertices(raised)
+    glide = PlaneGlide(2, 0.0, feet)
+    mesh = solved(optimise(start, constraints=Constraints(glide=(glide,))))
+    assert np.abs(mesh.vertices[feet, 2]).max() <= 1e-10 * start.mean_edge
+    assert np.abs(mesh.vertices[feet, :2] - start.vertices[feet, :2]).max() > 1e-3
+
+
+def test_the_boundary_glides_on_its_own_curve():
+    start = wavy_grid(12, 11, shear=0.05)
+    outcome = optimise(start, "orthogonal", constraints=Constraints(glide=(BoundaryGlide(),)))
+    mesh = solved(outcome)
+    (loop,) = boundary_loops(start.connectivity)
+    feet, _ = Polyline(start.vertices[loop], closed=True).closest(mesh.vertices[loop])
+    assert np.linalg.norm(mesh.vertices[loop] - feet, axis=1).max() <= 1e-9
+    corners = start.connectivity.corners
+    assert (mesh.vertices[corners] == start.vertices[corners]).all()
+    moved = np.linalg.norm(mesh.vertices[loop] - start.vertices[loop], axis=1)
+    assert moved.max() > 1e-3
+
+
+def test_vertices_glide_on_a_drawn_curve():
+    start = wavy_grid(10, 9, shear=0.1)
+    rim = np.arange(9)
+    curve = start.vertices[rim] + [0.2, 0.0, 0.1]
+    glide = CurveGlide(np.vstack([curve[0] - [0, 3, 0], curve, curve[-1] + [0, 3, 0]]))
+    mesh = solved(optimise(start, "orthogonal", constraints=Constraints(glide=(glide,))))
+    feet, _ = Polyline(glide.points, closed=False).closest(mesh.vertices[rim])
+    assert np.linalg.norm(mesh.vertices[rim] - feet, axis=1).max() <= 1e-9
+
+
+def test_all_vertices_glide_on_a_surface():
+    fine = surface_of_revolution(41, 31)
+    surface = TriangleSurface.from_quads(fine)
+    start = surface_of_revolution(9, 7)
+    noise = 0.05 * np.random.default_rng(3).normal(size=start.vertices.shape)
+    start = start.with_vertices(start.vertices + noise)
+    glide = SurfaceGlide(surface.vertices, surface.triangles)
+    mesh = solved(optimise(start, "orthogonal", constraints=Constraints(glide=(glide,))))
+    feet, _ = surface.closest(mesh.vertices)
+    assert np.linalg.norm(mesh.vertices - feet, axis=1).max() <= 1e-9
+
+
+def test_a_near_surface_draws_the_mesh():
+    start = wavy_grid(10, 9)
+    lifted = start.with_vertices(start.vertices + [0, 0, 0.8])
+    surface = TriangleSurface.from_quads(lifted)
+    near = Constraints(close_to=(surface.vertices, surface.triangles))
+    mesh = solved(optimise(start, constraints=near))
+    away = np.linalg.norm(mesh.vertices - surface.closest(mesh.vertices)[0], axis=1)
+    before = np.linalg.norm(start.vertices - surface.closest(start.vertices)[0], axis=1)
+    assert away.mean() < 0.3 * before.mean()
+
+
+def test_symmetry_is_kept_exactly():
+    i, j = np.meshgrid(np.arange(-5.0, 6.0), np.arange(8.0), indexing="ij")
+    points = np.stack([i + 0.05 * i * j, j, 2 * np.cos(0.3 * i) + 0.2 * np.sin(j)], axis=2)
+    start = QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(11, 8))
+    mesh = solved(optimise(start, constraints=Constraints(symmetry="x")))
+    twin = mesh.vertices.reshape(11, 8, 3)[::-1] * [-1, 1, 1]
+    assert np.abs(mesh.vertices.reshape(11, 8, 3) - twin).max() <= 1e-10
+
+
+def test_isometric_dragging_by_two_handles_keeps_every_face():
+    start = bent_sheet()
+    handles = {5: start.vertices[5] + [0.1, 0, -0.1], 137: start.vertices[137] - [0.1, 0, 0.1]}
+    outcome = optimise(start, "isometric", constraints=Constraints(handles=handles))
+    mesh = solved(outcome)
+    assert measures.isometry(mesh, start.vertices).max() <= 1e-10
+    for vertex, target in handles.items():
+        assert np.linalg.norm(mesh.vertices[vertex] - target) < 0.3 * np.linalg.norm(
+            start.vertices[vertex] - target
+        )
+
+
+def test_a_session_settles_where_a_cold_solve_does():
+    start = optimise(wavy_grid(12, 11)).mesh
+    middle = 60
+    session = Session(start, [middle, 0], "principal")
+    for k in range(1, 6):
+        lift = start.vertices[middle] + [0, 0, 0.2 * k]
+        record = session.drag({middle: lift}, steps=2)
+        assert np.isfinite(session.vertices).all()
+    assert record.worst < 0.1
+    assert np.linalg.norm(session.vertices[middle] - lift) < 0.3
+    settled = session.settle()
+    solved(settled)
+    cold = optimise(start, constraints=Constraints(handles=session.targets))
+    assert np.abs(settled.mesh.vertices - cold.mesh.vertices).max() <= 1e-8
+    # A second drag and settling from the same session is a solve of its own.
+    session.drag({middle: start.vertices[middle]})
+    back = session.settle()
+    assert np.linalg.norm(back.mesh.vertices[middle] - start.vertices[middle]) < 0.05
+
+
+@pytest.mark.parametrize(
+    ("constraints", "words"),
+    [
+        ({"handles": {999: np.zeros(3)}}, "handle: vertex 999 does not exist"),
+        ({"handles": {0: np.zeros(3)}}, "handle: vertex 0 is fixed too"),
+        ({"handles": {5: np.full(3, np.nan)}}, "handle: the target of vertex 5 is not finite"),
+        ({"glide": (PlaneGlide(2, 1e3),)}, "no free boundary vertex lies within half"),
+        ({"symmetry": "w"}, "symmetry: expected letters"),
+        ({"symmetry": "x"}, "has no mirror image in the plane x=0"),
+    ],
+)
+def test_contradictions_are_refused_in_one_line(constraints, words):
+    with pytest.raises(InputError, match=words) as caught:
+        optimise(wavy_grid(6, 5), fix=[0], constraints=Constraints(**constraints))
+    assert "\n" not in str(caught.value)
+
+
+def test_session_refuses_strangers():
+    mesh = wavy_grid(6, 5)
+    with pytest.raises(InputError, match="none given"):
+        Session(mesh, [])
+    with pytest.raises(InputError, match="vertex 99 does not exist"):
+        Session(mesh, [99])
+    with pytest.raises(InputError, match="not one of"):
+        Session(mesh, [3]).drag({4: np.zeros(3)})
+
+
+@pytest.mark.parametrize("net", ["asymptotic", "cmc", "geodesic", "conical"])
+def test_a_mesh_without_stars_cannot_carry_star_nets(net):
+    strip = wavy_grid(6, 2)
+    with pytest.raises(InputError, match="needs inner vertices with four faces"):
+        optimise(strip, net)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"radius": -2.0}, "radius: expected a positive length"),
+        ({"length": float("nan")}, "length: expected a positive length"),
+        ({"angle": 180.0}, "angle: expected degrees"),
+    ],
+)
+def test_bad_options_are_refused_in_one_line(options, words):
+    with pytest.raises(InputError, match=words):
+        NetOptions(**options)
+
+
+def test_a_reference_must_have_the_same_vertices():
+    with pytest.raises(InputError, match="reference: expected 30 vertices"):
+        optimise(wavy_grid(6, 5), "isometric", options=NetOptions(reference=np.zeros((4, 3))))

@@ -1,0 +1,113 @@
+"""Stress nets: precision on real meshes, the catenary, signs of forces, bad supports."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from solver import InputError, NetOptions, QuadMesh, optimise
+from solver.analysis import measures
+from solver.statics import Loads, unbalanced
+from tests.conftest import grid_faces, shared_mesh
+
+
+def force_left(mesh: QuadMesh, densities: np.ndarray, load: np.ndarray, free) -> float:
+    return float(unbalanced(mesh.connectivity, mesh.vertices, densities, load, free).max())
+
+
+@pytest.mark.parametrize("loading", ["load", "load_area"])
+@pytest.mark.parametrize("name", ["quad_dome", "botanic-garden-bubble-0", "6-sub-lifted"])
+def test_orthogonal_and_balanced_to_machine_precision(name, loading):
+    start = shared_mesh(name)
+    outcome = optimise(start, "stress", fix="boundary", options=NetOptions(**{loading: 2.5}))
+    mesh, report = outcome.mesh, outcome.report
+    assert report.status == "converged", report.message
+    assert measures.orthogonality(mesh).max() <= 1e-10
+    assert not measures.flipped(mesh).any()
+    assert measures.edge_ratio(mesh) >= 0.25 * measures.edge_ratio(start)
+    rim = mesh.connectivity.boundary_vertices
+    assert (mesh.vertices[rim] == start.vertices[rim]).all()
+    # Judged in model units and real forces, apart from the solver's own scaling.
+    settings = {"per_vertex": 2.5} if loading == "load" else {"per_area": 2.5}
+    load = Loads(mesh.connectivity, **settings).at(mesh.vertices.ravel())
+    densities = np.array(report.details["force_densities"])
+    assert force_left(mesh, densities, load, np.flatnonzero(~rim)) <= 1e-10
+
+
+def hanging_strip(count: int) -> QuadMesh:
+    """A strip three vertices wide that hangs in a parabola between its ends."""
+    u = np.linspace(-1.0, 1.0, count)
+    i, j = np.meshgrid(u, np.array([-0.1, 0.0, 0.1]), indexing="ij")
+    points = np.stack([i, j, 0.9 * i**2], axis=2).reshape(-1, 3)
+    return QuadMesh.from_arrays(points, grid_faces(count, 3))
+
+
+def catenary_error(count: int) -> float:
+    start = hanging_strip(count)
+    ends = [*range(3), *range(3 * count - 3, 3 * count)]
+    outcome = optimise(start, "stress", fix=ends, options=NetOptions(load_area=1.0))
+    assert outcome.report.status == "converged", outcome.report.message
+    line = outcome.mesh.vertices.reshape(count, 3, 3)[:, 1]
+    assert np.abs(line[:, 1]).max() < 1e-6
+    # Force density times run is the horizontal force, the same in every edge of the line.
+    density = np.array(outcome.report.details["force_densities"])
+    ways = {tuple(edge): q for edge, q in zip(start.connectivity.edges, density, strict=True)}
+    middle = [3 * k + 1 for k in range(count)]
+    pull = np.array(
+        [
+            ways[(a, b)] * (outcome.mesh.vertices[b, 0] - outcome.mesh.vertices[a, 0])
+            for a, b in pairwise(middle)
+        ]
+    )
+    assert pull.min() > 0
+    assert np.ptp(pull) < 1e-8 * pull.mean()
+    # The middle line carries half of the strips on both sides: width 0.1, weight 1 a unit of area.
+    parameter = pull.mean() / 0.1
+    place = int(np.argmin(line[:, 2]))
+    smooth = parameter * (np.cosh(line[:, 0] / parameter) - 1.0)
+    return float(np.abs(line[:, 2] - line[place, 2] - smooth + smooth[place]).max())
+
+
+def test_a_hanging_net_is_a_catenary_to_second_order():
+    coarse, fine = catenary_error(11), catenary_error(21)
+    assert fine < 2e-3
+    assert 3.0 < coarse / fine < 5.0
+
+
+@pytest.mark.parametrize(("forces", "sign"), [("compression", -1), ("tension", 1)])
+def test_forces_of_one_sign(forces, sign):
+    start = shared_mesh("quad_dome")
+    if sign > 0:
+        start = start.with_vertices(start.vertices * [1, 1, -1])
+    outcome = optimise(start, "stress", fix="boundary", options=NetOptions(forces=forces))
+    assert outcome.report.status == "converged", outcome.report.message
+    assert (sign * np.array(outcome.report.details["force_densities"]) >= 0).all()
+
+
+def test_forces_scale_with_the_load_and_the_unit():
+    start = shared_mesh("quad_dome")
+    one = optimise(start, "stress", fix="boundary", options=NetOptions(load=1.0))
+    many = optimise(start.scaled(1e3), "stress", fix="boundary", options=NetOptions(load=50.0))
+    assert np.allclose(1e3 * one.mesh.vertices, many.mesh.vertices, atol=1e-6)
+    forces = [np.array(o.report.details["force_densities"]) for o in (one, many)]
+    # Force density is force by length: fifty times the load, a thousand times the length.
+    assert np.allclose(0.05 * forces[0], forces[1], rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("fix", "options", "words"),
+    [
+        ("none", {}, "component 0 has 0 supported vertices"),
+        ([0, 1], {}, "component 0 has 2 supported vertices"),
+        (range(33), {}, "every vertex is supported"),
+        ("boundary", {"load": float("nan")}, "load: expected a number"),
+        ("boundary", {"load": -1.0}, "sum to more than zero"),
+        ("boundary", {"forces": "magic"}, "forces: expected free, compression or tension"),
+    ],
+)
+def test_what_cannot_stand_is_refused_in_one_line(fix, options, words):
+    with pytest.raises(InputError, match=words) as caught:
+        optimise(hanging_strip(11), "stress", fix=fix, options=NetOptions(**options))
+    assert "\n" not in str(caught.value)
