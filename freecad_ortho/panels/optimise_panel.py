@@ -78,6 +78,8 @@ class OptimisePanel:
         if self.net is not None and self.run is not None and self.run.steps:
             with messages.errors_shown():
                 self._commit()
+        elif self.net is not None:
+            self.net.ViewObject.Proxy.show_stored()
         self._close()
         return True
 
@@ -99,10 +101,21 @@ class OptimisePanel:
         if feature.Name == self._name and feature.Document.Name == self._document:
             self._leave()
 
+    def slotChangedObject(self, feature: FreeCAD.DocumentObject, name: str) -> None:
+        """Drop the run when something else moves the net, undo for one."""
+        if name not in ("Vertices", "Faces") or self.run is None:
+            return
+        if feature.Name == self._name and feature.Document.Name == self._document:
+            self.run.stop()
+            self.run = None
+            self._say(translate("Ortho", "The net has changed meanwhile. Start begins anew."))
+            self._show_state()
+
     def _begin(self, settings: dict[str, Any]) -> None:
         from freecad_ortho import api
 
         self._settings = settings
+        self._mesh = convert.quad_mesh(self.net)
         self.run = Run(api.start_optimisation(self._mesh, **settings), self._stepped, self._ended)
         self._say(translate("Ortho", "Running ..."))
 

@@ -283,6 +283,23 @@ class TestOptimisePanel(WindowCase):
         self.assertFalse(run.running)
         self.assertFalse(FreeCADGui.Control.activeDialog())
 
+    def test_undo_meanwhile_begins_anew(self):
+        net = self.imported(tools.wavy_mesh())
+        start = vertices(net)
+        api.optimise_net(net)
+        FreeCADGui.runCommand("Ortho_Optimise")
+        self.panel.start_button.click()
+        self.assertTrue(wait(lambda: self.panel.run.optimisation.finished, 20))
+        net.Document.undo()
+        self.assertIsNone(self.panel.run)
+        np.testing.assert_allclose(self.shown(net), start, rtol=1e-6, atol=1e-2)
+        self.panel.start_button.click()
+        self.assertTrue(wait(lambda: self.panel.run.optimisation.finished, 20))
+        press("Ok")
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        np.testing.assert_allclose(self.shown(net), vertices(net), rtol=1e-6, atol=1e-2)
+        self.assertEqual(net.Document.UndoCount, 2)
+
     def test_bad_numbers_are_said(self):
         self.imported(tools.wavy_mesh())
         FreeCADGui.runCommand("Ortho_Optimise")
