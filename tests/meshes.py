@@ -109,3 +109,18 @@ START_MESHES = {
     "helicoid": helicoid,
     "unduloid": unduloid,
 }
+
+
+def deformed(mesh: QuadMesh, amount: float = 0.03, seed: int = 0) -> QuadMesh:
+    """The mesh after four slow waves in random directions, ``amount`` of its size.
+
+    One smooth map of space, whatever the sampling: meshes of one surface stay so.
+    """
+    random = np.random.default_rng(seed)
+    centre = mesh.vertices.mean(axis=0)
+    size = np.linalg.norm(mesh.vertices - centre, axis=1).max()
+    places, moves = (mesh.vertices - centre) / size, np.zeros_like(mesh.vertices)
+    for _ in range(4):
+        direction, wave = random.normal(size=(2, 3))
+        moves += direction * np.sin(2 * places @ wave + random.uniform(0, 6))[:, None]
+    return mesh.with_vertices(mesh.vertices + 0.5 * amount * size * moves)
