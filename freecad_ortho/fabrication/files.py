@@ -14,6 +14,7 @@ from freecad_ortho.fabrication.settings import BeamSettings, PanelSettings
 from freecad_ortho.fabrication.step import write_step
 from freecad_ortho.fabrication.structure import Progress, Structure, build
 from freecad_ortho.fabrication.tables import write_parts, write_report
+from solver.errors import OutputError
 from solver.io.atomic import staged_folder
 from solver.mesh.quadmesh import QuadMesh
 
@@ -40,6 +41,7 @@ def write(
     """
     say = progress or (lambda fraction, words: None)
     target = Path(folder)
+    _refuse_folders_in_the_way(target)
     with _no_new_folders_on_failure(target), staged_folder(target) as staging:
         structure.solids(lambda fraction, words: say(0.2 * fraction, words))
         say(0.2, "structure.step")
@@ -83,6 +85,12 @@ def stage_seconds(
         timed("tables", lambda: write_parts(folder / FILES[2], structure.parts))
     seconds["total"] = sum(seconds.values())
     return seconds
+
+
+def _refuse_folders_in_the_way(target: Path) -> None:
+    for name in FILES:
+        if (target / name).is_dir():
+            raise OutputError(f"{target / name}: is a folder; remove it or choose another place")
 
 
 @contextmanager

@@ -246,6 +246,13 @@ def test_progress_rises_and_may_stop_the_writing(small, tmp_path):
         assert not (tmp_path / "stopped").exists()
 
 
+def test_folder_in_the_place_of_a_file_is_said_before_anything_is_written(small, tmp_path):
+    (tmp_path / "parts.csv").mkdir()
+    with pytest.raises(OutputError, match=r"parts\.csv: is a folder"):
+        write(small, tmp_path)
+    assert os.listdir(tmp_path) == ["parts.csv"]
+
+
 def test_folder_that_cannot_be_made(small, tmp_path):
     (tmp_path / "file").write_text("not a folder")
     for target in (tmp_path / "file", tmp_path / "file" / "below"):
