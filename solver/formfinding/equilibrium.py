@@ -12,6 +12,7 @@ from scipy.sparse.linalg import splu
 
 from solver.errors import InputError
 from solver.formfinding.forces import Loads, Tension
+from solver.formfinding.mixing import Mixing
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -29,7 +30,8 @@ class FormFound:
         densities: (K,) their force densities.
         forces: (V, 3) loads.
         reactions: (V, 3) forces of the supports, zero elsewhere.
-        unbalanced: largest force left at a free vertex / mean force in a link.
+        unbalanced: largest force left at a free vertex, in the directions that its tension settles
+            / mean force in a link.
         iterations: linear solves.
         converged: whether ``unbalanced`` is below the tolerance.
         message: what happened, and what to do where it did not converge.
@@ -44,6 +46,15 @@ class FormFound:
     iterations: int = 0
     converged: bool = False
     message: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class _State:
+    """A shape, the forces that are left where they matter, and the directions that matter."""
+
+    found: FormFound
+    left: FloatArray
+    freedom: FloatArray | None
 
 
 def find_form(
@@ -78,28 +89,31 @@ def find_form(
     _check(mesh, held, tension)
     size, linear = size_of(mesh.vertices), tension.linear and not loads.follow
     state = _state(mesh, held, tension, loads)
+    mixing = Mixing()
     iteration = 0
     while iteration < max_iterations:
         iteration += 1
         solved = _solve(state, held)
+        if solved is not None and not linear:
+            solved = mixing(state.found.mesh.vertices, solved)
         if solved is None or np.abs(solved - mesh.vertices).max() > _BLOWN_UP * size:
             return _ended(state, iteration, False, _lost(linear))
         state = _state(mesh.with_vertices(solved), held, tension, loads)
-        stop = callback is not None and callback(iteration, state.unbalanced)
-        if linear or state.unbalanced <= tolerance or stop:
+        stop = callback is not None and callback(iteration, state.found.unbalanced)
+        if linear or state.found.unbalanced <= tolerance or stop:
             break
     # A linear solve is as good as its matrix lets it be.
-    if state.unbalanced <= (max(tolerance, 1e-8) if linear else tolerance):
+    if state.found.unbalanced <= (max(tolerance, 1e-8) if linear else tolerance):
         return _ended(state, iteration, True, "in equilibrium")
     words = (
-        f"unbalanced by {state.unbalanced:.1e} after {iteration} solves; start closer to the "
+        f"unbalanced by {state.found.unbalanced:.1e} after {iteration} solves; start closer to the "
         "shape, lower the load or allow more iterations"
     )
     return _ended(state, iteration, False, words)
 
 
-def _ended(state: FormFound, iterations: int, converged: bool, message: str) -> FormFound:
-    s = state
+def _ended(state: _State, iterations: int, converged: bool, message: str) -> FormFound:
+    s = state.found
     return FormFound(
         s.mesh, s.links, s.densities, s.forces, s.reactions, s.unbalanced,
         iterations, converged, message,
@@ -137,30 +151,48 @@ def _laplacian(count: int, links: IntArray, densities: FloatArray) -> csr_array:
     return csr_array(coo_array((values, (rows, columns)), shape=(count, count)))
 
 
-def _solve(state: FormFound, held: BoolArray) -> FloatArray | None:
-    """(V, 3) positions in equilibrium with the state's densities and loads; None if singular."""
-    matrix = _laplacian(len(held), state.links, state.densities)
-    free, fixed = np.flatnonzero(~held), np.flatnonzero(held)
-    rows = matrix[free]
-    right = state.forces[free] - rows[:, fixed] @ state.mesh.vertices[fixed]
+def _solve(state: _State, held: BoolArray) -> FloatArray | None:
+    """(V, 3) positions after one solve with the state's densities and loads; None if singular.
+
+    The step d solves L d = f, f what is left of the forces in the directions that matter, and is
+    taken in these directions alone: so it vanishes exactly where f does.
+    """
+    matrix = _laplacian(len(held), state.found.links, state.found.densities)
+    free = np.flatnonzero(~held)
     try:
         factor = splu(
-            rows[:, free].tocsc(), permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}
+            matrix[free][:, free].tocsc(),
+            permc_spec="MMD_AT_PLUS_A",
+            options={"SymmetricMode": True},
         )
     except RuntimeError:
         return None
-    positions = state.mesh.vertices.copy()
-    positions[free] = factor.solve(np.ascontiguousarray(right))
+    step = np.zeros_like(state.found.mesh.vertices)
+    step[free] = factor.solve(np.ascontiguousarray(state.left[free]))
+    positions = state.found.mesh.vertices + _along(state.freedom, step)
     return positions if np.isfinite(positions).all() else None
 
 
-def _state(mesh: QuadMesh, held: BoolArray, tension: Tension, loads: Loads) -> FormFound:
+def _along(freedom: FloatArray | None, vectors: FloatArray) -> FloatArray:
+    return vectors if freedom is None else np.einsum("vxy,vy->vx", freedom, vectors)
+
+
+def _state(mesh: QuadMesh, held: BoolArray, tension: Tension, loads: Loads) -> _State:
     """Forces in the present shape and what is left of them."""
     links, densities = tension.links(mesh)
     forces = loads.forces(mesh)
     left = forces - _laplacian(len(held), links, densities) @ mesh.vertices
     lengths = np.linalg.norm(mesh.vertices[links[:, 1]] - mesh.vertices[links[:, 0]], axis=1)
     mean = float((np.abs(densities) * lengths).mean())
-    worst = float(np.linalg.norm(left[~held], axis=1).max())
+    freedom = tension.freedom(mesh)
+    matters = _along(freedom, left)
+    worst = float(np.linalg.norm(matters[~held], axis=1).max())
     reactions = np.where(held[:, None], -left, 0.0)
-    return FormFound(mesh, links, densities, forces, reactions, worst / max(mean, 1e-300))
+    if freedom is not None and (mesh.connectivity.boundary_vertices & ~held).any():
+        # A border that moves has to take the net inside along: even it out within the surface.
+        edges = mesh.connectivity.edges
+        even = np.full(len(edges), 2 * float(np.abs(densities).mean()))
+        pull = -(_laplacian(len(held), edges, even) @ mesh.vertices)
+        matters, freedom = matters + pull - _along(freedom, pull), None
+    found = FormFound(mesh, links, densities, forces, reactions, worst / max(mean, 1e-300))
+    return _State(found, matters, freedom)

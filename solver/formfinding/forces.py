@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 
 class Tension(Protocol):
@@ -22,6 +22,9 @@ class Tension(Protocol):
 
     def links(self, mesh: QuadMesh) -> tuple[IntArray, FloatArray]:
         """(K, 2) vertices and (K,) force densities (force / length) in the present shape."""
+
+    def freedom(self, mesh: QuadMesh) -> FloatArray | None:
+        """(V, 3, 3) projections onto the directions that the shape has to settle; None for all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,6 +56,10 @@ class CableNet:
             )
         return edges, np.broadcast_to(given, len(edges)).copy()
 
+    def freedom(self, mesh: QuadMesh) -> FloatArray | None:
+        """Cables settle every direction."""
+        return None
+
 
 @dataclass(frozen=True, eq=False)
 class Membrane:
@@ -60,6 +67,10 @@ class Membrane:
 
     Without loads its equilibrium is a minimal surface, under pressure p one of mean curvature
     p / (2 stress). A face counts as the mean of its two pairs of triangles.
+
+    Constant stress resists no motion within the surface. Equilibrium is therefore asked along the
+    normals of the surface (and across a free border), and vertices move only that way: the net
+    keeps the pattern that it was drawn with.
 
     Attributes:
         stress: force / length, positive.
@@ -97,6 +108,22 @@ class Membrane:
             lengths = mesh.edge_lengths[net.boundary_edges]
             densities.append(self.cable / np.maximum(lengths, 1e-300))
         return np.concatenate(pairs), np.concatenate(densities)
+
+    def freedom(self, mesh: QuadMesh) -> FloatArray | None:
+        """Along the normal inside, across the border on it."""
+        net, normals = mesh.connectivity, mesh.vertex_normals
+        result = normals[:, :, None] * normals[:, None, :]
+        border = np.flatnonzero(net.twins < 0)
+        start = mesh.faces.ravel()[border]
+        end = np.roll(mesh.faces, -1, axis=1).ravel()[border]
+        arms = unit_rows(mesh.vertices[end] - mesh.vertices[start])
+        tangents = np.zeros_like(normals)
+        np.add.at(tangents, start, arms)
+        np.add.at(tangents, end, arms)
+        tangents = unit_rows(tangents)
+        across = np.eye(3) - tangents[:, :, None] * tangents[:, None, :]
+        result[start] = across[start]
+        return result
 
 
 @dataclass(frozen=True, eq=False)
