@@ -15,7 +15,7 @@ from freecad_ortho.units import millimetres_per
 from solver import QuadMesh, optimise, start_optimisation
 from solver.analysis.check import check
 from solver.io.intake import quad_mesh
-from solver.io.obj import read_obj, write_obj
+from solver.io.polygons import read_polygons, write_polygons
 
 if TYPE_CHECKING:
     from freecad_ortho.fabrication import Structure
@@ -56,7 +56,7 @@ def read_mesh(path: str | os.PathLike[str], unit: str | None = None) -> LoadedMe
     Raises:
         InputError: the file is missing or is not a usable quad mesh.
     """
-    data = read_obj(path)
+    data = read_polygons(path)
     chosen = unit or data.unit or DEFAULT_UNIT
     millimetres_per(chosen)
     mesh, remarks = quad_mesh(data.vertices, data.polygons)
@@ -64,12 +64,12 @@ def read_mesh(path: str | os.PathLike[str], unit: str | None = None) -> LoadedMe
 
 
 def write_mesh(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
-    """Write an OBJ file that keeps vertex and face order and every digit.
+    """Write an OBJ, PLY, OFF or JSON file that keeps vertex and face order and every digit.
 
     Raises:
         OutputError: the file cannot be written.
     """
-    write_obj(path, mesh, unit)
+    write_polygons(path, mesh, unit)
 
 
 def fabricate(

@@ -1,0 +1,55 @@
+"""Quad meshes as JSON: ``{"unit": "mm", "vertices": [[x, y, z]], "faces": [[a, b, c, d]]}``."""
+
+from __future__ import annotations
+
+import json
+import os
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.io.atomic import write_text
+from solver.io.obj import ObjData
+from solver.io.points import read_text
+from solver.mesh.quadmesh import QuadMesh
+
+
+def read_json(path: str | os.PathLike[str]) -> ObjData:
+    """Read vertices, faces (numbers from 0) and unit.
+
+    Raises:
+        InputError: no such file, not JSON, or other than lists of numbers in it.
+    """
+    name = os.fspath(path)
+    try:
+        data = json.loads(read_text(path))
+        vertices = np.array(data["vertices"], dtype=np.float64)
+        faces = [[_whole(corner) for corner in face] for face in data["faces"]]
+        unit = data.get("unit")
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(
+            f'{name}: expected {{"vertices": [[x, y, z], ...], "faces": [[a, b, c, d], ...]}}; '
+            "export again"
+        ) from None
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or not faces:
+        raise InputError(f"{name}: expected vertices of three coordinates and at least one face")
+    return ObjData(vertices, faces, unit if isinstance(unit, str) else None)
+
+
+def _whole(corner: object) -> int:
+    if not isinstance(corner, int):
+        raise TypeError
+    return corner
+
+
+def write_json(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
+    """Write a mesh with every digit, whole or not at all.
+
+    Raises:
+        OutputError: the folder is missing or cannot be written.
+    """
+    data: dict[str, object] = {} if unit is None else {"unit": unit}
+    data |= {"vertices": mesh.vertices.tolist(), "faces": mesh.faces.tolist()}
+    write_text(path, json.dumps(data) + "\n")

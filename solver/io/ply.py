@@ -1,0 +1,155 @@
+"""PLY files, ascii and binary, with quads kept as quads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.io.atomic import write_text
+from solver.io.obj import ObjData
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+_TYPES = {
+    **dict.fromkeys(("char", "int8"), "i1"),
+    **dict.fromkeys(("uchar", "uint8"), "u1"),
+    **dict.fromkeys(("short", "int16"), "i2"),
+    **dict.fromkeys(("ushort", "uint16"), "u2"),
+    **dict.fromkeys(("int", "int32"), "i4"),
+    **dict.fromkeys(("uint", "uint32"), "u4"),
+    **dict.fromkeys(("float", "float32"), "f4"),
+    **dict.fromkeys(("double", "float64"), "f8"),
+}
+_ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
+
+
+@dataclass
+class _Element:
+    """One section of the file: a name, a count, and properties (name, type, count type or '')."""
+
+    name: str
+    count: int
+    properties: list[tuple[str, str, str]] = field(default_factory=list)
+
+
+def read_ply(path: str | os.PathLike[str]) -> ObjData:
+    """Read vertices and faces; colours, normals and other elements are passed over.
+
+    The unit is that of a header line ``comment unit: mm``.
+
+    Raises:
+        InputError: no such file, or not a PLY file with vertices and faces.
+    """
+    name = os.fspath(path)
+    try:
+        content = Path(name).read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{name}: no such file; check the path") from None
+    except OSError as error:
+        raise InputError(f"{name}: cannot be read ({error.strerror}); check the path") from None
+    order, elements, unit, start = _header(content, name)
+    try:
+        if order == "":
+            vertices, polygons = _ascii(content[start:], elements)
+        else:
+            vertices, polygons = _binary(content, start, order, elements)
+    except (ValueError, IndexError, StopIteration, KeyError):
+        raise InputError(
+            f"{name}: the data do not match the header (cut off or damaged); export again"
+        ) from None
+    if not len(vertices) or not polygons:
+        raise InputError(f"{name}: has no vertices or no faces; export the mesh's faces")
+    return ObjData(vertices, polygons, unit)
+
+
+def _header(content: bytes, name: str) -> tuple[str, list[_Element], str | None, int]:
+    mark = content.find(b"end_header")
+    stop = content.find(b"\n", mark)
+    if not content.startswith(b"ply") or mark < 0 or stop < 0:
+        raise InputError(f"{name}: expected a PLY file, its header is missing; export again")
+    order, unit = None, None
+    elements: list[_Element] = []
+    for line in content[:mark].decode("latin-1").splitlines():
+        words = line.split()
+        try:
+            if words[:1] == ["format"]:
+                order = _ORDERS[words[1]]
+            elif words[:2] == ["comment", "unit:"]:
+                unit = words[2]
+            elif words[:1] == ["element"]:
+                elements.append(_Element(words[1], int(words[2])))
+            elif words[:2] == ["property", "list"]:
+                elements[-1].properties.append((words[4], _TYPES[words[3]], _TYPES[words[2]]))
+            elif words[:1] == ["property"]:
+                elements[-1].properties.append((words[2], _TYPES[words[1]], ""))
+        except (KeyError, IndexError, ValueError):
+            raise InputError(f"{name}: header line '{line[:40]}' is not understood") from None
+    if order is None:
+        raise InputError(f"{name}: expected a format line in the header; export again")
+    return order, elements, unit, stop + 1
+
+
+def _ascii(body: bytes, elements: list[_Element]) -> tuple[FloatArray, list[list[int]]]:
+    words = iter(body.split())
+
+    def take(count: int, kind: str) -> list[float]:
+        return [float(next(words)) for _ in range(count)]
+
+    return _elements(elements, take)
+
+
+def _elements(elements: list[_Element], take) -> tuple[FloatArray, list[list[int]]]:  # type: ignore[no-untyped-def]
+    """Walk through all elements value by value; ``take`` gives the next values of a type."""
+    vertices: list[list[float]] = []
+    polygons: list[list[int]] = []
+    for element in elements:
+        for _ in range(element.count):
+            row: dict[str, list[float]] = {}
+            for name, kind, counted in element.properties:
+                count = int(take(1, counted)[0]) if counted else 1
+                row[name] = take(count, kind)
+            if element.name == "vertex":
+                vertices.append([row[axis][0] for axis in "xyz"])
+            elif element.name == "face":
+                corners = row["vertex_indices"] if "vertex_indices" in row else row["vertex_index"]
+                polygons.append([int(corner) for corner in corners])
+    return np.array(vertices, dtype=np.float64).reshape(-1, 3), polygons
+
+
+def _binary(
+    content: bytes, start: int, order: str, elements: list[_Element]
+) -> tuple[FloatArray, list[list[int]]]:
+    place = start
+
+    def take(count: int, kind: str) -> list[float]:
+        nonlocal place
+        values = np.frombuffer(content, order + kind, count, place)
+        place += values.nbytes
+        return values.tolist()
+
+    return _elements(elements, take)
+
+
+def write_ply(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
+    """Write an ascii PLY file with every digit, whole or not at all.
+
+    Raises:
+        OutputError: the folder is missing or cannot be written.
+    """
+    write_text(path, "\n".join(_lines(mesh, unit)) + "\n")
+
+
+def _lines(mesh: QuadMesh, unit: str | None) -> Iterator[str]:
+    yield from ("ply", "format ascii 1.0")
+    if unit is not None:
+        yield f"comment unit: {unit}"
+    yield f"element vertex {len(mesh.vertices)}"
+    yield from (f"property double {axis}" for axis in "xyz")
+    yield f"element face {len(mesh.faces)}"
+    yield from ("property list uchar int vertex_indices", "end_header")
+    yield from ("{!r} {!r} {!r}".format(*row) for row in mesh.vertices.tolist())
+    yield from ("4 {} {} {} {}".format(*row) for row in mesh.faces.tolist())

@@ -1,0 +1,51 @@
+"""Polygons from a file and a quad mesh into one, by the file's extension."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from solver.errors import InputError
+from solver.io.json_mesh import read_json, write_json
+from solver.io.obj import ObjData, read_obj, write_obj
+from solver.io.off import read_off, write_off
+from solver.io.ply import read_ply, write_ply
+from solver.mesh.quadmesh import QuadMesh
+
+READERS: dict[str, Callable[[str | os.PathLike[str]], ObjData]] = {
+    ".obj": read_obj,
+    ".ply": read_ply,
+    ".off": read_off,
+    ".json": read_json,
+}
+WRITERS: dict[str, Callable[[str | os.PathLike[str], QuadMesh, str | None], None]] = {
+    ".obj": write_obj,
+    ".ply": write_ply,
+    ".off": write_off,
+    ".json": write_json,
+}
+
+
+def read_polygons(path: str | os.PathLike[str]) -> ObjData:
+    """Read vertices, polygons and unit of an OBJ, PLY, OFF or JSON file; others count as OBJ.
+
+    Raises:
+        InputError: no such file, a format for triangles, or a file that cannot be understood.
+    """
+    extension = Path(path).suffix.lower()
+    if extension in (".stl", ".glb", ".gltf", ".3mf", ".3ds"):
+        raise InputError(
+            f"{os.fspath(path)}: {extension} holds triangles only; export quads as OBJ, PLY or "
+            "OFF, or remesh to quads first"
+        )
+    return READERS.get(extension, read_obj)(path)
+
+
+def write_polygons(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
+    """Write a mesh as its extension says, OBJ where it says nothing known.
+
+    Raises:
+        OutputError: the folder is missing or cannot be written.
+    """
+    WRITERS.get(Path(path).suffix.lower(), write_obj)(path, mesh, unit)
