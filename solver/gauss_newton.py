@@ -19,7 +19,8 @@ import numpy as np
 
 from solver.assembly import NormalEquations
 from solver.candidate import Candidate, judge
-from solver.linear import SingularSystemError, default_backend, symmetric_solver
+from solver.damped_step import DAMPING_START, Stepper
+from solver.linear import default_backend, symmetric_solver
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
@@ -30,9 +31,8 @@ _FADE = 0.3
 _FADE_END = 1e-12
 # With every residual below this, the net is near enough to be reached without guides.
 _NEAR = 1e-6
-_DAMPING_START, _DAMPING_MIN, _DAMPING_MAX = 1e-3, 1e-12, 1e8
 # Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
-_PATIENCE = 15
+_PATIENCE = 25
 # Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
 _MARGIN = 1e-2
 
@@ -43,10 +43,17 @@ class _State:
 
     x: FloatArray
     linearisations: list[Linearisation]
-    damping: float = _DAMPING_START
+    damping: float = DAMPING_START
     fade: float = 1.0
     best_worst: float = np.inf
+    worst_before: float = np.inf
+    last_worst: float = 0.0
     idle: int = 0
+
+    @property
+    def slow(self) -> bool:
+        """Whether the last step left more than half of the largest residual."""
+        return self.last_worst > 0.5 * self.worst_before
 
 
 class Optimisation:
@@ -68,7 +75,7 @@ class Optimisation:
         self,
         problems: Problem | Sequence[Problem],
         tolerance: float = 1e-10,
-        max_steps: int = 400,
+        max_steps: int = 1000,
         backend: str | None = None,
         accept_start: bool = True,
     ) -> None:
@@ -138,20 +145,31 @@ class Optimisation:
         state = self._state
         used = state.fade if fade is None else fade
         damping = state.damping
-        energy, length, solve_seconds = self._advance(state, self._weights(used))
+        step = self._stepper.step(
+            self._terms,
+            state.x,
+            state.linearisations,
+            self._weights(used),
+            damping,
+            bend=state.slow,
+        )
+        state.x, state.linearisations, state.damping = step.x, step.linearisations, step.damping
+        if step.stuck:
+            state.idle = _PATIENCE
         self._follow(state)
         record = StepRecord(
             step=len(self.history) + 1,
             attempt=self.attempts,
-            energy=energy,
+            energy=step.energy,
             residuals=self._residuals(state.linearisations),
-            step_length=length,
+            step_length=step.length,
             damping=damping,
             fade=used,
             seconds=time.perf_counter() - begin,
-            solve_seconds=solve_seconds,
+            solve_seconds=step.solve_seconds,
         )
         self.history.append(record)
+        state.worst_before, state.last_worst = state.last_worst, record.worst
         return record
 
     def retarget(self, name: str, term: Term) -> None:
@@ -198,7 +216,8 @@ class Optimisation:
             # rslab orders the unknowns itself.
             reorder=self.backend == "scipy",
         )
-        self._solver = symmetric_solver(self._system.pattern, self.backend)
+        solver = symmetric_solver(self._system.pattern, self.backend)
+        self._stepper = Stepper(self._system, solver)
         self._restart()
 
     def _restart(self) -> None:
@@ -224,48 +243,6 @@ class Optimisation:
         guides = [fade * guide.weight(self._attempt) for guide in self.problem.guides]
         return np.array([1.0] * len(self.problem.constraints) + guides)
 
-    def _advance(self, state: _State, weights: FloatArray) -> tuple[float, float, float]:
-        """Move the state by one accepted step; return energy, step length, seconds of solving."""
-        pattern = self._system.pattern
-        matrix = self._system.matrix(state.linearisations, weights)
-        gradient = self._system.gradient(state.linearisations, weights)
-        before = _energy(state.linearisations, weights)
-        # Below this, changes of the energy are rounding and say nothing.
-        rounding = 1e-26 * max(1, len(gradient))
-        diagonal = pattern.indptr[:-1]
-        values = matrix[diagonal]
-        solve_seconds, rejected = 0.0, False
-        while True:
-            matrix[diagonal] = values + state.damping
-            begin = time.perf_counter()
-            try:
-                move = self._solver.solve(matrix, -gradient)
-            except SingularSystemError:
-                move = np.full(len(gradient), np.nan)
-            solve_seconds += time.perf_counter() - begin
-            if np.isfinite(move).all():
-                x = state.x.copy()
-                x[pattern.unknowns] += move
-                linearisations = self._linearise(x, state, weights)
-                after = _energy(linearisations, weights)
-                if after <= before * (1 + 1e-9) + rounding:
-                    state.x, state.linearisations = x, linearisations
-                    if not rejected:
-                        state.damping = max(state.damping / 4, _DAMPING_MIN)
-                    return after, float(np.abs(move).max(initial=0.0)), solve_seconds
-            if state.damping > _DAMPING_MAX:
-                state.idle = _PATIENCE
-                return before, 0.0, solve_seconds
-            state.damping = max(8 * state.damping, 1e-9)
-            rejected = True
-
-    def _linearise(self, x: FloatArray, state: _State, weights: FloatArray) -> list[Linearisation]:
-        """Linearise the terms that count; guides that have faded away keep their last values."""
-        return [
-            term.linearise(x) if weight > 0 else last
-            for term, weight, last in zip(self._terms, weights, state.linearisations, strict=True)
-        ]
-
     def _residuals(self, linearisations: list[Linearisation]) -> dict[str, float]:
         worst: dict[str, float] = {}
         for term, part in zip(self.problem.constraints, linearisations, strict=False):
@@ -285,7 +262,8 @@ class Optimisation:
         if best is None or (not best.valid and record.worst < best.worst):
             self._consider(self._judge(state.x))
         steps_left = self.max_steps - len(self.history)
-        if record.worst <= _MARGIN * self.tolerance or state.idle >= _PATIENCE:
+        near = 0.25 * self.tolerance if state.slow else _MARGIN * self.tolerance
+        if record.worst <= near or state.idle >= _PATIENCE:
             self._end_attempt(steps_left)
         elif steps_left <= 0:
             self._conclude(STOPPED)
@@ -318,13 +296,3 @@ class Optimisation:
         self._consider(self._judge(self._state.x))
         best = self._best
         self.status = CONVERGED if best is not None and best.valid else status
-
-
-def _energy(linearisations: list[Linearisation], weights: FloatArray) -> float:
-    return float(
-        sum(
-            weight * np.vdot(linearisation.residual, linearisation.residual)
-            for weight, linearisation in zip(weights, linearisations, strict=True)
-            if weight > 0
-        )
-    )

@@ -7,6 +7,7 @@ used where it can be imported, otherwise SuperLU from scipy.
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -30,8 +31,12 @@ class SingularSystemError(OrthoError):
 class SymmetricSolver(Protocol):
     """Solves A x = b for matrices of one pattern."""
 
-    def solve(self, lower: FloatArray, right: FloatArray) -> FloatArray:
-        """Return x for the lower triangle ``lower`` (nnz,) and the right side ``right`` (n,)."""
+    def factor(self, lower: FloatArray) -> Callable[[FloatArray], FloatArray]:
+        """Factor the lower triangle (nnz,); return the function that solves for right sides (n,).
+
+        Raises:
+            SingularSystemError: the matrix cannot be factored.
+        """
 
 
 def symmetric_solver(pattern: Pattern, backend: str | None = None) -> SymmetricSolver:
@@ -100,7 +105,7 @@ class _SuperLU:
         self._gather = full.data.astype(np.int64) - 1
         self._matrix = full
 
-    def solve(self, lower: FloatArray, right: FloatArray) -> FloatArray:
+    def factor(self, lower: FloatArray) -> Callable[[FloatArray], FloatArray]:
         self._matrix.data = lower[self._gather]
         try:
             factors = splu(
@@ -111,7 +116,7 @@ class _SuperLU:
             )
         except RuntimeError as error:
             raise SingularSystemError(f"linear system: {error}; raise the damping") from error
-        return np.asarray(factors.solve(right))
+        return lambda right: np.asarray(factors.solve(right))
 
 
 class _Rslab:
@@ -126,5 +131,6 @@ class _Rslab:
         )
         self._symbolic = rslab.analyze(matrix, path="ldlt")
 
-    def solve(self, lower: FloatArray, right: FloatArray) -> FloatArray:
-        return np.asarray(self._symbolic.factor(lower).solve(right))
+    def factor(self, lower: FloatArray) -> Callable[[FloatArray], FloatArray]:
+        factors = self._symbolic.factor(lower)
+        return lambda right: np.asarray(factors.solve(right))

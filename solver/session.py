@@ -45,7 +45,7 @@ class Session:
         options: NetOptions | None = None,
         constraints: Constraints | None = None,
         tolerance: float = 1e-10,
-        max_steps: int = 400,
+        max_steps: int = 1000,
         backend: str | None = None,
     ) -> None:
         if not len(handles):

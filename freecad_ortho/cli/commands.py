@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from freecad_ortho import api
-from freecad_ortho.cli import multinet, net_options, optimising, reporting
+from freecad_ortho.cli import multinet, net_options, optimising, reporting, sources
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK, kept_whole
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.units import MILLIMETRES
@@ -52,6 +52,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_fabricate(commands.add_parser("fabricate", help="beams and panels, STEP, DXF, CSV"))
     _add_check(commands.add_parser("check", help="measure a mesh against every net"))
     multinet.add(commands.add_parser("multinet", help="an exact orthogonal multi-net"))
+    sources.add(commands)
     return parser
 
 
@@ -66,7 +67,7 @@ def _add_optimise(parser: argparse.ArgumentParser) -> None:
         "--fix", default="none", metavar="none|corners|boundary|I,J,K", help="what must not move"
     )
     parser.add_argument("--tolerance", type=float, default=1e-10)
-    parser.add_argument("--max-steps", type=int, default=400, metavar="N")
+    parser.add_argument("--max-steps", type=int, default=1000, metavar="N")
     net_options.add(parser)
     parser.add_argument("-v", "--verbose", action="store_true", help="one line a step")
     parser.set_defaults(run=_optimise)

@@ -94,7 +94,7 @@ def test_solvers_solve(system, backend):
     data[equations.pattern.indptr[:-1]] += 0.5
     solver = symmetric_solver(equations.pattern, backend)
     for right in (gradient, 2 * gradient + 1):
-        solution = solver.solve(data, right)
+        solution = solver.factor(data)(right)
         wanted = np.linalg.solve(matrix + 0.5 * np.eye(len(matrix)), right)
         assert np.allclose(solution, wanted, atol=1e-10)
 

@@ -1,0 +1,156 @@
+"""One damped Gauss-Newton step: solve, bend where the valley bends, accept only what helps.
+
+Levenberg-Marquardt damping; where progress is slow, the step is bent by the second derivative of
+the residuals along it (geodesic acceleration), which costs one more evaluation and one more solve
+with the same factors.
+
+Source: Transtrum, Sethna (2012), Improvements to the Levenberg-Marquardt algorithm for nonlinear
+least-squares minimization.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from solver.assembly import NormalEquations
+from solver.linear import SingularSystemError, SymmetricSolver
+from solver.mesh.quadmesh import FloatArray
+from solver.terms.base import Linearisation, Term
+
+DAMPING_START = 1e-3
+_DAMPING_MIN, _DAMPING_MAX = 1e-12, 1e8
+# Part of the step at which the second derivative is probed, and the longest bend that is trusted.
+_PROBE, _LONGEST_BEND = 0.1, 0.375
+
+Terms = Callable[[FloatArray], list[Linearisation]]
+
+
+class Step(NamedTuple):
+    """Result of a step.
+
+    Attributes:
+        x: the new flat vector, or the old one where no step helps any more.
+        linearisations: those at ``x``.
+        energy: weighted sum of squares at ``x``.
+        length: largest move of an unknown.
+        damping: for the next step.
+        solve_seconds: time spent in factorisations and solves.
+        stuck: no step helps any more.
+    """
+
+    x: FloatArray
+    linearisations: list[Linearisation]
+    energy: float
+    length: float
+    damping: float
+    solve_seconds: float
+    stuck: bool
+
+
+class Stepper:
+    """Takes damped steps for one system of terms.
+
+    Args:
+        system: assembles the normal equations.
+        solver: solves them.
+    """
+
+    def __init__(self, system: NormalEquations, solver: SymmetricSolver) -> None:
+        self._system = system
+        self._solver = solver
+
+    def step(
+        self,
+        terms: Sequence[Term],
+        x: FloatArray,
+        linearisations: list[Linearisation],
+        weights: FloatArray,
+        damping: float,
+        bend: bool,
+    ) -> Step:
+        """Move ``x`` by one accepted step; ``bend`` asks for geodesic acceleration."""
+        pattern = self._system.pattern
+        matrix = self._system.matrix(linearisations, weights)
+        gradient = self._system.gradient(linearisations, weights)
+        before = energy_of(linearisations, weights)
+        # Below this, changes of the energy are rounding and say nothing.
+        rounding = 1e-26 * max(1, len(gradient))
+        diagonal = pattern.indptr[:-1]
+        values = matrix[diagonal]
+        solve_seconds, rejected = 0.0, False
+        while True:
+            matrix[diagonal] = values + damping
+            begin = time.perf_counter()
+            solve, move = self._solve(matrix, gradient)
+            solve_seconds += time.perf_counter() - begin
+            if np.isfinite(move).all():
+                if bend and solve is not None:
+                    move = move + self._bend(terms, x, linearisations, weights, move, solve)
+                there = x.copy()
+                there[pattern.unknowns] += move
+                ahead = linearise(terms, there, linearisations, weights)
+                after = energy_of(ahead, weights)
+                if after <= before * (1 + 1e-9) + rounding:
+                    calmer = damping if rejected else max(damping / 4, _DAMPING_MIN)
+                    length = float(np.abs(move).max(initial=0.0))
+                    return Step(there, ahead, after, length, calmer, solve_seconds, False)
+            if damping > _DAMPING_MAX:
+                return Step(x, linearisations, before, 0.0, damping, solve_seconds, True)
+            damping = max(8 * damping, 1e-9)
+            rejected = True
+
+    def _solve(
+        self, matrix: FloatArray, gradient: FloatArray
+    ) -> tuple[Callable[[FloatArray], FloatArray] | None, FloatArray]:
+        try:
+            solve = self._solver.factor(matrix)
+            return solve, solve(-gradient)
+        except SingularSystemError:
+            return None, np.full(len(gradient), np.nan)
+
+    def _bend(
+        self,
+        terms: Sequence[Term],
+        x: FloatArray,
+        linearisations: list[Linearisation],
+        weights: FloatArray,
+        move: FloatArray,
+        solve: Callable[[FloatArray], FloatArray],
+    ) -> FloatArray:
+        """Half the acceleration along the move; zero where it is too long to be trusted."""
+        full = np.zeros(len(x))
+        full[self._system.pattern.unknowns] = move
+        probe = linearise(terms, x + _PROBE * full, linearisations, weights)
+        curved = []
+        for term, here, there in zip(terms, linearisations, probe, strict=True):
+            slope = np.einsum("nmk,nk->nm", here.jacobian, full[term.unknowns])
+            second = 2 / _PROBE * ((there.residual - here.residual) / _PROBE - slope)
+            curved.append(Linearisation(second, here.jacobian))
+        bend = solve(-0.5 * self._system.gradient(curved, weights))
+        trusted = np.linalg.norm(bend) <= _LONGEST_BEND * np.linalg.norm(move)
+        return bend if trusted else np.zeros_like(move)
+
+
+def linearise(
+    terms: Sequence[Term], x: FloatArray, last: list[Linearisation], weights: FloatArray
+) -> list[Linearisation]:
+    """Linearise the terms that count; those that have faded away keep their last values."""
+    return [
+        term.linearise(x) if weight > 0 else old
+        for term, weight, old in zip(terms, weights, last, strict=True)
+    ]
+
+
+def energy_of(linearisations: list[Linearisation], weights: FloatArray) -> float:
+    """Weighted sum of squares."""
+    return float(
+        sum(
+            weight * np.vdot(part.residual, part.residual)
+            for weight, part in zip(weights, linearisations, strict=True)
+            if weight > 0
+        )
+    )
