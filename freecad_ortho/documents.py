@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -194,13 +194,17 @@ def export_fabrication(
     Raises:
         InputError: nothing to export, or structures that do not go together.
         OutputError: the folder cannot be written; nothing half-written is left behind.
+        OrthoError: Esc was pressed; the folder is as it was.
     """
     from freecad_ortho import api
 
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
     structure = build.structure(chosen)
-    with missing_package_named():
-        api.write_fabrication(structure, folder)
+    with (
+        missing_package_named(),
+        _progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as progress,
+    ):
+        api.write_fabrication(structure, folder, progress)
     return sorted(path for path in Path(folder).iterdir() if path.is_file())
 
 
@@ -256,6 +260,18 @@ def require_net(feature: Any) -> None:
     if not net_object.is_net(feature):
         name = getattr(feature, "Label", feature)
         raise InputError(f"net: expected a Net, got {name}; import a quad mesh first")
+
+
+@contextmanager
+def _progress(title: str) -> Iterator[Callable[[float, str], None] | None]:
+    """Show how far long work is where there is a window."""
+    if not FreeCAD.GuiUp:
+        yield None
+        return
+    from freecad_ortho.view import progress
+
+    with progress.shown(title) as move:
+        yield move
 
 
 def _add_structure(

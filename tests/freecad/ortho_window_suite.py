@@ -211,6 +211,39 @@ class TestCommands(WindowCase):
         self.assertEqual([again.Beams.Shape.Volume, again.Panels.Shape.Volume], volumes)
 
 
+class TestExport(WindowCase):
+    def test_progress_moves_and_esc_leaves_nothing(self):
+        beams = api.add_beams(self.imported(tools.wavy_mesh()))
+        moved, folder = [], tools.SCRATCH / "stopped"
+
+        class Bar:
+            def start(self, title, steps):
+                self.steps = steps
+
+            def next(self, can_abort):
+                moved.append(can_abort)
+                if stop_after and len(moved) > stop_after:
+                    raise RuntimeError("Aborted")
+
+            def stop(self):
+                moved.append("stopped")
+
+        with (
+            mock.patch.object(FreeCAD.Base, "ProgressIndicator", Bar),
+            mock.patch.object(dialogs, "ask_folder", lambda: str(folder)),
+        ):
+            stop_after = 30
+            FreeCADGui.runCommand("Ortho_ExportFabrication")
+            self.assertEqual(self.errors, ["stopped; nothing was written"])
+            self.assertEqual(moved, [True] * 31 + ["stopped"])
+            self.assertFalse(folder.exists())
+            stop_after = None
+            moved.clear()
+            api.export_fabrication(beams, folder)
+            self.assertEqual(moved, [True] * 100 + ["stopped"])
+        self.assertEqual(len(list(folder.iterdir())), 4)
+
+
 class TestReadme(WindowCase):
     def test_first_macro(self):
         text = (tools.ROOT / "README.md").read_text(encoding="utf-8")
