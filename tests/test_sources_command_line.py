@@ -1,0 +1,209 @@
+"""Commands that make or change meshes: real files out, one line for every mistake."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.__main__ import main
+from solver.analysis import measures
+from solver.mesh.grid import grid_of
+from solver.mesh.primitives import primitive
+from solver.multinet import is_multi_net, multi_net_residual
+from tests.conftest import wavy_grid
+
+
+@pytest.fixture
+def wave(tmp_path):
+    path = tmp_path / "wave.obj"
+    api.write_mesh(path, wavy_grid(9, 7), "m")
+    return str(path)
+
+
+def call(tmp_path, *words, name="out.obj"):
+    out = tmp_path / name
+    assert main([*words, "-o", str(out)]) == 0
+    return api.read_mesh(out)
+
+
+@pytest.mark.parametrize("moving", ["lambda", "mu", "nu"])
+@pytest.mark.parametrize("curve", ["wave", "ring", "arch"])
+def test_multinet_keeps_its_contract(tmp_path, capsys, moving, curve):
+    words = ["multinet", "--axes", "9,5,2", "--moving", moving, "--curve", curve]
+    mesh = call(tmp_path, *words, "--sampling", "12x9").mesh
+    assert (grid_of(mesh).numbers == np.arange(108).reshape(12, 9)).all()
+    assert multi_net_residual(mesh).worst < 1e-14
+    assert "admissible t" in capsys.readouterr().out
+    for step in (2, 3):
+        part = mesh.vertices.reshape(12, 9, 3)[::step, ::step]
+        spread = np.linalg.norm(part[:, :, None, None] - part[None, None], axis=4)
+        assert np.abs(spread - spread.transpose(0, 3, 2, 1)).max() < 1e-12
+
+
+def test_multinet_range_reflection_place_and_unit(tmp_path):
+    words = ["multinet", "--axes", "9,5,2", "--moving", "mu", "--range", "-5,-2"]
+    words += ["--curve", "wave", "--sampling", "8x6", "--reflect", "x,y,z", "--unit", "m"]
+    plain = call(tmp_path, *words)
+    moved = call(tmp_path, *words, "--rotate", "30,20,10", "--centre", "-100,0,5")
+    assert plain.unit == "m"
+    assert len(plain.mesh.faces) == 8 * 35
+    np.testing.assert_allclose(moved.mesh.edge_lengths, plain.mesh.edge_lengths, atol=1e-12)
+    np.testing.assert_allclose(moved.mesh.vertices.mean(axis=0), [-100, 0, 5], atol=1e-9)
+
+
+def test_multinet_by_formulas_values_and_points_agree(tmp_path):
+    words = ["multinet", "--axes", "9,5,2", "--moving", "lambda", "--range", "0,3"]
+    words += ["--spacing", "parameter", "--sampling", "6x4"]
+    formulas = call(tmp_path, *words, "--curve", "-4.5+2*s; -8+2*s^2").mesh
+    s = np.linspace(0, 1, 6)
+    table = tmp_path / "values.csv"
+    np.savetxt(table, np.stack([-4.5 + 2 * s, -8 + 2 * s**2], axis=1), delimiter=",")
+    by_values = call(tmp_path, *words, "--curve", str(table)).mesh
+    np.testing.assert_allclose(by_values.vertices, formulas.vertices, atol=1e-12)
+    points = tmp_path / "points.txt"
+    np.savetxt(points, formulas.vertices.reshape(6, 4, 3)[:, 1], fmt="%.17g")
+    by_points = call(tmp_path, *words, "--curve", str(points)).mesh
+    np.testing.assert_allclose(by_points.vertices, formulas.vertices, atol=1e-9)
+
+
+def test_multinet_on_a_quadric_snaps_drawn_points(tmp_path):
+    drawn = tmp_path / "drawn.txt"
+    drawn.write_text("2.9 0.2 0.1\n2.2 1.4 0.4\n1.2 1.7 0.8\n0.3 1.5 1.1\n")
+    words = ["multinet", "--axes", "9,4,2", "--quadric", "ellipsoid", "--curve", str(drawn)]
+    words += ["--range", "-1,2", "--sampling", "7x5"]
+    assert main([*words, "-o", str(tmp_path / "no.obj")]) == 2
+    mesh = call(tmp_path, *words, "--snap").mesh
+    assert is_multi_net(mesh, 1e-14)
+    near = np.linalg.norm(mesh.vertices[:, None] - np.loadtxt(drawn)[None, :1], axis=2).min()
+    assert near < 0.3
+
+
+def test_primitives_and_changes_of_meshes(tmp_path, wave):
+    sphere = call(tmp_path, "primitive", "sphere", "--sampling", "12x7", "--set", "radius=3").mesh
+    np.testing.assert_allclose(np.linalg.norm(sphere.vertices, axis=1), 3)
+    half = call(tmp_path, "primitive", "sphere", "--sampling", "7x5", "--set", "angles=-90,90").mesh
+    ball = call(tmp_path, "mirror", str(tmp_path / "out.obj"), "--normal", "x", name="ball.ply")
+    assert len(ball.mesh.faces) == 2 * len(half.faces)
+    assert grid_of(ball.mesh).closed_u
+    assert call(tmp_path, "subdivide", wave, "--levels", "2").mesh.faces.shape == (768, 4)
+    fine = call(tmp_path, "subdivide", wave, "--rule", "catmull-clark", name="fine.obj")
+    assert fine.unit == "m"
+    back = call(tmp_path, "coarsen", str(tmp_path / "fine.obj"), "--every", "2").mesh
+    assert len(back.faces) == 48
+    assert len(call(tmp_path, "coarsen", wave, "--every", "3x2").mesh.vertices) == 4 * 4
+    assert len(call(tmp_path, "trim", wave, "--rows", "1,0,0,2").mesh.faces) == 7 * 4
+    assert len(call(tmp_path, "trim", wave, "--rings", "1").mesh.faces) == 6 * 4
+    assert len(call(tmp_path, "diagonal", wave, "--which", "2").mesh.faces) == 18
+    assert len(call(tmp_path, "medial", wave).mesh.vertices) == 48
+    assert len(call(tmp_path, "checkerboard", wave).mesh.faces) == 48 + 35
+    swapped = call(tmp_path, "orient", wave, "--swap", "--reverse").mesh
+    assert grid_of(swapped).numbers.shape == (7, 9)
+
+
+def test_transform_weld_and_convert(tmp_path, wave):
+    mesh = api.read_mesh(wave).mesh
+    moved = call(tmp_path, "transform", wave, "--move", "8,0,0", "--scale", "2").mesh
+    np.testing.assert_allclose(moved.vertices, 2 * mesh.vertices + [8, 0, 0])
+    image = call(tmp_path, "mirror", wave, "--alone", "--point", "-0.3,0,0", name="b.off").mesh
+    assert image.vertices[:, 0].max() < 0
+    converted = call(tmp_path, "convert", wave, name="wave.json")
+    assert (converted.mesh.vertices == mesh.vertices).all()
+    assert converted.unit == "m"
+    barrel = tmp_path / "barrel.obj"
+    api.write_mesh(barrel, primitive("catenoid", 24, 9), "m")
+    bent = call(tmp_path, "transform", str(barrel), "--moebius", "0,7,0.5", name="bent.obj").mesh
+    assert measures.circular(bent).max() < 1e-11
+    assert np.abs(bent.vertices - primitive("catenoid", 24, 9).vertices).max() > 0.05
+    # Two halves in different units and formats become one net.
+    api.write_mesh(tmp_path / "left.ply", primitive("sphere", 5, 5, angles=(0, 180)), "m")
+    right = primitive("sphere", 5, 5, angles=(180, 360)).scaled(1000)
+    api.write_mesh(tmp_path / "right.obj", right, "mm")
+    words = ["weld", str(tmp_path / "left.ply"), str(tmp_path / "right.obj")]
+    joined = call(tmp_path, *words)
+    assert joined.unit == "m"
+    assert len(joined.mesh.vertices) == 8 * 5
+
+
+def test_formfind_from_flat_to_minimal(tmp_path, capsys):
+    flat = tmp_path / "flat.obj"
+    assert main(["primitive", "rectangle", "--sampling", "13x13", "-o", str(flat)]) == 0
+    words = ["formfind", str(flat), "--supports", "corners", "--lift", "0,0.4;168,0.4"]
+    net = call(tmp_path, *words, "--border", "5").mesh
+    assert np.ptp(net.vertices[:, 2]) == pytest.approx(0.4)
+    words += ["--kind", "membrane", "--cable", "3"]
+    film = call(tmp_path, *words).mesh
+    assert film.vertices[84, 2] == pytest.approx(0.2, abs=1e-9)
+    assert "in equilibrium" in capsys.readouterr().out
+    hung = call(tmp_path, "formfind", str(flat), "--area-load", "0,0,-0.2").mesh
+    assert -0.1 < hung.vertices[84, 2] < -0.01
+    blown = tmp_path / "blown.obj"
+    code = main(["formfind", str(flat), "--kind", "membrane", "--pressure", "90", "-o", str(blown)])
+    assert code == 1
+    assert not blown.exists()
+    assert "lower the load" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "multinet --axes 9,5 --moving mu --sampling 4x4",
+        "multinet --axes 5,9,2 --moving mu --sampling 4x4",
+        "multinet --axes 9,5,2 --moving rho --sampling 4x4",
+        "multinet --axes 9,5,2 --moving mu --sampling 4",
+        "multinet --axes 9,5,2 --moving mu --sampling 1x4",
+        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --range -6,-3",
+        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --range -3,-4",
+        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve nowhere.txt",
+        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve __import__('os');s",
+        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve 1/(s-0.5);-7",
+        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --reflect w",
+        "multinet --axes 9,5,2 --quadric cube --sampling 4x4",
+        "multinet --axes 9,5,2 --quadric ellipsoid --sampling 4x4",
+        "multinet --axes 9,5,2 --sampling 4x4",
+        "primitive cube --sampling 4x4",
+        "primitive sphere --sampling 4x4 --set radius",
+        "primitive sphere --sampling 4x4 --set radius=x",
+        "primitive sphere --sampling 99999999x4",
+        "primitive rotational --sampling 4x4",
+        "diagonal WAVE --which 3",
+        "subdivide WAVE --levels 0",
+        "subdivide WAVE --rule bezier",
+        "coarsen WAVE --every 5",
+        "coarsen WAVE --every z",
+        "trim WAVE",
+        "trim WAVE --rows 9,9,9,9",
+        "mirror WAVE --normal 0,0,0",
+        "mirror WAVE --point 2,0,0",
+        "transform WAVE --scale 0",
+        "transform WAVE --move 1,2",
+        "transform WAVE --invert 0,0,0,-1",
+        "weld WAVE --tolerance 2",
+        "weld WAVE nowhere.obj",
+        "formfind WAVE --supports roof",
+        "formfind WAVE --kind soap",
+        "formfind WAVE --supports 1 --lift 2,1",
+        "formfind WAVE --density 0",
+        "formfind nowhere.ply",
+        "convert nowhere.stl",
+    ],
+)
+def test_bad_input_is_one_line_and_nothing_is_written(tmp_path, capsys, wave, words):
+    out = tmp_path / "result.obj"
+    arguments = [wave if word == "WAVE" else word for word in words.split(" ")]
+    try:
+        code = main([*arguments, "-o", str(out)])
+    except SystemExit as ended:
+        code = ended.code
+    captured = capsys.readouterr()
+    assert code == 2, captured
+    assert captured.err.startswith("error: ")
+    assert captured.err.strip().count("\n") == 0
+    assert captured.out == ""
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["wave.obj"]
+
+
+def test_places_that_cannot_be_written_are_said_first(tmp_path, capsys, wave):
+    for target in (tmp_path, tmp_path / "nowhere" / "a.obj"):
+        assert main(["subdivide", wave, "-o", str(target)]) == 2
+        assert capsys.readouterr().err.startswith("error: ")
