@@ -33,6 +33,8 @@ _FADE_END = 1e-12
 _NEAR = 1e-6
 # Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
 _PATIENCE = 25
+# Of so many attempts that reached the net, though with short edges or creases, the best is taken.
+_ENOUGH = 2
 # Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
 _MARGIN = 1e-2
 
@@ -88,6 +90,7 @@ class Optimisation:
         self.status: str | None = None
         self._turn, self._attempt, self.attempts = 0, 1, 1
         self._best: Candidate | None = None
+        self._solved = 0
         self._prepare()
         self.seconds_setup = time.perf_counter() - begin
         if not self.problem.free.any():
@@ -186,7 +189,7 @@ class Optimisation:
     def restart(self) -> None:
         """Go back to the start and the first attempt; pattern and analysis are kept."""
         self._turn, self._attempt, self.attempts = 0, 1, 1
-        self._best, self.status = None, None
+        self._best, self.status, self._solved = None, None, 0
         self.history.clear()
         self._restart()
 
@@ -271,7 +274,10 @@ class Optimisation:
     def _end_attempt(self, steps_left: int) -> None:
         candidate = self._judge(self._state.x)
         self._consider(candidate)
-        if candidate.good or steps_left <= 0 or not self._next_attempt():
+        if candidate.valid:
+            self._solved += 1
+        enough = candidate.good or self._solved >= _ENOUGH or steps_left <= 0
+        if enough or not self._next_attempt():
             best = self._best or candidate
             self._conclude(CONVERGED if best.valid else STALLED)
 
