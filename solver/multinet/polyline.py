@@ -25,7 +25,7 @@ def multi_net(
 ) -> MultiNet:
     """The multi-net v_ij = sqrt(t_j S + I) v_i0 of a polyline v_i0 on a quadric.
 
-    Between its points the curve is a cubic spline, scaled onto the quadric; at s = i / (n - 1)
+    Between its points the curve is a :class:`Spline`, scaled onto the quadric; at s = i / (n - 1)
     (i / n where closed) it passes through point i.
 
     Args:
@@ -56,8 +56,6 @@ def multi_net(
 
 def _check(quadric: Quadric, points: FloatArray) -> None:
     size = float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
-    if (np.linalg.norm(np.diff(points, axis=0), axis=1) <= 1e-12 * size).any():
-        raise InputError("polyline: two consecutive points coincide; remove one of them")
     distance = quadric.distance(points)
     worst = int(np.argmax(distance))
     if distance[worst] > ON_QUADRIC * size:
@@ -76,18 +74,33 @@ def _check(quadric: Quadric, points: FloatArray) -> None:
 
 
 class Spline:
-    """Interpolating curve through (n, k) points, equal steps of s from 0 to 1 between them."""
+    """Interpolating curve through (n, k) points; s = i / (n - 1) at point i, i / n where closed.
+
+    A cubic spline over centripetal knots, which does not overshoot where points lie unevenly.
+
+    Source: Lee (1989), Choosing nodes in parametric curve interpolation.
+
+    Raises:
+        InputError: two consecutive points coincide.
+    """
 
     def __init__(self, points: FloatArray, closed: bool) -> None:
-        knots = np.concatenate([points, points[:1]]) if closed else points
-        self._points, self._last = knots, len(knots) - 1
-        self._curve = CubicSpline(
-            np.arange(len(knots)), knots, bc_type="periodic" if closed else "natural"
-        )
+        through = np.concatenate([points, points[:1]]) if closed else points
+        steps = np.linalg.norm(np.diff(through, axis=0), axis=1)
+        if not (steps > 1e-12 * steps.sum()).all():
+            raise InputError(
+                "curve: two consecutive points coincide; remove one (a closed curve does not "
+                "repeat its start)"
+            )
+        self._points, self._last = through, len(through) - 1
+        self._knots = np.concatenate([[0.0], np.cumsum(np.sqrt(steps))])
+        ends = "periodic" if closed else "natural"
+        self._curve = CubicSpline(self._knots, through, bc_type=ends)
 
     def __call__(self, s: FloatArray) -> FloatArray:
         """(m, k) points at parameters s; exactly the given points at theirs."""
         place = np.asarray(s) * self._last
         nearest = np.clip(np.rint(place), 0, self._last).astype(np.int64)
         at_knot = np.abs(place - nearest) < 1e-9
-        return np.where(at_knot[:, None], self._points[nearest], self._curve(place))
+        knot = np.interp(place, np.arange(self._last + 1), self._knots)
+        return np.where(at_knot[:, None], self._points[nearest], self._curve(knot))

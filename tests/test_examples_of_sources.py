@@ -1,0 +1,68 @@
+"""Figures 4, 5 and 15 of the paper in numbers; the scripts that make them are examples."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from examples.drawn_multi_net import DRAWN, ELLIPSOID, dragged
+from examples.drawn_multi_net import net as drawn_net
+from examples.minimal_gridshell import diagonal, membrane
+from examples.six_multi_nets import AXES, six_nets
+from solver.analysis import measures
+from solver.multinet import EllipticSystem
+from tests.conftest import ROOT
+
+
+@pytest.mark.parametrize(
+    ("example", "low", "high"),
+    [
+        ("six_multi_nets", 1e-16, 1e-14),
+        ("drawn_multi_net", 1e-16, 1e-14),
+        ("minimal_gridshell", 0.17, 0.21),
+    ],
+)
+def test_an_example_prints_its_number(tmp_path, example, low, high):
+    pytest.importorskip("matplotlib")
+    picture = tmp_path / "picture.png"
+    command = [sys.executable, "-m", f"examples.{example}", str(picture)]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=100)
+    assert run.returncode == 0, run.stderr
+    printed = re.findall(r"\d[\d.]*(?:e-\d+)?", run.stdout)
+    assert len(printed) == 1
+    assert low <= float(printed[0]) <= high
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_figure_4_shows_each_role_of_each_quadric():
+    system = EllipticSystem(*AXES)
+    nets = six_nets()
+    assert len(nets) == 6
+    expected = [(0, 13), (0, 13), (1, 13), (1, 15), (2, 19), (2, 19)]
+    for (name, mesh), (moving, lines) in zip(nets.items(), expected, strict=True):
+        assert not measures.flipped(mesh).any(), name
+        assert measures.edge_ratio(mesh) > 0.1, name
+        values = system.coordinates(mesh.vertices)[:, moving]
+        assert len(np.unique(np.round(values, 8))) == lines, name
+    assert len(nets["(b) and is reflected"].faces) == 4 * len(nets["(a) lambda moves"].faces)
+
+
+def test_figure_5_follows_the_dragged_point_only():
+    before, after = drawn_net(DRAWN), drawn_net(dragged())
+    moved = np.linalg.norm(before.vertices - after.vertices, axis=1).reshape(33, 15)
+    assert moved.max() > 0.3
+    # The ends stay; t is spaced evenly anew between them.
+    assert moved[np.ix_([0, -1], [0, -1])].max() < 1e-9
+    assert not measures.flipped(after).any()
+    feet = ELLIPSOID.project(DRAWN)
+    assert np.linalg.norm(before.vertices - feet[0], axis=1).min() < 0.2
+
+
+def test_figure_15_starts_nearly_asymptotic():
+    film = membrane()
+    assert measures.asymptotic(diagonal(film)).max() < 0.02
+    assert measures.asymptotic(film).max() > 0.05
