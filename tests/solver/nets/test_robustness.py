@@ -1,0 +1,62 @@
+"""Every net is found from perturbed starts too: each vertex moved at random by a tenth of an edge.
+
+All 20 seeds of every net take half an hour on two cores, so that only the first two run here. The
+variable ``ORTHO_SEEDS=20`` runs the others as well: of those of a mesh, one in twenty may fail.
+"""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from solver import optimise
+from solver.analysis import measures
+from solver.nets.options import NetOptions
+from tests.meshes import noisy
+from tests.solver.nets.test_nets import (
+    FLATTENED,
+    REQUIRED,
+    exact_mesh,
+    extents,
+    identity,
+    worst,
+)
+
+# Not won yet. Circular from the result of principal, instead of from the mesh, converges here.
+MISSED = {
+    FLATTENED: "flattened to a plane",
+    ("circular", "botanic-garden-bubble-0", False): "stalls; principal first would help",
+}
+SEEDS = range(1, 1 + int(os.environ.get("ORTHO_SEEDS", "2")))
+
+
+def cases() -> list:
+    return [
+        pytest.param(
+            *case,
+            id=identity(case),
+            marks=pytest.mark.xfail(case in MISSED, strict=True, reason=MISSED.get(case, "")),
+        )
+        for case in REQUIRED
+    ]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("net", "name", "diagonal"), cases())
+def test_perturbed_starts_converge(net, name, diagonal):
+    failures = []
+    for seed in SEEDS:
+        start = noisy(exact_mesh(name), 0.1, seed)
+        outcome = optimise(start, net, options=NetOptions(diagonal=diagonal))
+        mesh, report = outcome.mesh, outcome.report
+        found = (
+            report.status == "converged"
+            and worst(net, mesh, diagonal) <= 1e-10
+            and measures.edge_ratio(mesh) >= 0.25 * measures.edge_ratio(start)
+            and measures.flipped(mesh).sum() <= measures.flipped(start).sum()
+            and extents(mesh)[2] >= 0.3 * extents(start)[2]
+        )
+        if not found:
+            failures.append(f"seed {seed}: {report.message}, {extents(start)} {extents(mesh)}")
+    assert len(failures) <= len(SEEDS) // 20, failures
