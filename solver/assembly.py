@@ -27,8 +27,7 @@ class _Group:
     members: tuple[int, ...]
     rows: IntArray
     scatter: IntArray
-    first: IntArray
-    second: IntArray
+    upper: IntArray
 
 
 class NormalEquations:
@@ -62,9 +61,8 @@ class NormalEquations:
             used = tuple(k for k in group.members if weights[k] > 0)
             moving = tuple(k for k in used if not self.terms[k].linear)
             if moving:
-                jacobian = np.concatenate(
-                    [np.sqrt(weights[k]) * linearisations[k].jacobian for k in moving], axis=1
-                )
+                parts = [_weighted(linearisations[k].jacobian, weights[k]) for k in moving]
+                jacobian = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
                 data += self._scattered(group, jacobian)
             for k in used:
                 if self.terms[k].linear:
@@ -91,19 +89,21 @@ class NormalEquations:
         return self._constant[k]
 
     def _scattered(self, group: _Group, jacobian: FloatArray) -> FloatArray:
-        count, pairs = len(jacobian), len(group.first)
-        blocks = np.empty((count, pairs))
+        count, width = len(jacobian), jacobian.shape[2]
+        blocks = np.empty((count, len(group.upper)))
         for begin in range(0, count, _CHUNK):
             part = jacobian[begin : begin + _CHUNK]
-            np.einsum(
-                "nmp,nmp->np",
-                part[:, :, group.first],
-                part[:, :, group.second],
-                out=blocks[begin : begin + _CHUNK],
-            )
+            product = np.matmul(part.swapaxes(1, 2), part).reshape(len(part), width * width)
+            rows = blocks[begin : begin + _CHUNK]
+            # Nothing is clipped; that mode spares numpy a copy.
+            np.take(product, group.upper, axis=1, out=rows, mode="clip")
         entries = len(self.pattern.indices)
         sums = np.bincount(group.scatter, blocks.ravel(), minlength=entries + 1)
         return sums[:entries].astype(np.float64, copy=False)
+
+
+def _weighted(jacobian: FloatArray, weight: float) -> FloatArray:
+    return jacobian if weight == 1.0 else np.sqrt(weight) * jacobian
 
 
 def _transposed_product(linearisation: Linearisation, linear: bool) -> FloatArray:
@@ -133,6 +133,5 @@ def _group(members: tuple[int, ...], unknowns: IntArray, layout: Layout) -> _Gro
         members=members,
         rows=layout.rows(unknowns).ravel(),
         scatter=layout.positions(unknowns, first, second).ravel(),
-        first=first,
-        second=second,
+        upper=first * unknowns.shape[1] + second,
     )

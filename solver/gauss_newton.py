@@ -229,15 +229,19 @@ class Optimisation:
             *problem.constraints,
             *(guide.term for guide in problem.guides),
         ]
+        self._following = [
+            k for k, term in enumerate(self._terms) if isinstance(term, FollowingTerm)
+        ]
         x = problem.start.copy()
         self._state = _State(x, [term.linearise(x) for term in self._terms])
 
     def _follow(self, state: _State) -> None:
         """Let terms that depend on where the mesh is (closest points, loads) look again."""
-        for k, term in enumerate(self._terms):
-            if isinstance(term, FollowingTerm):
-                self._terms[k] = term.follow(state.x)
-                state.linearisations[k] = self._terms[k].linearise(state.x)
+        for k in self._following:
+            term = self._terms[k]
+            assert isinstance(term, FollowingTerm)
+            self._terms[k] = term.follow(state.x)
+            state.linearisations[k] = self._terms[k].linearise(state.x)
 
     def _judge(self, x: FloatArray) -> Candidate:
         return judge(self.problem, x, self.tolerance, self.original)
