@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import re
 import subprocess
 import sys
@@ -13,7 +14,10 @@ from examples.drawn_multi_net import DRAWN, ELLIPSOID, dragged
 from examples.drawn_multi_net import net as drawn_net
 from examples.minimal_gridshell import diagonal, membrane
 from examples.six_multi_nets import AXES, six_nets
+from examples.triangles_to_gridshell import gridshell, vault
 from solver.analysis import measures
+from solver.mesh.grid import grid_mesh
+from solver.mesh.remesh import LIBRARY
 from solver.multinet import EllipticSystem
 from tests.conftest import ROOT
 
@@ -66,3 +70,32 @@ def test_figure_15_starts_nearly_asymptotic():
     film = membrane()
     assert measures.asymptotic(diagonal(film)).max() < 0.02
     assert measures.asymptotic(film).max() > 0.05
+
+
+def test_figure_16_feet_stay_on_the_ground():
+    """The steps after the remeshing, on quads along the curvature lines of the vault."""
+    quads = grid_mesh(vault()[0].reshape(41, 61, 3)[::2, ::3])
+    start, net, feet = gridshell(quads)
+    assert measures.orthogonality(start).max() > 0.1
+    assert len(feet) == 18
+    assert np.abs(net.vertices[feet, 2]).max() < 1e-12
+    assert np.abs(net.vertices[feet] - start.vertices[feet]).max() > 1e-3
+    assert max(measures.asymptotic(net).max(), measures.orthogonality(net).max()) < 1e-10
+    assert not measures.flipped(net).any()
+    assert measures.edge_ratio(net) > 0.5
+
+
+@pytest.mark.skipif(importlib.util.find_spec(LIBRARY) is not None, reason="library installed")
+def test_figure_16_says_what_it_needs():
+    command = [sys.executable, "-m", "examples.triangles_to_gridshell"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=100)
+    assert run.returncode == 1
+    assert "pip install pyQuadriFlow" in run.stderr and run.stderr.count("\n") == 1
+
+
+@pytest.mark.skipif(importlib.util.find_spec(LIBRARY) is None, reason="library not installed")
+def test_figure_16_whole():
+    command = [sys.executable, "-m", "examples.triangles_to_gridshell"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=100)
+    assert run.returncode == 0, run.stderr
+    assert float(re.findall(r"\d[\d.]*(?:e-\d+)?", run.stdout)[0]) < 1e-10

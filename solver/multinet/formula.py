@@ -26,7 +26,7 @@ _FUNCTIONS: dict[str, Callable[[FloatArray], FloatArray]] = {
     name: getattr(np, name)
     for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs")
 }
-_LONGEST = 500
+_LONGEST = 300
 
 
 def formula(text: str, names: tuple[str, ...]) -> Callable[..., FloatArray]:
@@ -41,10 +41,14 @@ def formula(text: str, names: tuple[str, ...]) -> Callable[..., FloatArray]:
         InputError: anything else, or (when called) a result that is not finite.
     """
     try:
-        tree = ast.parse(text.strip().replace("^", "**"), mode="eval") if text else None
+        tree = (
+            ast.parse(text.strip().replace("^", "**"), mode="eval")
+            if len(text) <= _LONGEST
+            else None
+        )
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         tree = None
-    if tree is None or len(text) > _LONGEST:
+    if tree is None:
         raise InputError(f"formula: '{text[:40]}' cannot be read; write e.g. 0.5 + 0.2*sin(pi*s)")
     _check(tree.body, text, names)
 

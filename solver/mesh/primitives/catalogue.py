@@ -18,6 +18,7 @@ from solver.mesh.primitives.quadrics import ellipsoid, elliptic_paraboloid
 from solver.mesh.primitives.rotational import rotational, sphere, unduloid
 from solver.mesh.primitives.translational import arch, translational
 from solver.mesh.quadmesh import QuadMesh
+from solver.multinet.planar import confocal_conics
 
 Value = float | str | tuple[float, ...] | ArrayLike | None
 
@@ -43,7 +44,6 @@ class Primitive:
 
     Attributes:
         build: function of m, n and the parameters.
-        meaning: what it is, in a line.
     """
 
     build: Callable[..., QuadMesh]
@@ -87,6 +87,18 @@ def _rotational(
     return rotational(m, even, angles=angles)
 
 
+def _confocal_conics(
+    m: int,
+    n: int,
+    *,
+    squares: tuple[float, float] = (4.0, 1.0),
+    angles: tuple[float, float] = (0.0, 360.0),
+    t_range: tuple[float, float] = (0.0, 4.0),
+) -> QuadMesh:
+    """Confocal ellipses x^2/(a + t) + y^2/(b + t) = 1 and their hyperbolas, flat; a multi-net."""
+    return confocal_conics(*squares, angles=angles, t_range=t_range).sampled(m, n)
+
+
 def _translational(
     m: int,
     n: int,
@@ -106,6 +118,7 @@ def _translational(
 PRIMITIVES = {
     "catenoid": Primitive(catenoid),
     "cone": Primitive(cone),
+    "confocal-conics": Primitive(_confocal_conics),
     "cylinder": Primitive(cylinder),
     "ellipsoid": Primitive(ellipsoid),
     "elliptic-paraboloid": Primitive(elliptic_paraboloid),

@@ -46,7 +46,7 @@ def test_principal_exactly(name, parameters):
 
 @pytest.mark.parametrize(
     "name", ["sphere", "rotational", "cylinder", "cone", "catenoid", "helicoid", "ellipsoid"]
-    + ["elliptic-paraboloid", "unduloid", "rectangle"]
+    + ["elliptic-paraboloid", "unduloid", "rectangle", "confocal-conics"]
 )  # fmt: skip
 def test_multi_nets_exactly(name):
     points = build(name, 11).vertices.reshape(11, 11, 3)

@@ -1,0 +1,54 @@
+"""D figure 16: triangle mesh -> quads -> orthogonal asymptotic net, its feet gliding on the ground.
+
+A vault that is nearly minimal, as triangles, becomes quads along its curvature lines; the diagonal
+mesh of these is nearly asymptotic. It is optimised while the points on the ground stay on it.
+Needs the library pyQuadriFlow for the quads.
+
+Run it from the root of the project: ``python -m examples.triangles_to_gridshell [PICTURE.png]``.
+"""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+
+from examples.drawing import draw
+from solver import InputError, QuadMesh, optimise
+from solver.analysis import measures
+from solver.mesh.coarsen import compact
+from solver.mesh.diagonal import diagonal_meshes
+from solver.mesh.grid import grid_faces
+from solver.mesh.remesh import quads_from_triangles
+from solver.nets.constraints import Constraints, PlaneGlide
+
+
+def vault() -> tuple[np.ndarray, np.ndarray]:
+    """Points (m) and triangles of a vault that widens towards both ends, feet at z = 0."""
+    x, angle = np.meshgrid(np.linspace(-1, 1, 41), np.linspace(0, np.pi, 61), indexing="ij")
+    radius = 1 + 0.35 * x**2
+    points = 4 * np.stack([x, -radius * np.cos(angle), radius * np.sin(angle)], axis=2)
+    quads = grid_faces(41, 61)
+    return points.reshape(-1, 3), np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+
+def gridshell(quads: QuadMesh) -> tuple[QuadMesh, QuadMesh, np.ndarray]:
+    """Diagonal mesh, the asymptotic net made of it, and the numbers of its feet."""
+    part = diagonal_meshes(quads).first
+    start = compact(part, part.faces)
+    feet = np.flatnonzero(np.abs(start.vertices[:, 2]) < 1e-6)
+    ground = Constraints(glide=(PlaneGlide(2, 0.0, feet),))
+    return start, optimise(start, "asymptotic", constraints=ground).mesh, feet
+
+
+if __name__ == "__main__":
+    try:
+        quads = quads_from_triangles(*vault(), faces=400).mesh
+    except InputError as error:
+        sys.exit(f"error: {error}")
+    start, net, feet = gridshell(quads)
+    assert max(measures.asymptotic(net).max(), measures.orthogonality(net).max()) < 1e-10
+    lift = np.abs(net.vertices[feet, 2]).max()
+    print(f"exactly asymptotic, the feet leave the ground by {lift:.0e} m at most")
+    if len(sys.argv) > 1:
+        draw([("quads", quads), ("diagonal mesh", start), ("asymptotic net", net)], sys.argv[1])
