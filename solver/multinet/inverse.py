@@ -32,7 +32,7 @@ from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Bounds below this, in parts of size^2, are rounding: a visit would measure the arithmetic.
-_ROUNDING = 1e-14
+_ROUNDING = 5e-14
 _NUMBERS_AT_ONCE = 2_000_000
 
 
@@ -42,7 +42,7 @@ class MultiNetResidual:
 
     Attributes:
         worst: largest violation among the rectangles visited; the largest of all of them wherever
-            it exceeds 1e-14.
+            it exceeds 5e-14.
         bound: proven: no rectangle of the mesh violates Eq. 1 by more.
         rectangle: grid places (i, j, k, l) of the corners v_ij and v_kl of the worst rectangle.
         visited: pairs of lines whose rectangles were visited, one by one.
