@@ -14,8 +14,13 @@ from typing import TYPE_CHECKING, Any
 from freecad_ortho.units import millimetres_per
 from solver import QuadMesh, optimise, start_optimisation
 from solver.analysis.check import check
+from solver.formfinding import find_form
 from solver.io.intake import quad_mesh
 from solver.io.polygons import read_polygons, write_polygons
+from solver.mesh.diagonal import diagonal_meshes
+from solver.mesh.primitives import primitive
+from solver.mesh.remesh import quads_from_triangles
+from solver.multinet import Quadric, elliptic_net, multi_net
 
 if TYPE_CHECKING:
     from freecad_ortho.fabrication import Structure
@@ -25,9 +30,16 @@ DEFAULT_UNIT = "mm"
 
 __all__ = [
     "LoadedMesh",
+    "Quadric",
     "check",
+    "diagonal_meshes",
+    "elliptic_net",
     "fabricate",
+    "find_form",
+    "multi_net",
     "optimise",
+    "primitive",
+    "quads_from_triangles",
     "read_mesh",
     "start_optimisation",
     "write_fabrication",
