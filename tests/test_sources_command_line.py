@@ -79,6 +79,26 @@ def test_multinet_on_a_quadric_snaps_drawn_points(tmp_path):
     assert near < 0.3
 
 
+def test_fit_finds_the_multi_net_that_a_mesh_nearly_is(tmp_path, capsys):
+    words = ["multinet", "--axes", "9,5,2", "--moving", "lambda", "--curve", "arch", "--unit", "m"]
+    mesh = call(tmp_path, *words, "--sampling", "12x9").mesh
+    noise = 1e-4 * np.random.default_rng(0).normal(size=mesh.vertices.shape)
+    near = tmp_path / "near.ply"
+    api.write_mesh(near, mesh.with_vertices(mesh.vertices + noise), "m")
+    assert not is_multi_net(api.read_mesh(near).mesh)
+    capsys.readouterr()
+    found = call(tmp_path, "fit-multinet", str(near))
+    said = capsys.readouterr().out
+    assert "ellipsoid" in said and said.count("\n") == 1
+    assert found.unit == "m"
+    assert (found.mesh.faces == mesh.faces).all()
+    assert is_multi_net(found.mesh, 1e-13)
+    assert np.abs(found.mesh.vertices - mesh.vertices).max() < 1e-3
+    fine = call(tmp_path, "fit-multinet", str(near), "--sampling", "30x20").mesh
+    assert len(fine.vertices) == 600
+    assert is_multi_net(fine, 1e-13)
+
+
 def test_primitives_and_changes_of_meshes(tmp_path, wave):
     sphere = call(tmp_path, "primitive", "sphere", "--sampling", "12x7", "--set", "radius=3").mesh
     np.testing.assert_allclose(np.linalg.norm(sphere.vertices, axis=1), 3)
@@ -186,6 +206,10 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
         "formfind WAVE --density 0",
         "formfind nowhere.ply",
         "convert nowhere.stl",
+        "fit-multinet nowhere.obj",
+        "fit-multinet WAVE --sampling 3",
+        "quads nowhere.stl --faces 9",
+        "quads WAVE",
     ],
 )
 def test_bad_input_is_one_line_and_nothing_is_written(tmp_path, capsys, wave, words):

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 
 from freecad_ortho import api
-from freecad_ortho.cli import forming, remeshing, reporting, values
+from freecad_ortho.cli import fitting, forming, remeshing, reporting, values
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.io.points import read_points
@@ -19,7 +19,7 @@ Change = Callable[[QuadMesh, argparse.Namespace], QuadMesh]
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add all commands of this file and of its neighbours ``forming`` and ``remeshing``."""
+    """Add all commands of this file and of its neighbours for fitting, forming and remeshing."""
     _add_primitive(commands.add_parser("primitive", help="a net that is known exactly"))
     for name, (words, change, options) in _CHANGES.items():
         parser = commands.add_parser(name, help=words)
@@ -30,6 +30,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         parser.set_defaults(run=_changer(change))
     _add_weld(commands.add_parser("weld", help="join patches into one net"))
     forming.add(commands.add_parser("formfind", help="a membrane or cable net in equilibrium"))
+    fitting.add(commands.add_parser("fit-multinet", help="the multi-net nearest to a mesh"))
     remeshing.add(commands.add_parser("quads", help="a triangle mesh remeshed to quads"))
 
 

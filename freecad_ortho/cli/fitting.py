@@ -1,0 +1,46 @@
+"""The command ``fit-multinet``: the exact multi-net nearest to a mesh."""
+
+from __future__ import annotations
+
+import argparse
+
+import numpy as np
+
+from freecad_ortho.cli import reporting, values
+from solver.multinet import fit_multi_net, multi_net_residual
+
+
+def add(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.description = (
+        "Says how far a mesh of grid type is from a multi-net, fits a quadric, a curve on it and t "
+        "values, and writes the exact multi-net, numbered like the mesh unless sampled anew."
+    )
+    parser.add_argument("input", metavar="IN.obj")
+    parser.add_argument("--sampling", metavar="MxN", help="sample the fitted net anew")
+    values.add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Fit and write."""
+    values.refuse_unwritable(options.output)
+    counts = values.sampling(options.sampling) if options.sampling else None
+    loaded = reporting.load(options)
+    before = multi_net_residual(loaded.mesh).worst
+    fit = fit_multi_net(loaded.mesh)
+    mesh = fit.mesh
+    if counts:
+        mesh = fit.net.sampled(*counts, (float(fit.t.min()), float(fit.t.max())))
+    with np.errstate(divide="ignore"):
+        lengths = 1.0 / np.sqrt(np.abs(fit.quadric.curvatures))
+    words = (
+        f"{fit.quadric.kind}, semi-axes {_list(lengths)}, centre {_list(fit.quadric.centre)} "
+        f"{loaded.unit}; rectangles off by {before:.1e} of the squared size before; vertices moved "
+        f"by at most {fit.deviation:.3g} {loaded.unit}"
+    )
+    return values.write(options.output, mesh, loaded.unit, words)
+
+
+def _list(numbers: np.ndarray) -> str:
+    return ", ".join(f"{number:.6g}" for number in numbers)
