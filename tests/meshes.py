@@ -69,12 +69,6 @@ def helicoid(rows: int = 17, columns: int = 13, turn: float = 2.0, reach: float 
     return grid(np.sinh(v) * np.cos(u), np.sinh(v) * np.sin(u), u)
 
 
-def catenoid(rows: int = 17, columns: int = 13, turn: float = 2.0, reach: float = 1.5) -> QuadMesh:
-    """Meridians and parallels of a catenoid, its principal curvature lines, conformal."""
-    u, v = parameters(rows, columns, turn, reach)
-    return grid(np.cosh(v) * np.cos(u), np.cosh(v) * np.sin(u), v)
-
-
 def unduloid_points(along: FloatArray, turn: FloatArray) -> FloatArray:
     """(..., 3) points of an unduloid in conformal coordinates along its principal lines.
 

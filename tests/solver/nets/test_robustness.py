@@ -13,7 +13,8 @@ import pytest
 from solver import optimise
 from solver.analysis import measures
 from solver.nets.options import NetOptions
-from tests.meshes import noisy
+from tests.conftest import shared_mesh
+from tests.meshes import hanging_net, noisy
 from tests.solver.nets.test_nets import (
     FLATTENED,
     REQUIRED,
@@ -53,6 +54,39 @@ def test_perturbed_starts_converge(net, name, diagonal):
         found = (
             report.status == "converged"
             and worst(net, mesh, diagonal) <= 1e-10
+            and measures.edge_ratio(mesh) >= 0.25 * measures.edge_ratio(start)
+            and measures.flipped(mesh).sum() <= measures.flipped(start).sum()
+            and extents(mesh)[2] >= 0.3 * extents(start)[2]
+        )
+        if not found:
+            failures.append(f"seed {seed}: {report.message}, {extents(start)} {extents(mesh)}")
+    assert len(failures) <= len(SEEDS) // 20, failures
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name",
+    [
+        "quad_dome",
+        pytest.param(
+            "botanic-garden-bubble-0",
+            marks=pytest.mark.xfail(strict=True, reason="stalls; a third of the noise is borne"),
+        ),
+        "6-sub-lifted",
+        "hanging net",
+    ],
+)
+def test_perturbed_stress_nets_converge(name):
+    exact = hanging_net() if name == "hanging net" else shared_mesh(name)
+    failures = []
+    for seed in SEEDS:
+        start = noisy(exact, 0.1, seed)
+        outcome = optimise(start, "stress", fix="boundary", options=NetOptions(load=1.0))
+        mesh, report = outcome.mesh, outcome.report
+        found = (
+            report.status == "converged"
+            and measures.orthogonality(mesh).max() <= 1e-10
+            and report.residuals["equilibrium"].max <= 1e-10
             and measures.edge_ratio(mesh) >= 0.25 * measures.edge_ratio(start)
             and measures.flipped(mesh).sum() <= measures.flipped(start).sum()
             and extents(mesh)[2] >= 0.3 * extents(start)[2]
