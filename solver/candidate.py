@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.analysis.measures import edge_ratio, flipped, sharpest_crease
+from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thickness
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Detail, Problem
 from solver.report import Spread
@@ -17,6 +17,8 @@ COLLAPSED = 0.25
 CRAMPED = 0.5
 # and so it is where faces meet at more than this angle in degrees and twice that of the input.
 CREASED = 30.0
+# and where a shape that was no plane, but at least so thick, has lost most of its thickness.
+THICK, FLATTENED = 0.02, 0.3
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,7 @@ class Candidate:
         residuals: largest and mean value of each measure of the net.
         edge_ratio: shortest / mean edge; ``edge_ratio_start`` the same of the input.
         crease: sharpest angle between neighbouring faces, in degrees; ``crease_start`` likewise.
+        thickness: smallest extent over the largest; ``thickness_start`` likewise.
         flipped: number of folded faces; ``flipped_start`` the same of the input.
         met: every measure is within the tolerance on every face or star.
     """
@@ -42,6 +45,8 @@ class Candidate:
     edge_ratio_start: float
     crease: float
     crease_start: float
+    thickness: float
+    thickness_start: float
     flipped: int
     flipped_start: int
     met: bool
@@ -49,7 +54,7 @@ class Candidate:
     @property
     def kept(self) -> float:
         """Edge ratio relative to the input's."""
-        return self.edge_ratio / self.edge_ratio_start
+        return self.edge_ratio / self.edge_ratio_start if self.edge_ratio_start > 0 else 1.0
 
     @property
     def sound(self) -> bool:
@@ -64,7 +69,13 @@ class Candidate:
     @property
     def good(self) -> bool:
         """A solution that no further attempt needs to improve."""
-        return self.valid and self.kept >= CRAMPED and not self.creased
+        return self.valid and self.kept >= CRAMPED and not self.creased and not self.flattened
+
+    @property
+    def flattened(self) -> bool:
+        """The shape was given up for a plane, which is every net but not what was drawn."""
+        thick = self.thickness_start >= THICK
+        return thick and self.thickness < FLATTENED * self.thickness_start
 
     @property
     def creased(self) -> bool:
@@ -77,10 +88,10 @@ class Candidate:
         return max((spread.max for spread in self.residuals.values()), default=0.0)
 
     @property
-    def rank(self) -> tuple[bool, bool, bool, float, float]:
+    def rank(self) -> tuple[bool, bool, bool, bool, float, float]:
         """Sorts candidates: solutions first, good, sound, with longer edges, smaller residuals."""
         kept = round(self.kept, 2) if self.valid else 0.0
-        return (self.valid, self.good, self.sound, kept, -self.worst)
+        return (self.valid, not self.flattened, self.good, self.sound, kept, -self.worst)
 
 
 def judge(
@@ -101,6 +112,8 @@ def judge(
         edge_ratio_start=start.edge_ratio_start,
         crease=sharpest_crease(mesh),
         crease_start=start.crease_start,
+        thickness=thickness(mesh),
+        thickness_start=start.thickness_start,
         flipped=int(flipped(mesh).sum()),
         flipped_start=start.flipped_start,
         met=all(spread.max <= tolerance for spread in residuals.values()),

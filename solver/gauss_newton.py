@@ -14,6 +14,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 
@@ -33,6 +34,8 @@ _FADE_END = 1e-12
 _NEAR = 1e-6
 # Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
 _PATIENCE = 25
+# A shape that is no solution replaces another when its worst residual is smaller by this factor.
+_WORTH = 0.8
 # Of so many attempts that reached the net, though with short edges or creases, the best is taken.
 _ENOUGH = 2
 # Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
@@ -238,12 +241,16 @@ class Optimisation:
     def _follow(self, state: _State) -> None:
         """Let terms that depend on where the mesh is (closest points, loads) look again."""
         for k in self._following:
-            term = self._terms[k]
-            assert isinstance(term, FollowingTerm)
-            self._terms[k] = term.follow(state.x)
+            self._terms[k] = cast(FollowingTerm, self._terms[k]).follow(state.x)
             state.linearisations[k] = self._terms[k].linearise(state.x)
 
     def _judge(self, x: FloatArray) -> Candidate:
+        if self.problem.easier:
+            # The shape counts by what was asked for; the easier net has no scalars in common.
+            mesh, wanted = self.problem.mesh_at(x), self.original
+            x = wanted.start.copy()
+            x[: 3 * len(mesh.vertices)] = ((mesh.vertices - wanted.centre) / wanted.scale).ravel()
+            return judge(wanted, x, self.tolerance)
         return judge(self.problem, x, self.tolerance, self.original)
 
     def _weights(self, fade: float) -> FloatArray:
@@ -266,7 +273,7 @@ class Optimisation:
             state.idle += 1
         # A shape that is still sound may be the best there will be, should the attempt fold later.
         best = self._best
-        if best is None or (not best.valid and record.worst < best.worst):
+        if best is None or (not best.valid and record.worst < _WORTH * best.worst):
             self._consider(self._judge(state.x))
         steps_left = self.max_steps - len(self.history)
         near = 0.25 * self.tolerance if state.slow else _MARGIN * self.tolerance
@@ -276,14 +283,29 @@ class Optimisation:
             self._conclude(STOPPED)
 
     def _end_attempt(self, steps_left: int) -> None:
+        if self.problem.easier and self._follow_up(steps_left):
+            return
         candidate = self._judge(self._state.x)
         self._consider(candidate)
-        if candidate.valid:
+        if candidate.valid and not candidate.flattened:
             self._solved += 1
         enough = candidate.good or self._solved >= _ENOUGH or steps_left <= 0
         if enough or not self._next_attempt():
             best = self._best or candidate
             self._conclude(CONVERGED if best.valid else STALLED)
+
+    def _follow_up(self, steps_left: int) -> bool:
+        """Start the wanted net from what an easier one found; return whether that was possible."""
+        problem = self.problem
+        found = judge(problem, self._state.x, self.tolerance, self.original)
+        last = self._attempt >= problem.attempts
+        usable = found.good or (found.valid and last)
+        if not usable or steps_left <= 0 or problem.easier is None:
+            return False
+        self._problems[self._turn] = problem.easier(found.mesh)
+        self._attempt, self.attempts = 1, self.attempts + 1
+        self._prepare()
+        return True
 
     def _next_attempt(self) -> bool:
         """Start the next attempt, of this problem or the next; return whether there is one."""
@@ -299,7 +321,12 @@ class Optimisation:
         return True
 
     def _consider(self, candidate: Candidate) -> None:
-        if self._best is None or candidate.rank > self._best.rank:
+        best = self._best
+        if best is not None and not candidate.valid and candidate.sound == best.sound:
+            # Where the net is out of reach, a little less of it is not worth wandering for.
+            if candidate.worst > _WORTH * best.worst:
+                return
+        if best is None or candidate.rank > best.rank:
             self._best = candidate
 
     def _conclude(self, status: str) -> None:

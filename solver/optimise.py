@@ -10,7 +10,7 @@ from solver.errors import InputError
 from solver.gauss_newton import Optimisation
 from solver.mesh.bend import central_directions, unbent
 from solver.mesh.quadmesh import QuadMesh
-from solver.nets import DEVELOPABLE, RECIPES
+from solver.nets import CONTINUED, DEVELOPABLE, RECIPES
 from solver.nets.constraints import Constraints, add_constraints, corners_that_stay
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides, fixed_vertices
@@ -124,6 +124,15 @@ def start_optimisation(
         return Optimisation(problem, tolerance, max_steps, backend, accept_start=False)
     ladder = weights.ladder()
     stay = not wanted.handles and wanted.close_to is None
+    if net in CONTINUED:
+        easy = Problem(
+            "principal", mesh, fixed, easier=lambda found: posed(found, [ladder[1], *ladder])
+        )
+        RECIPES["principal"](easy, options)
+        add_constraints(easy, wanted, weights.closeness)
+        add_guides(easy, ladder)
+        problems = [posed(mesh, ladder[:1]), easy, posed(mesh, ladder[1:])]
+        return Optimisation(problems, tolerance, max_steps, backend, stay)
     if net not in DEVELOPABLE or fixed.any() or constraints is not None:
         return Optimisation(posed(mesh, ladder), tolerance, max_steps, backend, stay)
     bent = [posed(unbent(mesh, way), ladder) for way in central_directions(mesh)]

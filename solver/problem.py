@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from solver.analysis.measures import edge_ratio, flipped, sharpest_crease
+from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thickness
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.terms.base import FollowingTerm, Size, Term
@@ -63,6 +63,7 @@ class Problem:
         net: name of the recipe.
         mesh: the start, in model units.
         fixed: (V,) true for vertices that must not move; they are eliminated.
+        easier: where this net is a step on the way only, makes the wanted problem from its result.
     """
 
     net: str
@@ -72,6 +73,7 @@ class Problem:
     guides: list[Guide] = field(default_factory=list)
     measures: dict[str, Measure] = field(default_factory=dict)
     details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
+    easier: Callable[[QuadMesh], Problem] | None = None
     places: dict[str, Callable[[int], str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -153,6 +155,11 @@ class Problem:
     def edge_ratio_start(self) -> float:
         """Shortest / mean edge of the start."""
         return edge_ratio(self.mesh)
+
+    @cached_property
+    def thickness_start(self) -> float:
+        """Smallest extent of the start over its largest."""
+        return thickness(self.mesh)
 
     @cached_property
     def crease_start(self) -> float:

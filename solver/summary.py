@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from solver.gauss_newton import Optimisation
 
 
+# Tolerances below this are out of reach wherever the model lies.
+_REACHABLE = 1e-15
+
+
 def summarise(run: Optimisation, best: Candidate) -> Outcome:
     """Put the outcome of ``run``, whose best shape is ``best``, into an :class:`Outcome`."""
     problem, history = run.original, run.history
@@ -62,14 +66,14 @@ def _message(run: Optimisation, best: Candidate, status: str) -> str:
     if run.original.fixed.any():
         remedies.append("fewer fixed vertices give the net room")
     spacing = np.spacing(np.abs(run.original.mesh.vertices).max()) / run.original.scale
-    if 100 * spacing > run.tolerance:
+    if 100 * spacing > run.tolerance >= _REACHABLE:
         remedies.append("coordinates are far from the origin: move the model near it")
     if status == STOPPED and len(run.history) >= run.max_steps:
         remedies.insert(0, f"more than {run.max_steps} steps")
     if status == STALLED and not remedies:
         remedies.append("try more fairness, or a start mesh nearer to the net")
     advice = "; try: " + "; ".join(remedies) if remedies else ""
-    verb = "stopped" if status == STOPPED else "no further progress"
+    verb = "ended" if status == STOPPED else "no further progress"
     where = f" at {best.worst_place}" if best.worst_place else ""
     return f"{verb} after {len(run.history)} steps, worst {_worst(best)}{where}{advice}"
 

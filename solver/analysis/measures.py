@@ -125,6 +125,13 @@ def edge_ratio(mesh: QuadMesh) -> float:
     return float(mesh.edge_lengths.min() / mesh.mean_edge)
 
 
+def thickness(mesh: QuadMesh) -> float:
+    """Smallest over largest root mean square extent of the vertices: zero for a plane."""
+    points = mesh.vertices[mesh.connectivity.referenced]
+    extents = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return float(extents[2] / extents[0])
+
+
 def sharpest_crease(mesh: QuadMesh) -> float:
     """Largest angle between the normals of two neighbouring faces, in degrees."""
     left, right = mesh.connectivity.edge_faces[~mesh.connectivity.boundary_edges].T

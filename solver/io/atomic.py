@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import tempfile
@@ -18,7 +19,9 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
     Raises:
         OutputError: the folder is missing or cannot be written.
     """
-    target = Path(path)
+    target = Path(os.path.realpath(path))
+    if target.exists() and not target.is_file():
+        raise OutputError(f"{target}: is not an ordinary file; name another")
     temporary = None
     try:
         handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
@@ -54,14 +57,35 @@ def staged_folder(target: str | os.PathLike[str]) -> Iterator[Path]:
         ) from error
     try:
         yield staging
-        for path in sorted(staging.iterdir()):
-            os.replace(path, folder / path.name)
+        _move_all(sorted(staging.iterdir()), folder)
     except OutputError:
         raise
     except OSError as error:
-        raise OutputError(f"{folder}: cannot be written ({error.strerror}); free space?") from error
+        remedy = "free some space" if error.errno == errno.ENOSPC else "choose another folder"
+        raise OutputError(f"{folder}: cannot be written ({error.strerror}); {remedy}") from error
     finally:
         shutil.rmtree(staging, ignore_errors=True)
+
+
+def _move_all(paths: list[Path], folder: Path) -> None:
+    """Move files into a folder; where one cannot be moved, put back what stood there before."""
+    kept: list[tuple[Path, Path | None]] = []
+    try:
+        for path in paths:
+            target = folder / path.name
+            old = None
+            if target.exists():
+                old = path.with_name(path.name + ".before")
+                os.replace(target, old)
+            kept.append((target, old))
+            os.replace(path, target)
+    except OSError:
+        for target, old in reversed(kept):
+            if old is not None:
+                os.replace(old, target)
+            elif target.is_file():
+                target.unlink()
+        raise
 
 
 def _umask() -> int:

@@ -14,6 +14,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # A face whose area vector is below this part of its squared diagonals has no direction.
 _ZERO_AREA = 1e-12
+# Coordinates beyond this lose their squares' meaning in floating point.
+_LARGEST = 1e100
 
 
 def quad_mesh(
@@ -35,6 +37,9 @@ def quad_mesh(
         InputError: faces that are not quads, bad numbers, non-manifold or non-orientable edges.
     """
     faces = _quads(polygons, len(vertices))
+    _refuse_wild_numbers(vertices)
+    Connectivity.check_corners(faces, len(vertices))
+    _refuse_double_faces(faces)
     remarks: list[str] = []
     faces = _oriented(faces, len(vertices), remarks)
     mesh = QuadMesh(vertices, Connectivity(faces, len(vertices)))
@@ -64,7 +69,40 @@ def _quads(polygons: Sequence[Sequence[int]], vertex_count: int) -> IntArray:
             f"faces: expected 4 vertices a face, found {' and '.join(counts)} among "
             f"{len(sizes)}; face {first} has {sizes[first]}; remesh to quads first"
         )
+    highest = max(max(polygon) for polygon in polygons)
+    if highest >= vertex_count:
+        face = next(k for k, polygon in enumerate(polygons) if max(polygon) >= vertex_count)
+        shown = str(highest) if highest < 10**12 else "with a far too large number"
+        raise InputError(
+            f"faces: face {face} names vertex {shown}, but vertices are numbered 0 to "
+            f"{vertex_count - 1}; mend the face or add the vertices"
+        )
     return np.array(polygons, dtype=np.int64).reshape(-1, 4)
+
+
+def _refuse_wild_numbers(vertices: FloatArray) -> None:
+    finite = np.isfinite(vertices).all(axis=1)
+    if not finite.all():
+        raise InputError(
+            f"vertices: {int((~finite).sum())} have NaN or infinite coordinates, the first is "
+            f"vertex {int(np.argmin(finite))}; mend the file"
+        )
+    if np.abs(vertices).max() > _LARGEST:
+        vertex = int(np.argmax(np.abs(vertices).max(axis=1)))
+        raise InputError(
+            f"vertices: vertex {vertex} has a coordinate beyond {_LARGEST:g}; mend it or scale down"
+        )
+
+
+def _refuse_double_faces(faces: IntArray) -> None:
+    _, first, counts = np.unique(
+        np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True
+    )
+    if (counts > 1).any():
+        raise InputError(
+            f"faces: {int((counts > 1).sum())} have the same four corners as another, the first is "
+            f"face {int(first[counts > 1].min())}; delete the doubles"
+        )
 
 
 def _oriented(faces: IntArray, vertex_count: int, remarks: list[str]) -> IntArray:
@@ -115,6 +153,13 @@ def _oriented(faces: IntArray, vertex_count: int, remarks: list[str]) -> IntArra
 
 
 def _refuse_empty_faces(mesh: QuadMesh) -> None:
+    short = np.flatnonzero(mesh.edge_lengths == 0.0)
+    if len(short):
+        start, end = mesh.connectivity.edges[short[0]].tolist()
+        raise InputError(
+            f"edges: {len(short)} have no length, the first is edge {start} - {end}; "
+            "merge its vertices or move one"
+        )
     points = mesh.vertices[mesh.faces]
     diagonals = points[:, 2] - points[:, 0], points[:, 3] - points[:, 1]
     size = sum((diagonal**2).sum(axis=1) for diagonal in diagonals)

@@ -42,7 +42,7 @@ def read_obj(path: str | os.PathLike[str]) -> ObjData:
     """
     name = os.fspath(path)
     try:
-        text = Path(name).read_text(encoding="utf-8", errors="replace")
+        text = Path(name).read_text(encoding="utf-8-sig", errors="replace")
     except FileNotFoundError:
         raise InputError(f"{name}: no such file; check the path") from None
     except OSError as error:

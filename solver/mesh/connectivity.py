@@ -46,12 +46,29 @@ class Connectivity:
             )
         faces.setflags(write=False)
         object.__setattr__(self, "faces", faces)
-        out_of_range = ((faces < 0) | (faces >= self.vertex_count)).any(axis=1)
+        self.check_corners(faces, self.vertex_count)
+        key = self._half_edges[:, 0] * self.vertex_count + self._half_edges[:, 1]
+        unique, counts = np.unique(key, return_counts=True)
+        if (counts > 1).any():
+            bad = int(unique[np.argmax(counts > 1)])
+            raise InputError(
+                f"edges: edge {bad // self.vertex_count} - {bad % self.vertex_count} is used twice "
+                "in the same direction; unify the orientation and remove double faces"
+            )
+
+    @staticmethod
+    def check_corners(faces: IntArray, vertex_count: int) -> None:
+        """Refuse (F, 4) faces that name vertices which do not exist, or one vertex twice.
+
+        Raises:
+            InputError: naming the first such face.
+        """
+        out_of_range = ((faces < 0) | (faces >= vertex_count)).any(axis=1)
         if out_of_range.any():
             face = int(np.argmax(out_of_range))
             raise InputError(
                 f"faces: face {face} names vertices {faces[face].tolist()}, but vertices are "
-                f"numbered 0 to {self.vertex_count - 1}; mend the face or add the vertices"
+                f"numbered 0 to {vertex_count - 1}; mend the face or add the vertices"
             )
         ordered = np.sort(faces, axis=1)
         repeated = (ordered[:, 1:] == ordered[:, :-1]).any(axis=1)
@@ -60,14 +77,6 @@ class Connectivity:
             raise InputError(
                 f"faces: {int(repeated.sum())} repeat a vertex, the first is face {face} "
                 f"{faces[face].tolist()}; split or delete it"
-            )
-        key = self._half_edges[:, 0] * self.vertex_count + self._half_edges[:, 1]
-        unique, counts = np.unique(key, return_counts=True)
-        if (counts > 1).any():
-            bad = int(unique[np.argmax(counts > 1)])
-            raise InputError(
-                f"edges: edge {bad // self.vertex_count} - {bad % self.vertex_count} is used twice "
-                "in the same direction; unify the orientation and remove double faces"
             )
 
     @cached_property

@@ -16,6 +16,10 @@ from solver.problem import Problem
 # bent in one direction is tried.
 DEVELOPABLE = ("geodesic", "dog", "chebyshev", "geodesic-chebyshev")
 
+# Nets that are near to principal meshes: where the start leads nowhere, a principal mesh is made
+# first.
+CONTINUED = ("circular", "conical")
+
 RECIPES: dict[str, Callable[[Problem, NetOptions], Problem]] = {
     "orthogonal": orthogonal,
     "principal": principal,

@@ -71,12 +71,12 @@ class FollowingTerm(Term, Protocol):
 
 def coordinates_of(vertices: IntArray) -> IntArray:
     """Positions in the flat vector of the coordinates of an (n, s) array of vertices: (n, 3 s)."""
-    return (3 * vertices[..., None] + np.arange(3)).reshape(len(vertices), -1)
+    return (3 * vertices[..., None] + np.arange(3)).reshape(len(vertices), 3 * vertices.shape[1])
 
 
 def points_of(x: FloatArray, unknowns: IntArray) -> FloatArray:
     """Gather the points of each element: (n, s, 3) from the (n, 3 s) positions of coordinates."""
-    return x[unknowns].reshape(len(unknowns), -1, 3)
+    return x[unknowns].reshape(len(unknowns), unknowns.shape[1] // 3, 3)
 
 
 def dot(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 import pytest
 
@@ -46,8 +48,15 @@ def test_components_and_loose_vertices_are_kept_and_said():
         (lambda p, f: (p, [*f, [0, 1, 2, 77]]), "numbered 0 to 8"),
         (lambda p, f: (p, [*f, [0, 1, 1, 2]]), "repeat a vertex, the first is face 4"),
         (lambda p, f: (np.where(p == 2, np.nan, p), f), "NaN or infinite"),
-        (lambda p, f: (p * [1, 0, 0], f), "no area, the first is face 0"),
-        (lambda p, f: (p, [*f, *f]), "more than two faces"),
+        (lambda p, f: (p @ [[1, 0, 0], [0.3, 0, 0], [0, 0, 1]], f), "no area, the first is face 0"),
+        (lambda p, f: (p * [1, 0, 1], f), "have no length, the first is edge 0 - 1"),
+        (lambda p, f: (p, [*f, [0, 1, 2, 10**20]]), "far too large number"),
+        (lambda p, f: (p * 1e200, f), "beyond 1e\\+100"),
+        (
+            lambda p, f: (p, [*f, *f]),
+            "4 have the same four corners as another, the first is face 0",
+        ),
+        (lambda p, f: (np.vstack([p, p + 0.7]), [*f, [1, 4, 13, 10]]), "more than two faces"),
     ],
 )
 def test_unusable_meshes_are_refused_in_one_line(change, words):
@@ -134,3 +143,34 @@ def test_a_failed_batch_of_files_changes_nothing(tmp_path):
         raise ZeroDivisionError
     assert [path.name for path in tmp_path.iterdir()] == ["a.txt"]
     assert (tmp_path / "a.txt").read_text() == "old"
+
+
+def test_a_byte_order_mark_does_not_eat_the_first_vertex(tmp_path):
+    path = tmp_path / "marked.obj"
+    path.write_bytes(b"\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+    assert len(read_obj(path).vertices) == 4
+
+
+def test_a_link_keeps_its_target_and_a_device_is_refused(tmp_path):
+    real, link = tmp_path / "real.txt", tmp_path / "link.txt"
+    real.write_text("old")
+    link.symlink_to(real)
+    write_text(link, "new")
+    assert link.is_symlink()
+    assert real.read_text() == "new"
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with pytest.raises(OutputError, match="not an ordinary file"):
+        write_text(pipe, "text")
+
+
+def test_files_that_moved_before_a_failure_are_put_back(tmp_path):
+    (tmp_path / "a.txt").write_text("old")
+    (tmp_path / "b.txt").mkdir()
+    with pytest.raises(OutputError), staged_folder(tmp_path) as staging:
+        (staging / "a.txt").write_text("new")
+        (staging / "b.txt").write_text("new")
+        (staging / "b.txt.before").mkdir()
+        (staging / "b.txt.before" / "in the way").write_text("x")
+    assert (tmp_path / "a.txt").read_text() == "old"
+    assert (tmp_path / "b.txt").is_dir()

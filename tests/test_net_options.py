@@ -1,0 +1,175 @@
+"""Options of the command ``optimise`` that say which net, what is held where, what it carries."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.__main__ import main
+from solver import QuadMesh
+from solver.analysis import measures, spheres
+from tests.conftest import grid_faces, shared_mesh, wavy_grid
+
+
+@pytest.fixture
+def wave(tmp_path):
+    path = tmp_path / "wave.obj"
+    api.write_mesh(path, wavy_grid(9, 8, shear=0.1))
+    return path
+
+
+def optimised(tmp_path, start, *arguments: str):
+    out, report = tmp_path / "net.obj", tmp_path / "net.json"
+    code = main(["optimise", str(start), "-o", str(out), "--report", str(report), *arguments])
+    assert code == 0, json.loads(report.read_text())["message"]
+    return api.read_mesh(out).mesh, json.loads(report.read_text())
+
+
+def test_radius_of_a_cmc_net(tmp_path):
+    start = tmp_path / "cmc.obj"
+    api.write_mesh(start, shared_mesh("cmc1"))
+    mesh, _ = optimised(tmp_path, start, "--net", "cmc", "--radius", "3.6")
+    assert abs(spheres.common_radius(mesh)) == pytest.approx(3.6, rel=1e-9)
+
+
+def test_length_of_a_chebyshev_net(tmp_path, wave):
+    mesh, _ = optimised(tmp_path, wave, "--net", "chebyshev", "--length", "1.1")
+    assert np.allclose(mesh.edge_lengths, 1.1, atol=1e-9)
+
+
+def test_a_length_for_each_family(tmp_path):
+    i, j = np.meshgrid(np.arange(8.0), 2.0 * np.arange(7.0), indexing="ij")
+    points = np.stack([i, j + 0.05 * i, 0.4 * np.sin(0.5 * i)], axis=2).reshape(-1, 3)
+    start = tmp_path / "sheet.obj"
+    api.write_mesh(start, QuadMesh.from_arrays(points, grid_faces(8, 7)))
+    mesh, _ = optimised(tmp_path, start, "--net", "chebyshev", "--per-family")
+    for family in (0, 1):
+        chosen = mesh.connectivity.edge_families == family
+        assert measures.equal_edges(mesh, chosen).max() < 1e-10
+    assert measures.chebyshev(mesh).max() > 0.2
+
+
+def test_angle_of_the_medial_lines(tmp_path, wave):
+    mesh, _ = optimised(tmp_path, wave, "--net", "orthogonal", "--angle", "80")
+    assert measures.medial_angle(mesh, np.radians(80)).max() < 1e-9
+    assert measures.orthogonality(mesh).min() > 0.05
+
+
+def test_stress_net_with_area_load_and_supports(tmp_path):
+    start = tmp_path / "dome.obj"
+    api.write_mesh(start, shared_mesh("quad_dome"))
+    mesh, report = optimised(
+        tmp_path, start, "--net", "stress", "--load-area", "3", "--compression"
+    )
+    assert report["residuals"]["equilibrium"]["max"] <= 1e-10
+    assert max(report["details"]["force_densities"]) <= 0.0
+    assert len(report["details"]["force_densities"]) == len(mesh.connectivity.edges)
+
+
+def test_isometric_to_a_reference_with_a_handle(tmp_path):
+    angle = np.linspace(-0.6, 0.6, 9)
+    i, j = np.meshgrid(angle, 0.15 * np.arange(7), indexing="ij")
+    bent = np.stack([np.sin(i), j, np.cos(i)], axis=2).reshape(-1, 3)
+    start = tmp_path / "sheet.obj"
+    sheet = QuadMesh.from_arrays(bent, grid_faces(9, 7))
+    api.write_mesh(start, sheet)
+    x, y, z = bent[3] + [0.05, 0, -0.05]
+    mesh, report = optimised(
+        tmp_path,
+        start,
+        "--net",
+        "isometric",
+        "--reference",
+        str(start),
+        "--handle",
+        f"3:{x},{y},{z}",
+    )
+    assert measures.isometry(mesh, sheet.vertices).max() <= 1e-10
+    assert report["moved"]["max"] > 0.1
+
+
+def test_gliding_on_a_curve_file_and_a_plane(tmp_path, wave):
+    start = api.read_mesh(wave).mesh
+    curve = tmp_path / "curve.txt"
+    rim = start.vertices[:8]
+    points = np.vstack([rim[0] - [0, 4, 0], rim, rim[-1] + [0, 4, 0]]) + [0, 0, 0.1]
+    curve.write_text("\n".join(" ".join(map(str, point)) for point in points))
+    height = start.vertices[-1, 2]
+    mesh, report = optimised(
+        tmp_path,
+        wave,
+        *("--net", "orthogonal", "--glide", f"curve:{curve}", "--glide", f"plane:z={height}@71"),
+    )
+    assert report["residuals"]["glide"]["max"] <= 1e-10
+    assert mesh.vertices[71, 2] == pytest.approx(height, abs=1e-9)
+
+
+def test_gliding_on_a_surface_file(tmp_path, wave):
+    surface = tmp_path / "surface.obj"
+    api.write_mesh(surface, wavy_grid(9, 8, shear=0.1))
+    _, report = optimised(tmp_path, wave, "--net", "orthogonal", "--glide", f"surface:{surface}")
+    assert report["residuals"]["glide"]["max"] <= 1e-10
+    assert report["moved"]["max"] > 0.01
+
+
+def test_the_other_variant_is_named_where_it_is_much_closer(tmp_path, capsys):
+    s, t = np.meshgrid(np.linspace(-1, 1, 9), np.linspace(-1, 1, 9), indexing="ij")
+    points = np.stack([s * np.cos(t), s * np.sin(t), t], axis=2).reshape(-1, 3)
+    start = tmp_path / "helicoid.obj"
+    api.write_mesh(start, QuadMesh.from_arrays(points, grid_faces(9, 9)))
+    main(
+        ["optimise", str(start), "--net", "asymptotic", "--diagonal", "-o", str(tmp_path / "n.obj")]
+    )
+    assert "try without --diagonal" in capsys.readouterr().err
+    main(["optimise", str(start), "--net", "asymptotic", "-o", str(tmp_path / "n.obj")])
+    assert "diagonal" not in capsys.readouterr().err
+
+
+def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
+    angles = np.linspace(-0.4, 0.4, 8)
+    u, v = np.meshgrid(angles, angles, indexing="ij")
+    cap = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], axis=2)
+    start = tmp_path / "cap.obj"
+    api.write_mesh(start, QuadMesh.from_arrays(cap.reshape(-1, 3), grid_faces(8, 8)))
+    main(["check", str(start), "--json"])
+    advice = json.loads(capsys.readouterr().out)["advice"]
+    verdicts = {(entry["net"], entry["diagonal"]): entry["possible"] for entry in advice["nets"]}
+    assert not verdicts[("asymptotic", False)]
+    assert not verdicts[("asymptotic", True)]
+    assert verdicts[("principal", False)]
+    assert verdicts[("cmc", False)]
+    # On a sphere every net is principal: circles of latitude and meridians are trapezoids.
+    assert advice["recommendation"].startswith(("optimise for principal", "optimise for c"))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--handle", "5:1,2"], "handle: expected I:x,y,z"),
+        (["--handle", "5000:1,2,3"], "handle: vertex 5000 does not exist"),
+        (["--glide", "ceiling"], "glide: expected boundary, plane:z=0"),
+        (["--glide", "plane:z=999"], "no free boundary vertex lies within half"),
+        (["--glide", "curve:absent.txt"], "absent.txt: cannot be read"),
+        (["--glide", "surface:absent.obj"], "absent.obj: no such file"),
+        (["--glide", "surface:absent.stl"], "absent.stl: no such file"),
+        (["--close-to", "absent.obj"], "absent.obj: no such file"),
+        (["--symmetry", "q"], "symmetry: expected letters"),
+        (["--net", "isometric", "--reference", "absent.obj"], "absent.obj: no such file"),
+        (["--supports", "corners"], "supports: only stress nets have them"),
+        (["--net", "stress", "--supports", "1,2"], "would be a mechanism"),
+        (["--net", "cmc", "--radius", "-1"], "radius: expected a positive length"),
+        (["--multi", "-1"], "multi: expected a weight"),
+    ],
+)
+def test_bad_options_are_one_line_and_write_nothing(
+    wave, tmp_path, capsys, monkeypatch, arguments, words
+):
+    monkeypatch.chdir(tmp_path)
+    assert main(["optimise", str(wave), "-o", "out.obj", *arguments]) == 2
+    text = capsys.readouterr().err.strip()
+    assert words in text
+    assert text.splitlines()[-1].startswith("error:")
+    assert not (tmp_path / "out.obj").exists()
