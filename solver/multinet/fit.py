@@ -18,6 +18,8 @@ from solver.multinet.quadric import Quadric
 
 # A line flatter than this, thickness over length, determines no quadric.
 _FLAT = 1e-5
+# A net that misses the mesh by more than this part of its size is no fit.
+_FAR = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +29,7 @@ class MultiNetFit:
     Attributes:
         net: its smooth form; sample it anew at will.
         s: (M,) curve parameters of the lines of the mesh.
-        t: (N,) t values, 0 on the line in the middle.
+        t: (N,) t values, 0 on the least planar line.
         transposed: the curve runs along v of the mesh, not along u.
         mesh: the exact multi-net at these parameters, numbered like the mesh.
         deviation: largest distance between the vertices of both, in the model's unit.
@@ -61,30 +63,44 @@ def fit_multi_net(mesh: QuadMesh) -> MultiNetFit:
     points = grid.points(mesh)
     shift, size = points.reshape(-1, 3).mean(axis=0), size_of(points.reshape(-1, 3))
     scaled = (points - shift) / size
-    middle = scaled[:, scaled.shape[1] // 2], scaled[scaled.shape[0] // 2]
-    thickness = _thickness(middle[0]), _thickness(middle[1])
-    if max(thickness) < _FLAT:
+    families = [_thickest(scaled.transpose(1, 0, 2)), _thickest(scaled)]
+    if max(families)[0] < _FLAT:
         raise InputError(
             "fit: all parameter lines are planar, which leaves the quadric open; "
             "build rotational and planar multi-nets from their profile or conics instead"
         )
-    transposed = thickness[1] > thickness[0]
+    transposed = families[1] > families[0]
+    base = families[transposed][1]
     if transposed:
         scaled = scaled.transpose(1, 0, 2)
     closed = grid.closed_v if transposed else grid.closed_u
-    quadric, t = _refined(scaled, *_start(scaled))
-    curve = quadric.from_frame(_curve(scaled, quadric, t))
-    real = Quadric(quadric.curvatures / size**2, quadric.rotation, quadric.centre * size + shift)
-    net = multi_net(real, curve * size + shift, closed=closed)
+    try:
+        quadric, t = _refined(scaled, base, *_start(scaled, base))
+        curve = quadric.from_frame(_curve(scaled, quadric, t))
+        centre = quadric.centre * size + shift
+        real = Quadric(quadric.curvatures / size**2, quadric.rotation, centre)
+        net = multi_net(real, curve * size + shift, closed=closed)
+    except (InputError, np.linalg.LinAlgError):
+        raise _no_fit() from None
     s = np.arange(len(curve)) / (len(curve) - 1 + closed)
     t = np.clip(t * size**2, *real.admissible)
     exact = net.points(s, t)
     ordered = exact.transpose(1, 0, 2) if transposed else exact
     deviation = float(np.linalg.norm(ordered - points, axis=2).max())
+    if deviation > _FAR * size:
+        raise _no_fit()
     result = grid_mesh(ordered, grid.closed_u, grid.closed_v)
     vertices = np.empty_like(mesh.vertices)
     vertices[grid.numbers.ravel()] = result.vertices
     return MultiNetFit(net, s, t, transposed, mesh.with_vertices(vertices), deviation)
+
+
+def _no_fit() -> InputError:
+    return InputError(
+        "fit: no central quadric fits the lines: they lie on paraboloids, or cross a "
+        "symmetry plane of the quadric (cut the mesh there), or the mesh is far from a "
+        "multi-net (check it first)"
+    )
 
 
 def _thickness(line: FloatArray) -> float:
@@ -92,9 +108,17 @@ def _thickness(line: FloatArray) -> float:
     return float(values[2] / values[0]) if len(values) > 2 and len(line) > 3 else 0.0
 
 
-def _start(points: FloatArray) -> tuple[Quadric, FloatArray]:
-    """Quadric and (N,) t values by linear steps, from (M, N, 3) points."""
-    base = points.shape[1] // 2
+def _thickest(lines: FloatArray) -> tuple[float, int]:
+    """How far the least planar line is from planar, and its number."""
+    values = [_thickness(line) for line in lines]
+    # The middle one where they are alike.
+    order = sorted(range(len(lines)), key=lambda k: abs(k - len(lines) // 2))
+    best = max(order, key=lambda k: round(values[k], 3))
+    return values[best], best
+
+
+def _start(points: FloatArray, base: int) -> tuple[Quadric, FloatArray]:
+    """Quadric and (N,) t values, 0 on line ``base``, by linear steps from (M, N, 3) points."""
     known = np.column_stack([points[:, base], np.ones(len(points))])
     affine = np.stack([np.linalg.lstsq(known, line)[0] for line in points.transpose(1, 0, 2)])
     maps = 0.5 * (affine[:, :3] + affine[:, :3].transpose(0, 2, 1))
@@ -110,8 +134,9 @@ def _start(points: FloatArray) -> tuple[Quadric, FloatArray]:
     return Quadric(axes[0], rotation, centre), t
 
 
-def _refined(points: FloatArray, quadric: Quadric, t: FloatArray) -> tuple[Quadric, FloatArray]:
-    base = points.shape[1] // 2
+def _refined(
+    points: FloatArray, base: int, quadric: Quadric, t: FloatArray
+) -> tuple[Quadric, FloatArray]:
     free = np.delete(np.arange(len(t)), base)
 
     def build(x: FloatArray) -> tuple[Quadric, FloatArray]:

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from solver import InputError, QuadMesh
+from solver.mesh.coarsen import trimmed
 from solver.mesh.grid import grid_mesh, grid_of
+from solver.mesh.primitives import primitive
 from solver.multinet import (
     elliptic_net,
     fit_multi_net,
@@ -123,6 +125,20 @@ def test_fit_of_a_noisy_mesh_is_near_and_exact():
     assert multi_net_residual(noisy).worst > 1e-4
     assert multi_net_residual(fit.mesh).worst < 1e-13
     np.testing.assert_allclose(fit.quadric.centre, 0, atol=0.02 * size)
+
+
+def test_fit_needs_one_side_of_the_symmetry_planes():
+    whole = primitive("ellipsoid", 16, 9, semi_axes=(3.0, 2.0, 1.2), clear=0.1)
+    with pytest.raises(InputError, match="cut the mesh there"):
+        fit_multi_net(whole)
+    fit = fit_multi_net(trimmed(whole, (0, 0), (0, 5)))
+    assert fit.deviation < 1e-6
+    np.testing.assert_allclose(np.diff(np.sort(1 / fit.quadric.curvatures)), [2.56, 5], rtol=1e-4)
+
+
+def test_fit_says_where_no_central_quadric_fits():
+    with pytest.raises(InputError, match="paraboloids"):
+        fit_multi_net(primitive("elliptic-paraboloid", 12, 9))
 
 
 def test_fit_refuses_planar_lines():
