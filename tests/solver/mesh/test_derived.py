@@ -131,6 +131,8 @@ def test_subdivision_keeps_parameter_lines(refine, mesh):
     assert {frozenset(f) for f in back.faces.tolist()} == {
         frozenset(f) for f in mesh.faces.tolist()
     }
+    # With the corner first that was first: u stays u.
+    assert {tuple(f) for f in back.faces.tolist()} == {tuple(f) for f in mesh.faces.tolist()}
     if refine is subdivided:
         assert face_set(back) == face_set(mesh)
     # u stays u: side 0 of the fine faces lies along side 0 of the old ones.

@@ -93,6 +93,17 @@ def test_moebius_keeps_circles_and_spheres(centre):
     assert (back.faces == barrel.faces).all()
 
 
+def test_inversion_keeps_the_outside_outside():
+    ball = primitive("sphere", 12, 9)
+    image = inverted(ball, (0.0, 0.0, 4.0), 2.0)
+    # The ball of radius 1 at distance 4 goes to the one between 4 / 5 and 4 / 3 below the centre.
+    centre = np.array([0, 0, 4 - 0.5 * (4 / 5 + 4 / 3)])
+    np.testing.assert_allclose(np.linalg.norm(image.vertices - centre, axis=1), 4 / 15)
+    outward = image.vertices[image.faces].mean(axis=1) - centre
+    assert (np.einsum("ij,ij->i", image.face_normals, outward) > 0).all()
+    assert (image.faces[:, 0] == ball.faces[:, 1]).all()
+
+
 def test_moebius_keeps_place_orientation_and_principal_order():
     errors = []
     for count in (15, 29, 57):
