@@ -8,13 +8,12 @@ from dataclasses import replace
 
 from solver.errors import InputError
 from solver.gauss_newton import Optimisation
-from solver.mesh.bend import central_directions, unbent
 from solver.mesh.quadmesh import QuadMesh
-from solver.nets import CONTINUED, DEVELOPABLE, RECIPES
-from solver.nets.constraints import Constraints, add_constraints, corners_that_stay
+from solver.nets import RECIPES
+from solver.nets.constraints import Constraints, corners_that_stay
 from solver.nets.options import NetOptions
-from solver.nets.settings import Weights, add_guides, fixed_vertices
-from solver.problem import Problem
+from solver.nets.settings import Weights, fixed_vertices
+from solver.plan import Plan
 from solver.report import Outcome, StepRecord
 
 
@@ -101,40 +100,18 @@ def start_optimisation(
         raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
     if max_steps < 1:
         raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
-    weights = Weights()
-    if fairness is not None:
-        weights = replace(weights, fairness=fairness)
-    if closeness is not None:
-        weights = replace(weights, closeness=closeness)
-    if multi is not None:
-        weights = replace(weights, multi=multi)
-    options = options or NetOptions()
+    given = {"fairness": fairness, "closeness": closeness, "multi": multi}
+    weights = replace(
+        Weights(), **{key: value for key, value in given.items() if value is not None}
+    )
     wanted = constraints or Constraints()
     fixed = fixed_vertices(mesh, fix)
     fixed[corners_that_stay(mesh, wanted)] = True
 
-    def posed(start: QuadMesh, attempts: list[Weights]) -> Problem:
-        problem = RECIPES[net](Problem(net, start, fixed), options)
-        add_constraints(problem, wanted, attempts[0].closeness)
-        return add_guides(problem, attempts)
-
+    plan = Plan(net, fixed, options or NetOptions(), wanted, weights)
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     if fairness is not None:
-        problem = posed(mesh, [weights])
+        problem = plan.pose(mesh, [weights])
         return Optimisation(problem, tolerance, max_steps, backend, accept_start=False)
-    ladder = weights.ladder()
     stay = not wanted.handles and wanted.close_to is None
-    if net in CONTINUED:
-        easy = Problem(
-            "principal", mesh, fixed, easier=lambda found: posed(found, [ladder[1], *ladder])
-        )
-        RECIPES["principal"](easy, options)
-        add_constraints(easy, wanted, weights.closeness)
-        add_guides(easy, ladder)
-        problems = [posed(mesh, ladder[:1]), easy, posed(mesh, ladder[1:])]
-        return Optimisation(problems, tolerance, max_steps, backend, stay)
-    if net not in DEVELOPABLE or fixed.any() or constraints is not None:
-        return Optimisation(posed(mesh, ladder), tolerance, max_steps, backend, stay)
-    bent = [posed(unbent(mesh, way), ladder) for way in central_directions(mesh)]
-    problems = [posed(mesh, ladder[:1]), *bent, posed(mesh, ladder[1:])]
-    return Optimisation(problems, tolerance, max_steps, backend)
+    return Optimisation(plan.problems(mesh), tolerance, max_steps, backend, stay)

@@ -16,9 +16,12 @@ from solver.problem import Problem
 # bent in one direction is tried.
 DEVELOPABLE = ("geodesic", "dog", "chebyshev", "geodesic-chebyshev")
 
-# Nets that are near to principal meshes: where the start leads nowhere, a principal mesh is made
-# first.
-CONTINUED = ("circular", "conical")
+# Where the start leads nowhere, an easier net is made first, with so much more fairness.
+CONTINUED: dict[str, tuple[tuple[str, float], ...]] = {
+    "circular": (("principal", 1.0),),
+    "conical": (("principal", 1.0),),
+    "stress": (("orthogonal", 100.0), ("orthogonal", 1.0)),
+}
 
 RECIPES: dict[str, Callable[[Problem, NetOptions], Problem]] = {
     "orthogonal": orthogonal,
