@@ -11,7 +11,7 @@ import numpy as np
 from freecad_ortho import api
 from solver import Constraints, InputError, NetOptions
 from solver.io.obj import read_obj
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.constraints import (
     BoundaryGlide,
     CurveGlide,
@@ -55,12 +55,12 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--symmetry", default="", metavar="x,y", help="mirror planes")
 
 
-def settings(options: argparse.Namespace) -> dict[str, Any]:
-    """Turn parsed options into keyword arguments of ``api.optimise``."""
+def settings(options: argparse.Namespace, mesh: QuadMesh) -> dict[str, Any]:
+    """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh."""
     forces = "compression" if options.compression else "tension" if options.tension else "free"
     reference = None
     if options.reference:
-        reference = api.read_mesh(options.reference).mesh.vertices
+        reference = _reference(options.reference, mesh)
     fix = options.fix
     if options.net == "stress":
         fix = options.supports or (fix if fix != "none" else "boundary")
@@ -83,6 +83,18 @@ def settings(options: argparse.Namespace) -> dict[str, Any]:
         ),
         "constraints": _constraints(options),
     }
+
+
+def _reference(path: str, mesh: QuadMesh) -> FloatArray:
+    """Positions of the reference mesh, whose faces must be those of the mesh."""
+    other = api.read_mesh(path).mesh
+    if other.vertices.shape != mesh.vertices.shape or not np.array_equal(other.faces, mesh.faces):
+        raise InputError(
+            f"{path}: has other vertices or faces than the mesh ({len(other.vertices)} and "
+            f"{len(other.faces)}, not {len(mesh.vertices)} and {len(mesh.faces)}, or in another "
+            "order); give the same mesh in another shape"
+        )
+    return other.vertices
 
 
 def _constraints(options: argparse.Namespace) -> Constraints | None:
