@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, coordinates_of
+from solver.terms.base import Linearisation, Size
+from solver.terms.stencils import OnVertices
 
 
 @dataclass(frozen=True, eq=False)
-class Closeness:
+class Closeness(OnVertices):
     """Distance of vertices from target points, in mean edges.
 
         r = v - target
@@ -21,15 +20,9 @@ class Closeness:
     Three rows a vertex; ``vertices`` is (n,), ``targets`` (n, 3) in the solver's units. Linear.
     """
 
-    vertices: IntArray
     targets: FloatArray
     name: str = "closeness"
     linear: bool = True
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 3) coordinates of each vertex."""
-        return coordinates_of(self.vertices[:, None])
 
     @property
     def size(self) -> Size:

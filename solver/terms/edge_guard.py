@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, coordinates_of, length, points_of
+from solver.terms.base import Linearisation, Size, length, points_of
+from solver.terms.stencils import OnEdges
 
 
 @dataclass(frozen=True, eq=False)
-class EdgeGuard:
+class EdgeGuard(OnEdges):
     """One-sided: edges shorter than a limit are pushed back, longer ones feel nothing.
 
         r = max(0, limit / |v_j - v_i| - 1)
@@ -21,15 +20,9 @@ class EdgeGuard:
     One row an edge; ``edges`` is (n, 2), ``limit`` in mean edges.
     """
 
-    edges: IntArray
     limit: float
     name: str = "edge guard"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 6) coordinates of both ends."""
-        return coordinates_of(self.edges)
 
     @property
     def size(self) -> Size:

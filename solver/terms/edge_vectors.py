@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, coordinates_of, points_of
+from solver.terms.base import Linearisation, Size, points_of
+from solver.terms.stencils import OnEdges
 
 _DIFFERENCE = np.hstack([-np.eye(3), np.eye(3)])
 
 
 @dataclass(frozen=True, eq=False)
-class EdgeVectors:
+class EdgeVectors(OnEdges):
     """Change of each edge vector against a reference shape.
 
         r = (v_j - v_i) - (v_j - v_i at rest)
@@ -23,15 +22,9 @@ class EdgeVectors:
     Three rows an edge; ``edges`` is (n, 2), ``rest`` the flat vector of the reference. Linear.
     """
 
-    edges: IntArray
     rest: FloatArray
     name: str = "edge vectors"
     linear: bool = True
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 6) coordinates of both ends."""
-        return coordinates_of(self.edges)
 
     @property
     def size(self) -> Size:

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 from solver.terms.angles import angles
-from solver.terms.base import Linearisation, Size, coordinates_of, points_of
+from solver.terms.base import Linearisation, Size, points_of
+from solver.terms.stencils import OnFaces
 
 _SIGNS = np.array([0.5, -0.5, 0.5, -0.5])
 
 
 @dataclass(frozen=True, eq=False)
-class CircularFace:
+class CircularFace(OnFaces):
     """Sums of opposite angles of a face agree; with a planar face, its corners lie on a circle.
 
         r = (t1 + t3 - t2 - t4) / 2
@@ -26,14 +25,8 @@ class CircularFace:
     Source: Bobenko, Suris (2008), Discrete Differential Geometry, circular nets.
     """
 
-    faces: IntArray
     name: str = "circular"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 12) coordinates of the four corners."""
-        return coordinates_of(self.faces)
 
     @property
     def size(self) -> Size:

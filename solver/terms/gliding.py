@@ -11,10 +11,11 @@ from solver.mesh.closest import Polyline, TriangleSurface
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 from solver.terms.base import Linearisation, Size, coordinates_of
+from solver.terms.stencils import OnVertices
 
 
 @dataclass(frozen=True, eq=False)
-class OnPlane:
+class OnPlane(OnVertices):
     """Vertices stay on a plane.
 
         r = n . v - d
@@ -22,16 +23,10 @@ class OnPlane:
     One row a vertex; ``vertices`` is (n,), ``normal`` a unit vector. Linear.
     """
 
-    vertices: IntArray
     normal: FloatArray
     offset: float
     name: str = "glide"
     linear: bool = True
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 3) coordinates of each vertex."""
-        return coordinates_of(self.vertices[:, None])
 
     @property
     def size(self) -> Size:
@@ -46,7 +41,7 @@ class OnPlane:
 
 
 @dataclass(frozen=True, eq=False)
-class OnSurface:
+class OnSurface(OnVertices):
     """Vertices stay on a triangle surface, measured from the tangent plane at the closest point.
 
         r = n . (v - foot)
@@ -54,17 +49,11 @@ class OnSurface:
     One row a vertex. Foot and normal are looked up anew after every step.
     """
 
-    vertices: IntArray
     surface: TriangleSurface
     feet: FloatArray | None = None
     normals: FloatArray | None = None
     name: str = "glide"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 3) coordinates of each vertex."""
-        return coordinates_of(self.vertices[:, None])
 
     @property
     def size(self) -> Size:
@@ -85,7 +74,7 @@ class OnSurface:
 
 
 @dataclass(frozen=True, eq=False)
-class OnCurve:
+class OnCurve(OnVertices):
     """Vertices stay on a polyline, measured across its tangent at the closest point.
 
         r = (I - t t^T) (v - foot)
@@ -93,17 +82,11 @@ class OnCurve:
     Three rows a vertex. Foot and tangent are looked up anew after every step.
     """
 
-    vertices: IntArray
     curve: Polyline
     feet: FloatArray | None = None
     tangents: FloatArray | None = None
     name: str = "glide"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 3) coordinates of each vertex."""
-        return coordinates_of(self.vertices[:, None])
 
     @property
     def size(self) -> Size:

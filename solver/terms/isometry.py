@@ -7,13 +7,13 @@ from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, coordinates_of, dot, points_of
+from solver.terms.base import Linearisation, Size, dot, points_of
+from solver.terms.stencils import OnFaces
 
 
 @dataclass(frozen=True, eq=False)
-class Isometry:
+class Isometry(OnFaces):
     """Each face keeps both diagonal lengths and the dot product of its diagonals.
 
         r1 = (|d1|^2 - |D1|^2) / (2 s),   r2 = (|d2|^2 - |D2|^2) / (2 s),
@@ -26,15 +26,9 @@ class Isometry:
     Source: Jiang et al. (2021), Using isometries for computational design and fabrication.
     """
 
-    faces: IntArray
     reference: FloatArray
     name: str = "isometry"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 12) coordinates of the four corners."""
-        return coordinates_of(self.faces)
 
     @property
     def size(self) -> Size:

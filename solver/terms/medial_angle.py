@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 from solver.terms.angles import cosines
-from solver.terms.base import Linearisation, Size, coordinates_of, points_of
+from solver.terms.base import Linearisation, Size, points_of
+from solver.terms.stencils import OnFaces
 
 
 @dataclass(frozen=True, eq=False)
-class MedialAngle:
+class MedialAngle(OnFaces):
     """The lines through midpoints of opposite edges meet at a given angle.
 
         r = cos(m1, m2) - cos(angle),   m1 = v2 + v3 - v1 - v4,   m2 = v3 + v4 - v1 - v2
@@ -25,15 +24,9 @@ class MedialAngle:
     after it.
     """
 
-    faces: IntArray
     angle: float
     name: str = "medial angle"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 12) coordinates of the four corners."""
-        return coordinates_of(self.faces)
 
     @property
     def size(self) -> Size:

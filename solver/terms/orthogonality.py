@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, coordinates_of, dot, points_of
+from solver.terms.base import Linearisation, Size, dot, points_of
+from solver.terms.stencils import OnFaces
 
 
 @dataclass(frozen=True, eq=False)
-class Orthogonality:
+class Orthogonality(OnFaces):
     """Equal diagonals, relative to their own length so that shrinking a face gains nothing.
 
         r = (p - q) / (p + q),   p = |v1 - v3|^2,   q = |v2 - v4|^2
@@ -24,14 +23,8 @@ class Orthogonality:
     difference is not divided by the sum.
     """
 
-    faces: IntArray
     name: str = "orthogonality"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 12) coordinates of the four corners."""
-        return coordinates_of(self.faces)
 
     @property
     def size(self) -> Size:

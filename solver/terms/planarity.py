@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, coordinates_of, dot, length, points_of
+from solver.terms.base import Linearisation, Size, dot, length, points_of
+from solver.terms.stencils import OnFaces
 
 
 @dataclass(frozen=True, eq=False)
-class Planarity:
+class Planarity(OnFaces):
     """Distance between the two diagonals of a face, relative to their mean length.
 
         r = c . n / (|n| s),   c = (v1 + v3 - v2 - v4) / 2,   n = d1 x d2,
@@ -26,14 +25,8 @@ class Planarity:
     figure 8 (the measure).
     """
 
-    faces: IntArray
     name: str = "planarity"
     linear: bool = False
-
-    @cached_property
-    def unknowns(self) -> IntArray:
-        """(n, 12) coordinates of the four corners."""
-        return coordinates_of(self.faces)
 
     @property
     def size(self) -> Size:
