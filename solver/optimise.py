@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Any
 
 from solver.errors import InputError
 from solver.gauss_newton import Optimisation
@@ -21,32 +22,16 @@ def optimise(
     mesh: QuadMesh,
     net: str = "principal",
     *,
-    fairness: float | None = None,
-    closeness: float | None = None,
-    multi: float | None = None,
-    fix: str | Sequence[int] = "none",
-    tolerance: float = 1e-10,
-    max_steps: int = 1000,
-    backend: str | None = None,
-    options: NetOptions | None = None,
-    constraints: Constraints | None = None,
     callback: Callable[[StepRecord], bool | None] | None = None,
+    **settings: Any,
 ) -> Outcome:
     """Move the vertices of a mesh until it is the wanted net.
 
     Args:
         mesh: the start, in any unit; it is not changed.
         net: name of the recipe, see ``solver.nets.RECIPES``.
-        fairness: start weight of straight parameter lines, by default the recipe's.
-        closeness: start weight of staying near the start.
-        multi: start weight of orthogonality of neighbouring pairs of faces.
-        fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
-        tolerance: largest residual that counts as zero, dimensionless.
-        max_steps: largest number of steps.
-        backend: ``rslab`` or ``scipy``; by default the fastest installed.
-        options: choices that only some nets have: diagonal variant, radius, length, reference.
-        constraints: handles, gliding, a surface to stay near, symmetry.
         callback: called after each step; returning True stops.
+        settings: any of the keyword arguments of :func:`start_optimisation`.
 
     Returns:
         The best mesh found, with its report. A ``KeyboardInterrupt`` during a step stops the run
@@ -55,25 +40,12 @@ def optimise(
     Raises:
         InputError: a setting that cannot be used.
     """
-    run = start_optimisation(
-        mesh,
-        net,
-        fairness=fairness,
-        closeness=closeness,
-        multi=multi,
-        fix=fix,
-        tolerance=tolerance,
-        max_steps=max_steps,
-        backend=backend,
-        options=options,
-        constraints=constraints,
-    )
+    run = start_optimisation(mesh, net, **settings)
     try:
         while not run.finished:
-            if callback is not None and callback(run.step()):
+            record = run.step()
+            if callback is not None and callback(record):
                 run.stop()
-            elif callback is None:
-                run.step()
     except KeyboardInterrupt:
         run.stop()
     return run.outcome()
@@ -93,7 +65,24 @@ def start_optimisation(
     options: NetOptions | None = None,
     constraints: Constraints | None = None,
 ) -> Optimisation:
-    """Prepare an optimisation that the caller advances step by step; see :func:`optimise`."""
+    """Prepare an optimisation that the caller advances step by step.
+
+    Args:
+        mesh: the start, in any unit; it is not changed.
+        net: name of the recipe, see ``solver.nets.RECIPES``.
+        fairness: start weight of straight parameter lines, by default the recipe's.
+        closeness: start weight of staying near the start.
+        multi: start weight of orthogonality of neighbouring pairs of faces.
+        fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
+        tolerance: largest residual that counts as zero, dimensionless.
+        max_steps: largest number of steps, over all attempts.
+        backend: ``rslab`` or ``scipy``; by default the fastest installed.
+        options: choices that only some nets have: diagonal variant, radius, length, reference.
+        constraints: handles, gliding, a surface to stay near, symmetry.
+
+    Raises:
+        InputError: a setting that cannot be used.
+    """
     if net not in RECIPES:
         raise InputError(f"net: expected one of {', '.join(RECIPES)}, got '{net}'")
     if not math.isfinite(tolerance) or tolerance <= 0:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +12,6 @@ from numpy.typing import ArrayLike
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.constraints import Constraints
-from solver.nets.options import NetOptions
 from solver.optimise import start_optimisation
 from solver.report import Outcome, StepRecord
 from solver.terms.closeness import Closeness
@@ -27,7 +27,9 @@ class Session:
         mesh: the start; every settled result is the net nearest to it with the handles where they
             are, the same that one call of ``solver.optimise`` with these handles finds.
         handles: vertices that may be dragged; they start where they are.
-        net: name of the recipe; the other arguments are those of ``solver.optimise``.
+        net: name of the recipe.
+        constraints: gliding, symmetry and the like; its handles are replaced.
+        settings: any of the other keyword arguments of ``solver.start_optimisation``.
 
     Raises:
         InputError: no handle, or one that does not exist.
@@ -41,12 +43,8 @@ class Session:
         handles: Sequence[int],
         net: str = "principal",
         *,
-        fix: str | Sequence[int] = "none",
-        options: NetOptions | None = None,
         constraints: Constraints | None = None,
-        tolerance: float = 1e-10,
-        max_steps: int = 1000,
-        backend: str | None = None,
+        **settings: Any,
     ) -> None:
         if not len(handles):
             raise InputError("handles: none given; name the vertices that may be dragged")
@@ -58,16 +56,7 @@ class Session:
                 )
         self.targets = {int(vertex): mesh.vertices[vertex].copy() for vertex in handles}
         wanted = replace(constraints or Constraints(), handles=self.targets)
-        self._run = start_optimisation(
-            mesh,
-            net,
-            fix=fix,
-            options=options,
-            constraints=wanted,
-            tolerance=tolerance,
-            max_steps=max_steps,
-            backend=backend,
-        )
+        self._run = start_optimisation(mesh, net, constraints=wanted, **settings)
 
     @property
     def vertices(self) -> FloatArray:
