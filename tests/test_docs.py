@@ -31,6 +31,15 @@ def test_every_net_and_measure_is_explained():
     assert {name for name, *_ in MEASURES} <= rows, "a measure is missing in docs/nets.md"
 
 
+def test_every_net_has_its_picture_and_numbers():
+    document = text("docs/nets.md")
+    sections = set(re.findall(r"^### ([a-z-]+)$", document, re.MULTILINE))
+    pictures = set(re.findall(r"\(pictures/nets/([a-z-]+)\.png\)", document))
+    table = document.split("<!-- examples table: begin -->")[1].split("<!-- examples table: end")[0]
+    numbers = set(re.findall(r"^\| ([a-z-]+) \|", table, re.MULTILINE))
+    assert set(RECIPES) <= sections & pictures & numbers
+
+
 def test_every_column_is_explained():
     assert all(f"`{column}`" in text("docs/fabrication.md") for column in COLUMNS)
 
@@ -39,6 +48,12 @@ def options_of(command, capsys):
     with pytest.raises(SystemExit):
         commands.run([command, "--help"])
     return set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", capsys.readouterr().out))
+
+
+def every_command(capsys):
+    with pytest.raises(SystemExit):
+        commands.run(["--help"])
+    return re.search(r"\{([a-z,-]+)\}", capsys.readouterr().out)[1].split(",")
 
 
 def test_every_option_is_named(capsys):
@@ -50,7 +65,7 @@ def test_every_option_is_named(capsys):
 
 def test_options_that_are_named_exist(capsys):
     known = {"--mesh", "--help", "--write", "--quick"}  # of the scripts
-    for command in ("optimise", "fabricate", "check", "multinet"):
+    for command in every_command(capsys):
         known |= options_of(command, capsys)
     for path in DOCUMENTS:
         named = set(re.findall(r"(?<![\w<-])--[a-z][a-z-]+", path.read_text(encoding="utf-8")))
