@@ -1,12 +1,16 @@
 """The documents stay true: links lead somewhere, nets and measures and options are all named."""
 
 import re
+import shlex
 
 import pytest
 
+from freecad_ortho import api
+from freecad_ortho.__main__ import main
 from freecad_ortho.cli import commands
 from freecad_ortho.fabrication.tables import COLUMNS
 from solver.analysis.check import MEASURES
+from solver.mesh.primitives import primitive
 from solver.nets import RECIPES
 from tests.conftest import ROOT
 
@@ -70,3 +74,38 @@ def test_options_that_are_named_exist(capsys):
     for path in DOCUMENTS:
         named = set(re.findall(r"(?<![\w<-])--[a-z][a-z-]+", path.read_text(encoding="utf-8")))
         assert named <= known, path.name
+
+
+@pytest.fixture
+def workplace(tmp_path, monkeypatch):
+    """A folder with the files that the commands of the documents begin with."""
+    monkeypatch.chdir(tmp_path)
+    dome = primitive("translational", 11, 9)
+    api.write_mesh("in.obj", dome.with_vertices(dome.vertices - dome.vertices.min(axis=0)), "m")
+    api.write_mesh("sheet.obj", primitive("rectangle", 19, 15, length=4.5, width=3.5), "m")
+    assert main(shlex.split("multinet --axes 9,5,2 --moving nu --sampling 9x7 -o nearly.obj")) == 0
+    api.write_mesh("left.obj", primitive("sphere", 5, 5, angles=(0, 180)), "m")
+    api.write_mesh("right.obj", primitive("sphere", 5, 5, angles=(180, 360)), "m")
+    (tmp_path / "drawn.txt").write_text("2.9 .2 .1\n2.2 1.4 .4\n1.2 1.7 .8\n.3 1.5 1.1\n")
+
+
+def test_commands_of_sources_run(workplace):
+    lines = re.findall(r"(?:^    |`)ortho ([^`\n]+)", text("docs/sources.md"), re.MULTILINE)
+    assert len(lines) >= 20
+    for line in lines:
+        if not line.startswith("quads"):  # needs a library that is not always there
+            assert main(shlex.split(line)) == 0, line
+
+
+def test_commands_of_nets_run(workplace):
+    lines = re.findall(r"^    python -m freecad_ortho (.+)", text("docs/nets.md"), re.MULTILINE)
+    assert len(lines) > len(RECIPES)
+    for line in lines:
+        assert main(shlex.split(line)) == 0, line
+
+
+def test_python_of_nets_runs():
+    code = re.search(r"```python\n(.*?)```", text("docs/nets.md"), re.DOTALL)[1]
+    found = {"mesh": primitive("rectangle", 19, 15, length=4.5, width=3.5)}
+    exec(code, found)
+    assert found["session"].settle().report.status == "converged"
