@@ -254,7 +254,10 @@ class Optimisation:
         return judge(self.problem, x, self.tolerance, self.original)
 
     def _weights(self, fade: float) -> FloatArray:
-        guides = [fade * guide.weight(self._attempt) for guide in self.problem.guides]
+        guides = [
+            guide.weight(self._attempt) * (1.0 if guide.lasting else fade)
+            for guide in self.problem.guides
+        ]
         return np.array([1.0] * len(self.problem.constraints) + guides)
 
     def _residuals(self, linearisations: list[Linearisation]) -> dict[str, float]:

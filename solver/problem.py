@@ -42,10 +42,12 @@ class Guide:
     Attributes:
         weights: factor of its energy at the start of each attempt; the last one holds for all
             attempts that follow.
+        lasting: it does not fade; for one-sided terms that are silent on a sound result.
     """
 
     term: Term
     weights: tuple[float, ...]
+    lasting: bool = False
 
     def weight(self, attempt: int) -> float:
         """Weight in an attempt, counted from 1."""
@@ -137,6 +139,12 @@ class Problem:
         """Add a term that fades, with its weight in each attempt; weights of zero leave it out."""
         if any(weight > 0 for weight in weights):
             self.guides.append(Guide(term, weights))
+        return self
+
+    def guard(self, term: Term, *weights: float) -> Problem:
+        """Add a one-sided term that keeps its weight to the end."""
+        if any(weight > 0 for weight in weights):
+            self.guides.append(Guide(term, weights, lasting=True))
         return self
 
     @property

@@ -12,9 +12,12 @@ from solver.mesh.connectivity import BoolArray, Connectivity
 from solver.mesh.quadmesh import QuadMesh
 from solver.problem import Problem
 from solver.terms.closeness import Closeness
+from solver.terms.edge_guard import EdgeGuard
 from solver.terms.edge_vectors import EdgeVectors
 from solver.terms.fairness import Fairness
 from solver.terms.multi import multi_net
+
+_GUARDED = 0.6
 
 
 @dataclass(frozen=True)
@@ -27,6 +30,8 @@ class Weights:
         closeness: vertices stay where they started.
         smooth_motion: the motion, not the shape, is drawn straight.
         edge_vectors: edges keep direction and length.
+        edge_guard: edges shorter than _GUARDED of the shortest at the start are pushed back; it
+            stays to the end, where no edge is that short any more.
     """
 
     fairness: float = 1e-2
@@ -34,6 +39,7 @@ class Weights:
     closeness: float = 3e-3
     smooth_motion: float = 1e-1
     edge_vectors: float = 2e-2
+    edge_guard: float = 0.0
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
@@ -55,13 +61,15 @@ class Weights:
         )
         fairer = replace(self, fairness=10 * self.fairness)
         fairest = replace(self, fairness=100 * self.fairness)
-        return [self, nearest, fairer, fairest]
+        guarded = replace(nearest, edge_guard=0.1)
+        return [self, nearest, guarded, fairer, fairest]
 
 
 def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
     """Add the guides that all recipes share, with their weights in each attempt."""
     net, start = problem.mesh.connectivity, problem.start
     used = np.flatnonzero(net.referenced)
+    shortest = problem.edge_ratio_start
     points = start[: 3 * net.vertex_count].reshape(-1, 3)
     return (
         problem.guide(Fairness(net.line_triples), *(w.fairness for w in attempts))
@@ -72,6 +80,7 @@ def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
             *(w.smooth_motion for w in attempts),
         )
         .guide(EdgeVectors(net.edges, start), *(w.edge_vectors for w in attempts))
+        .guard(EdgeGuard(net.edges, _GUARDED * shortest), *(w.edge_guard for w in attempts))
     )
 
 
