@@ -26,7 +26,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
-from solver.terms.base import FollowingTerm, Linearisation, Term
+from solver.terms.base import FollowingTerm, Linearisation, Term, follows
 
 _FADE = 0.3
 _FADE_END = 1e-12
@@ -232,9 +232,7 @@ class Optimisation:
             *problem.constraints,
             *(guide.term for guide in problem.guides),
         ]
-        self._following = [
-            k for k, term in enumerate(self._terms) if isinstance(term, FollowingTerm)
-        ]
+        self._following = [k for k, term in enumerate(self._terms) if follows(term)]
         x = problem.start.copy()
         self._state = _State(x, [term.linearise(x) for term in self._terms])
 

@@ -11,7 +11,7 @@ import numpy as np
 from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thickness
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.terms.base import FollowingTerm, Size, Term
+from solver.terms.base import Size, Term, follows
 
 # A measure sees the mesh in model units and the shared scalars.
 Measure = Callable[[QuadMesh, FloatArray], FloatArray]
@@ -129,7 +129,7 @@ class Problem:
             parts = []
             for term in self.constraints:
                 if term.name == name:
-                    fresh = term.follow(x) if isinstance(term, FollowingTerm) else term
+                    fresh = term.follow(x) if follows(term) else term
                     parts.append(np.linalg.norm(fresh.linearise(x).residual, axis=1))
             return np.concatenate(parts)
 

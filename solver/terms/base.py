@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol, runtime_checkable
+from typing import NamedTuple, Protocol, TypeGuard
 
 import numpy as np
 
@@ -61,12 +61,20 @@ class Term(Protocol):
         """Return residuals and Jacobian at the flat vector ``x``."""
 
 
-@runtime_checkable
 class FollowingTerm(Term, Protocol):
     """A term with data that depend on the current shape and are held fixed during a step."""
 
     def follow(self, x: FloatArray) -> Term:
         """Return the term with its data renewed at ``x``; the stencil stays the same."""
+
+
+def follows(term: Term) -> TypeGuard[FollowingTerm]:
+    """Whether a term has data to renew.
+
+    Asked by name: ``isinstance`` with a protocol fails once PySide2 is loaded beside Python 3.12 or
+    later.
+    """
+    return hasattr(term, "follow")
 
 
 def coordinates_of(vertices: IntArray) -> IntArray:
