@@ -26,20 +26,10 @@ from tests.solver.nets.test_nets import (
 SEEDS = range(1, 1 + int(os.environ.get("ORTHO_SEEDS", "2")))
 
 
-# 18 of 20 seeds are found, and the first is one of the two that are not.
-MISSED = ("circular", "botanic-garden-bubble-0", False)
-
-
-def cases() -> list:
-    missed = pytest.mark.xfail(strict=True, reason="18 of 20 seeds are found, 19 are wanted")
-    return [
-        pytest.param(*case, id=identity(case), marks=[missed] if case == MISSED else [])
-        for case in REQUIRED
-    ]
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize(("net", "name", "diagonal"), cases())
+@pytest.mark.parametrize(
+    ("net", "name", "diagonal"), [pytest.param(*case, id=identity(case)) for case in REQUIRED]
+)
 def test_perturbed_starts_converge(net, name, diagonal):
     failures = []
     for seed in SEEDS:
