@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from abc import ABCMeta
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -39,6 +40,17 @@ def packages_in(environment: Path) -> Path | None:
         if any(value.startswith(version + ".") for value in values):
             return packages
     return None
+
+
+def mend_class_checks() -> None:
+    """Let ``isinstance`` work again with protocols that have attributes.
+
+    PySide2, when it is loaded, gives everything that ``typing`` imported the module name "typing",
+    among it two methods of ``ABCMeta``. From Python 3.12 on ``typing`` asks for that name to know
+    who is calling, and refuses such checks with a TypeError (FreeCAD 1.0 with Qt 5).
+    """
+    for method in (ABCMeta.__instancecheck__, ABCMeta.__subclasscheck__):
+        method.__module__ = "abc"
 
 
 def shadowing_module() -> str | None:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import FreeCAD
 
-from freecad_ortho import convert
+from freecad_ortho import convert, mend_class_checks
 from freecad_ortho.fabrication import BeamSettings, PanelSettings
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build
@@ -83,6 +83,7 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     from freecad_ortho import api
 
     require_net(target)
+    mend_class_checks()
     mesh = convert.quad_mesh(target)
     outcome = _ready.pop(_key(target, settings, mesh.vertices), None)
     if outcome is None:

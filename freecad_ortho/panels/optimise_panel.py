@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from freecad_ortho import convert, documents
+from freecad_ortho import convert, documents, mend_class_checks
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.structure import is_structure
 from freecad_ortho.panels.fields import ChoiceField, NumberField
@@ -114,6 +114,7 @@ class OptimisePanel:
     def _begin(self, settings: dict[str, Any]) -> None:
         from freecad_ortho import api
 
+        mend_class_checks()
         self._settings = settings
         self._mesh = convert.quad_mesh(self.net)
         self.run = Run(api.start_optimisation(self._mesh, **settings), self._stepped, self._ended)

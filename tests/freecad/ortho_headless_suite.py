@@ -115,6 +115,14 @@ class TestOptimise(DocumentCase):
         self.assertEqual(tools.vertices(net).tobytes(), after.tobytes())
         self.assertEqual(beams.Shape.Volume, volume_after)
 
+    def test_beside_pyside(self):
+        from PySide import QtCore
+
+        self.assertTrue(QtCore.qVersion())
+        net = self.net()
+        api.optimise_net(net)
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+
     def test_bad_settings_change_nothing(self):
         net = self.net()
         before = tools.vertices(net)
