@@ -9,7 +9,7 @@ from freecad_ortho.view.colours import palette
 
 # Corners of the window are at -1 and +1.
 _LEFT, _RIGHT, _BOTTOM, _TOP = -0.95, -0.915, -0.45, 0.45
-_PLATE = (-0.975, -0.78, -0.53, 0.66)
+_PLATE = (-0.975, -0.70, -0.53, 0.66)
 _STRIPES = 64
 
 
