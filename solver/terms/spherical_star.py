@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -73,7 +74,9 @@ class SphericalStar:
             k = np.full(len(v), self.curvature)
         else:
             k = own_curvatures(spokes)
-        residual, by_spokes, by_k = _star(spokes, k)
+        frame = _frame(spokes, k)
+        residual, by_k = _residuals(frame, k)
+        by_spokes = _by_spokes(frame, spokes, k, residual)
         if self.shared is None and self.curvature is None:
             residual, by_spokes = _without_curvature(residual, by_spokes, by_k)
         jacobian = np.concatenate([-by_spokes.sum(axis=2, keepdims=True), by_spokes], axis=2)
@@ -87,40 +90,85 @@ def own_curvatures(spokes: FloatArray) -> FloatArray:
     """(n,) curvature with which the star's two residuals are smallest together."""
     k = np.zeros(len(spokes))
     for _ in range(_OWN_STEPS):
-        residual, _, by_k = _star(spokes, k)
+        residual, by_k = _residuals(_frame(spokes, k), k)
         k = k - dot(residual, by_k) / np.maximum(dot(by_k, by_k), 1e-300)
     return k
 
 
-def _star(spokes: FloatArray, k: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Residuals (n, 2), derivatives by the spokes (n, 2, 4, 3) and by the curvature (n, 2)."""
+class _Frame(NamedTuple):
+    """What residuals and derivatives of stars share."""
+
+    normal: FloatArray
+    across: tuple[FloatArray, FloatArray]
+    determinant: FloatArray
+    alpha: FloatArray
+    beta: FloatArray
+    sums: tuple[FloatArray, FloatArray]
+    heights: tuple[FloatArray, FloatArray]
+    lengths: FloatArray
+
+    @property
+    def mean(self) -> FloatArray:
+        """(n,) mean spoke length."""
+        return np.asarray(self.lengths.mean(axis=1))
+
+    def factors(self, row: int) -> tuple[FloatArray, FloatArray]:
+        """Change of the normal with both differences of opposite spokes, seen along a sum."""
+        return (
+            dot(self.across[0], self.sums[row]) / self.determinant,
+            dot(self.across[1], self.sums[row]) / self.determinant,
+        )
+
+
+def _frame(spokes: FloatArray, k: FloatArray) -> _Frame:
     s1, s2, s3, s4 = (spokes[:, j] for j in range(4))
-    w = 0.5 * (spokes**2).sum(axis=2)
+    square = np.einsum("nij,nij->ni", spokes, spokes)
+    w = 0.5 * square
     a, b = s1 - s3, s2 - s4
     alpha, beta = w[:, 0] - w[:, 2], w[:, 1] - w[:, 3]
     n = _normal(a, b, k * alpha, k * beta)
     across_b, across_a = np.cross(b, n), np.cross(n, a)
-    determinant = dot(a, across_b)
-    sums = (s1 + s3, s2 + s4)
-    heights = (w[:, 0] + w[:, 2], w[:, 1] + w[:, 3])
-    mean = 0.25 * np.sqrt(2 * w).sum(axis=1)
-    towards = n[:, None, :] - k[:, None, None] * spokes
-    direction = spokes / np.sqrt(2 * w)[:, :, None]
+    return _Frame(
+        normal=n,
+        across=(across_b, across_a),
+        determinant=dot(a, across_b),
+        alpha=alpha,
+        beta=beta,
+        sums=(s1 + s3, s2 + s4),
+        heights=(w[:, 0] + w[:, 2], w[:, 1] + w[:, 3]),
+        lengths=np.sqrt(square),
+    )
+
+
+def _residuals(frame: _Frame, k: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Residuals (n, 2) and their derivatives by the curvature (n, 2)."""
     residual = np.empty((len(k), 2))
-    by_spokes = np.empty((len(k), 2, 4, 3))
     by_k = np.empty((len(k), 2))
-    for row, (total, height) in enumerate(zip(sums, heights, strict=True)):
-        g1 = dot(across_b, total) / determinant
-        g2 = dot(across_a, total) / determinant
+    for row in range(2):
+        g1, g2 = frame.factors(row)
+        height = frame.heights[row]
+        residual[:, row] = dot(frame.normal, frame.sums[row]) - k * height
+        by_k[:, row] = g1 * frame.alpha + g2 * frame.beta - height
+    scale = (0.5 / frame.mean)[:, None]
+    return scale * residual, scale * by_k
+
+
+def _by_spokes(
+    frame: _Frame, spokes: FloatArray, k: FloatArray, residual: FloatArray
+) -> FloatArray:
+    """Derivatives of the residuals by the spokes, (n, 2, 4, 3)."""
+    towards = frame.normal[:, None, :] - k[:, None, None] * spokes
+    direction = spokes / frame.lengths[:, :, None]
+    mean = frame.mean
+    result = np.empty((len(k), 2, 4, 3))
+    for row in range(2):
         own = np.zeros(4)
         own[[row, row + 2]] = 1.0
-        factor = own + np.stack([-g1, -g2, g1, g2], axis=1)
-        r = 0.5 * (dot(n, total) - k * height) / mean
-        residual[:, row] = r
-        by_spokes[:, row] = (0.5 / mean)[:, None, None] * factor[:, :, None] * towards
-        by_spokes[:, row] -= (0.25 * r / mean)[:, None, None] * direction
-        by_k[:, row] = 0.5 * (g1 * alpha + g2 * beta - height) / mean
-    return residual, by_spokes, by_k
+        g1, g2 = frame.factors(row)
+        factor = (own + np.stack([-g1, -g2, g1, g2], axis=1)) * (0.5 / mean)[:, None]
+        shrink = 0.25 * residual[:, row] / mean
+        result[:, row] = factor[:, :, None] * towards - shrink[:, None, None] * direction
+    return result
 
 
 def _normal(a: FloatArray, b: FloatArray, along_a: FloatArray, along_b: FloatArray) -> FloatArray:
