@@ -29,8 +29,18 @@ class OrthoWorkbench(FreeCADGui.Workbench):
         except ImportError as error:
             requirements.say_unusable(error)
             return
-        self.appendToolbar(Qt.translate("Workbench", "Ortho"), list(commands.NAMES))
-        self.appendMenu(Qt.translate("Workbench", "&Ortho"), list(commands.NAMES))
+        titles = {
+            "Design": Qt.translate("Workbench", "Ortho Design"),
+            "Optimise": Qt.translate("Workbench", "Ortho Optimise"),
+            "Analyse": Qt.translate("Workbench", "Ortho Analyse"),
+            "Fabricate": Qt.translate("Workbench", "Ortho Fabricate"),
+        }
+        menu = Qt.translate("Workbench", "&Ortho")
+        for toolbar, title in titles.items():
+            names = commands.names(toolbar)
+            if names:
+                self.appendToolbar(title, names)
+                self.appendMenu(menu, [*names, "Separator"])
 
     def Activated(self):
         """Say at once when something that a part of the commands needs is missing."""

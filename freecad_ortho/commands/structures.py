@@ -11,7 +11,7 @@ from freecad_ortho.commands.command import NetCommand
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class AddBeams(NetCommand):
+class Beams(NetCommand):
     """Open the panel that puts a beam on every edge of a net."""
 
     icon = "beams"
@@ -27,7 +27,7 @@ class AddBeams(NetCommand):
         FreeCADGui.Control.showDialog(BeamsPanel(context.current_net()))
 
 
-class AddPanels(NetCommand):
+class Panels(NetCommand):
     """Open the panel that puts a flat plate in every face of a net."""
 
     icon = "panels"

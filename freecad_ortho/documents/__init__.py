@@ -1,0 +1,20 @@
+"""The document functions behind :mod:`freecad_ortho.api`: from a macro, a command or a script.
+
+Each one is undone in one step. Lengths are numbers of mm, FreeCAD quantities, or texts such as
+``"0.2 m"``. Errors in what was given are :class:`solver.errors.InputError` and leave the document
+as it was.
+"""
+
+from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
+from freecad_ortho.documents.pictures import save_picture
+from freecad_ortho.documents.structures import add_beams, add_panels, export_fabrication
+
+__all__ = [
+    "add_beams",
+    "add_panels",
+    "export_fabrication",
+    "import_net",
+    "keep_outcome",
+    "optimise_net",
+    "save_picture",
+]

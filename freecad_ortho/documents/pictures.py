@@ -1,0 +1,39 @@
+"""Pictures of documents."""
+
+from __future__ import annotations
+
+import os
+
+import FreeCAD
+
+from freecad_ortho.documents.common import open_document
+from solver.errors import InputError
+
+
+def save_picture(
+    path: str | os.PathLike[str],
+    document: FreeCAD.Document | None = None,
+    width: int = 1600,
+    height: int = 1000,
+    background: str = "White",
+) -> None:
+    """Save a rendered picture of a document, seen from the front above, fitted to the picture.
+
+    Args:
+        path: a PNG file.
+        document: without it the active one.
+        width: in pixels.
+        height: in pixels.
+        background: a colour name, ``Current`` or ``Transparent``.
+
+    Raises:
+        InputError: FreeCAD runs without a window, or no document is open.
+    """
+    if not FreeCAD.GuiUp:
+        raise InputError(
+            "picture: FreeCAD runs without a window; run the script with 'freecad' "
+            "(under xvfb-run on a machine without a screen), not with 'freecadcmd'"
+        )
+    from freecad_ortho.view import picture
+
+    picture.save(os.fspath(path), open_document(document), width, height, background)
