@@ -1,4 +1,9 @@
-"""Starts FreeCAD, with and without a window, on the suites in this folder."""
+"""Starts FreeCAD, with and without a window, on the suites in this folder.
+
+A suite is a file ``ortho_<name>_suite.py`` here; it is found by its name, there is no list to keep.
+``ortho_<name>_window_suite.py`` (and ``ortho_window_suite.py``) runs in FreeCAD's window.
+One suite alone: ``pytest tests/freecad -k <name>_suite``.
+"""
 
 import os
 import re
@@ -18,6 +23,11 @@ CONSOLE = os.environ.get("ORTHO_FREECADCMD") or shutil.which("freecadcmd")
 WINDOW = os.environ.get("ORTHO_FREECAD") or shutil.which("freecad")
 SCREEN = shutil.which("xvfb-run")
 SECONDS = 300
+# Runs on a document that the headless suite saves, once with and once without the add-on.
+MISSING = "ortho_missing_suite"
+SUITES = sorted(path.stem for path in FOLDER.glob("ortho_*_suite.py") if path.stem != MISSING)
+WINDOWED = [name for name in SUITES if name.endswith("_window_suite")]
+HEADLESS = [name for name in SUITES if name not in WINDOWED]
 
 needs_console = pytest.mark.skipif(
     not CONSOLE, reason="FreeCAD is not installed: no freecadcmd, ORTHO_FREECADCMD not set"
@@ -83,8 +93,9 @@ def scratch(tmp_path_factory):
 
 
 @needs_console
-def test_headless(tmp_path, scratch):
-    result, said = run_suite([CONSOLE], "ortho_headless_suite", tmp_path, scratch)
+@pytest.mark.parametrize("suite", HEADLESS)
+def test_headless(tmp_path, scratch, suite):
+    result, said = run_suite([CONSOLE], suite, tmp_path, scratch)
     show(result, said)
     assert "SUITE PASSED" in result
     # FreeCAD reports each error state with a traceback; there must be no other.
@@ -98,9 +109,7 @@ def test_headless(tmp_path, scratch):
 def test_document_opens_where_something_is_missing(tmp_path, scratch, with_add_on):
     if not (scratch / "volume.txt").exists():
         pytest.skip("the headless suite has not saved its document")
-    result, said = run_suite(
-        [CONSOLE], "ortho_missing_suite", tmp_path, scratch, with_add_on=with_add_on
-    )
+    result, said = run_suite([CONSOLE], MISSING, tmp_path, scratch, with_add_on=with_add_on)
     show(result, said)
     assert "SUITE PASSED" in result
     assert "skipped=1" in result
@@ -108,9 +117,10 @@ def test_document_opens_where_something_is_missing(tmp_path, scratch, with_add_o
 
 @needs_window
 @pytest.mark.slow
-def test_with_a_window(tmp_path, scratch):
+@pytest.mark.parametrize("suite", WINDOWED)
+def test_with_a_window(tmp_path, scratch, suite):
     program = [SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW]
-    result, said = run_suite(program, "ortho_window_suite", tmp_path, scratch)
+    result, said = run_suite(program, suite, tmp_path, scratch)
     show(result, said)
     assert "SUITE PASSED" in result
     for word in ("Traceback", "Exception", "Error in"):
