@@ -58,6 +58,7 @@ def start_optimisation(
     fairness: float | None = None,
     closeness: float | None = None,
     multi: float | None = None,
+    isometry: float | None = None,
     fix: str | Sequence[int] = "none",
     tolerance: float = 1e-10,
     max_steps: int = 1000,
@@ -73,6 +74,8 @@ def start_optimisation(
         fairness: start weight of straight parameter lines, by default the recipe's.
         closeness: start weight of staying near the start.
         multi: start weight of orthogonality of neighbouring pairs of faces.
+        isometry: start weight of faces keeping their shape, for sheets that only bend; by default
+            none.
         fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
         tolerance: largest residual that counts as zero, dimensionless.
         max_steps: largest number of steps, over all attempts.
@@ -89,7 +92,12 @@ def start_optimisation(
         raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
     if max_steps < 1:
         raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
-    given = {"fairness": fairness, "closeness": closeness, "multi": multi}
+    given = {
+        "fairness": fairness,
+        "closeness": closeness,
+        "multi": multi,
+        "isometry": isometry,
+    }
     weights = replace(
         Weights(), **{key: value for key, value in given.items() if value is not None}
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -93,9 +93,24 @@ class Session:
 
     def settle(self) -> Outcome:
         """Find the exact net for the present handles, from the start of the session."""
+        settling = self.settling()
+        while True:
+            try:
+                next(settling)
+            except StopIteration as end:
+                return end.value
+
+    def settling(self) -> Generator[StepRecord, None, Outcome]:
+        """Settle one step at a time, for a caller that has other things to do in between.
+
+        Yields the record of each step; the outcome is the generator's return value. It may be left
+        unfinished: the next drag goes on from the shape reached.
+        """
         self._run.restart()
         self._aim()
-        return self._run.run()
+        while not self._run.finished:
+            yield self._run.step()
+        return self._run.outcome()
 
     def _aim(self) -> None:
         problem = self._run.problem

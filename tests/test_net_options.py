@@ -164,6 +164,7 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--net", "cmc", "--radius", "0.3"], "radius: 0.3 is too small for the star of vertex"),
         (["--net", "isometric", "--reference", "OTHER"], "has other vertices or faces"),
         (["--multi", "-1"], "multi: expected a weight"),
+        (["--isometry", "-1"], "isometry: expected a weight"),
     ],
 )
 def test_bad_options_are_one_line_and_write_nothing(

@@ -26,6 +26,7 @@ _AXES = "xyz"
 def add(parser: argparse.ArgumentParser) -> None:
     """Add the options; lengths are in the unit of the mesh file."""
     parser.add_argument("--multi", type=float, metavar="W", help="weight of the multi-net guide")
+    parser.add_argument("--isometry", type=float, metavar="W", help="weight of faces' own shape")
     parser.add_argument("--diagonal", action="store_true", help="star terms on the diagonal net")
     parser.add_argument("--radius", type=float, metavar="R", help="cmc: radius (default: free)")
     parser.add_argument("--length", type=float, metavar="L", help="chebyshev: edge length")
@@ -69,6 +70,7 @@ def settings(options: argparse.Namespace, mesh: QuadMesh) -> dict[str, Any]:
     return {
         "fix": fix,
         "multi": options.multi,
+        "isometry": options.isometry,
         "options": NetOptions(
             diagonal=options.diagonal,
             radius=options.radius,

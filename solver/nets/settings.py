@@ -15,6 +15,7 @@ from solver.terms.closeness import Closeness
 from solver.terms.edge_guard import EdgeGuard
 from solver.terms.edge_vectors import EdgeVectors
 from solver.terms.fairness import Fairness
+from solver.terms.isometry import Isometry
 from solver.terms.multi import multi_net
 
 _GUARDED = 0.6
@@ -30,6 +31,7 @@ class Weights:
         closeness: vertices stay where they started.
         smooth_motion: the motion, not the shape, is drawn straight.
         edge_vectors: edges keep direction and length.
+        isometry: faces keep their shape (w_iso of the paper's table 2); off unless asked for.
         edge_guard: edges shorter than _GUARDED of the shortest at the start are pushed back; it
             stays to the end, where no edge is that short any more.
     """
@@ -39,6 +41,7 @@ class Weights:
     closeness: float = 3e-3
     smooth_motion: float = 1e-1
     edge_vectors: float = 2e-2
+    isometry: float = 0.0
     edge_guard: float = 0.0
 
     def __post_init__(self) -> None:
@@ -80,6 +83,7 @@ def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
             *(w.smooth_motion for w in attempts),
         )
         .guide(EdgeVectors(net.edges, start), *(w.edge_vectors for w in attempts))
+        .guide(Isometry(net.faces, points), *(w.isometry for w in attempts))
         .guard(EdgeGuard(net.edges, _GUARDED * shortest), *(w.edge_guard for w in attempts))
     )
 

@@ -130,6 +130,38 @@ def test_a_session_settles_where_a_cold_solve_does():
     assert np.linalg.norm(back.mesh.vertices[middle] - start.vertices[middle]) < 0.05
 
 
+def test_settling_step_by_step_is_settling():
+    start = optimise(wavy_grid(8, 7)).mesh
+    session = Session(start, [24, 0])
+    session.drag({24: start.vertices[24] + [0, 0, 0.5]}, steps=3)
+    settling = session.settling()
+    records = []
+    while True:
+        try:
+            records.append(next(settling))
+        except StopIteration as end:
+            outcome = end.value
+            break
+    assert len(records) == outcome.report.iterations > 1
+    assert outcome.mesh.vertices.tobytes() == session.settle().mesh.vertices.tobytes()
+    # One that is left unfinished does no harm to what comes after.
+    next(session.settling())
+    session.drag({0: start.vertices[0]})
+    assert np.isfinite(session.vertices).all()
+
+
+def test_isometry_as_a_guide_keeps_a_sheet_from_stretching():
+    sheet = optimise(bent_sheet(), "geodesic").mesh
+    stretched = {}
+    for weight in (None, 10.0):
+        session = Session(sheet, [0, 10, 132], "geodesic", isometry=weight)
+        session.drag({132: sheet.vertices[132] + [-0.1, 0.0, 0.2]}, steps=5)
+        found = solved(session.settle())
+        stretched[weight] = np.abs(found.edge_lengths / sheet.edge_lengths - 1).max()
+        assert measures.geodesic(found).max() <= 1e-10
+    assert stretched[10.0] < 0.7 * stretched[None]
+
+
 @pytest.mark.parametrize(
     ("constraints", "words"),
     [
