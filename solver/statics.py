@@ -82,6 +82,22 @@ def start_densities(
         supports: (V,) true where a vertex is supported.
         sign: 0 for any force, -1 for compression only, 1 for tension only.
     """
+    matrix, right = equilibrium_system(net, points, load, supports)
+    bounds = {0: (-np.inf, np.inf), -1: (-np.inf, -1e-3), 1: (1e-3, np.inf)}[sign]
+    return np.asarray(lsq_linear(matrix, right, bounds=bounds, lsmr_tol="auto").x)
+
+
+def equilibrium_system(
+    net: Connectivity, points: FloatArray, load: FloatArray, supports: BoolArray
+) -> tuple[csr_array, FloatArray]:
+    """Linear equations for the force densities: three a free vertex, one unknown an edge.
+
+    Args:
+        net: the net.
+        points: (V, 3) positions.
+        load: (V,) loads downwards.
+        supports: (V,) true where a vertex is supported.
+    """
     first, second = net.edges.T
     span = points[first] - points[second]
     edge = np.arange(len(first))
@@ -101,8 +117,7 @@ def start_densities(
     )
     right = np.zeros(3 * count)
     right[2::3] = -load[free]
-    bounds = {0: (-np.inf, np.inf), -1: (-np.inf, -1e-3), 1: (1e-3, np.inf)}[sign]
-    return np.asarray(lsq_linear(matrix, right, bounds=bounds, lsmr_tol="auto").x)
+    return matrix, right
 
 
 def unbalanced(

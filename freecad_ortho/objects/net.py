@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import FreeCAD
 
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
+from solver.analysis.fields import FIELDS
 
 if TYPE_CHECKING:
     from solver.mesh.quadmesh import QuadMesh
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 VERSION = 1
-COLOUR_MAPS = ("None", "Planarity", "Orthogonality")
+COLOUR_MAPS = ("None", *FIELDS)
 
 _PROPERTIES = (
     Property(
@@ -49,7 +50,9 @@ _PROPERTIES = (
         "App::PropertyEnumeration",
         "ColourMap",
         "Display",
-        QT_TRANSLATE_NOOP("App::Property", "Measure that colours the faces, blue good to red bad"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Quantity that colours the net, explained by the scale in the view"
+        ),
         default="Planarity",
         choices=COLOUR_MAPS,
         flags=OUTPUT,

@@ -36,15 +36,25 @@ class Property:
 
 
 def ensure(owner: Any, properties: Sequence[Property]) -> None:
-    """Add those properties that the object does not have yet; touch no other."""
+    """Add those properties that the object does not have yet; touch the value of no other."""
     for item in properties:
         if item.name in owner.PropertiesList:
+            _add_choices(owner, item)
             continue
         owner.addProperty(item.kind, item.name, item.group, item.tooltip, item.flags)
         if item.choices:
             setattr(owner, item.name, list(item.choices))
         if item.default is not None:
             setattr(owner, item.name, item.default)
+
+
+def _add_choices(owner: Any, item: Property) -> None:
+    """Give an enumeration of an older document the choices that came later."""
+    if item.choices and owner.getEnumerationsOfProperty(item.name) != list(item.choices):
+        chosen = getattr(owner, item.name)
+        setattr(owner, item.name, list(item.choices))
+        if chosen in item.choices:
+            setattr(owner, item.name, chosen)
 
 
 class Stateless:

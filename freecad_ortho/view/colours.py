@@ -1,4 +1,4 @@
-"""From a dimensionless measure to a colour: blue is good, red is bad, decades between."""
+"""From numbers to colours: a palette for good to bad, one for both signs, shades by direction."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 from solver.mesh.quadmesh import FloatArray
 
 # Blue, light blue, pale yellow, orange, red: readable with the usual colour vision deficiencies.
-_STOPS = np.array(
+_ORDERED = np.array(
     [
         (0.19, 0.33, 0.64),
         (0.45, 0.68, 0.82),
@@ -16,41 +16,41 @@ _STOPS = np.array(
         (0.72, 0.10, 0.15),
     ]
 )
+# White in the middle, where the sign changes.
+_SIGNED = np.array(
+    [
+        (0.13, 0.31, 0.60),
+        (0.55, 0.75, 0.88),
+        (0.96, 0.96, 0.96),
+        (0.95, 0.68, 0.52),
+        (0.70, 0.12, 0.16),
+    ]
+)
+NO_VALUE = (0.62, 0.62, 0.64)
 _SUN = np.array([0.36, -0.48, 0.80])
 _DARKEST = 0.7
 
 
-def palette(fraction: FloatArray) -> FloatArray:
-    """Blend the palette's colours: (N,) numbers from 0 (blue) to 1 (red) to (N, 3) RGB."""
-    position = np.clip(fraction, 0.0, 1.0) * (len(_STOPS) - 1)
-    steps = np.arange(len(_STOPS))
-    return np.stack([np.interp(position, steps, _STOPS[:, k]) for k in range(3)], axis=1)
+def palette(fraction: FloatArray, signed: bool = False) -> FloatArray:
+    """Blend the palette's colours: (N,) numbers from 0 (blue) to 1 (red) to (N, 3) RGB.
 
-
-def colours(values: FloatArray, lowest_decade: int, highest_decade: int) -> FloatArray:
-    """Colour each value by its power of ten.
-
-    Args:
-        values: (N,) measures, zero or larger.
-        lowest_decade: blue at and below 10 to this power.
-        highest_decade: red at and above 10 to this power.
-
-    Returns:
-        (N, 3) RGB from 0 to 1.
+    NaN, where there is no value, becomes grey.
     """
-    decades = max(highest_decade - lowest_decade, 1)
-    with np.errstate(divide="ignore"):
-        exponent = np.log10(values)
-    return palette((exponent - lowest_decade) / decades)
+    stops = _SIGNED if signed else _ORDERED
+    known = np.isfinite(fraction)
+    position = np.clip(np.where(known, fraction, 0.0), 0.0, 1.0) * (len(stops) - 1)
+    steps = np.arange(len(stops))
+    blend = np.stack([np.interp(position, steps, stops[:, k]) for k in range(3)], axis=1)
+    return np.where(known[:, None], blend, NO_VALUE)
 
 
 def shading(normals: FloatArray) -> FloatArray:
-    """Darken faces gently by their direction, the same from wherever one looks.
+    """Darken gently by direction, the same from wherever one looks.
 
     Args:
-        normals: (F, 3) unit normals; which side they point to does not matter.
+        normals: (N, 3) unit normals; which side they point to does not matter.
 
     Returns:
-        (F,) factors on the faces' colours.
+        (N,) factors on the colours.
     """
     return _DARKEST + (1.0 - _DARKEST) * np.abs(normals @ _SUN)

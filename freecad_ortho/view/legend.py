@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
+from freecad_ortho.view.colour_scale import ColourScale
 from freecad_ortho.view.colours import palette
 
 # Corners of the window are at -1 and +1.
@@ -14,7 +15,7 @@ _STRIPES = 64
 
 
 class Legend:
-    """Coin nodes of a colour scale with a title and one label a decade.
+    """Coin nodes of a colour scale with a title and labels.
 
     Attributes:
         root: node to add to a scene; it does not count for fitting the view or for picking.
@@ -38,15 +39,16 @@ class Legend:
         camera.position = (0, 0, 1)
         camera.nearDistance, camera.farDistance = 0.5, 1.5
         transform = coin.SoResetTransform()
-        for node in (transform, pick, light, camera, _plate(), _bar()):
+        for node in (transform, pick, light, camera, _plate()):
             overlay.addChild(node)
         self._labels = coin.SoSeparator()
         overlay.addChild(self._labels)
         self.hide()
 
-    def show(self, title: str, note: str, lowest_decade: int, highest_decade: int) -> None:
+    def show(self, title: str, note: str, scale: ColourScale) -> None:
         """Show the scale with its labels, a title, and a short note below the title."""
         self._labels.removeAllChildren()
+        self._labels.addChild(_bar(scale.signed))
         colour = coin.SoBaseColor()
         colour.rgb = (0.1, 0.1, 0.12)
         self._labels.addChild(colour)
@@ -56,18 +58,14 @@ class Legend:
         self._labels.addChild(font)
         self._labels.addChild(_text(title, _LEFT, _TOP + 0.13))
         self._labels.addChild(_text(note, _LEFT, _TOP + 0.07))
-        decades = range(lowest_decade, max(highest_decade, lowest_decade + 1) + 1)
-        for height, decade in zip(np.linspace(_BOTTOM, _TOP, len(decades)), decades, strict=True):
-            self._labels.addChild(_text(_power_of_ten(decade), _RIGHT + 0.015, height - 0.015))
+        for place, words in scale.labels():
+            height = _BOTTOM + place * (_TOP - _BOTTOM)
+            self._labels.addChild(_text(words, _RIGHT + 0.015, height - 0.015))
         self.root.whichChild = coin.SO_SWITCH_ALL
 
     def hide(self) -> None:
         """Show nothing."""
         self.root.whichChild = coin.SO_SWITCH_NONE
-
-
-def _power_of_ten(exponent: int) -> str:
-    return f"{10.0**exponent:g}" if abs(exponent) <= 2 else f"1e{exponent}"
 
 
 def _text(words: str, x: float, y: float) -> coin.SoSeparator:
@@ -98,7 +96,7 @@ def _plate() -> coin.SoSeparator:
     return separator
 
 
-def _bar() -> coin.SoSeparator:
+def _bar(signed: bool) -> coin.SoSeparator:
     """The scale itself, blue at the bottom."""
     separator = coin.SoSeparator()
     heights = np.linspace(_BOTTOM, _TOP, _STRIPES)
@@ -110,7 +108,7 @@ def _bar() -> coin.SoSeparator:
     binding = coin.SoMaterialBinding()
     binding.value = coin.SoMaterialBinding.PER_VERTEX
     material = coin.SoMaterial()
-    shades = np.repeat(palette(np.linspace(0, 1, _STRIPES)), 2, axis=0)
+    shades = np.repeat(palette(np.linspace(0, 1, _STRIPES), signed), 2, axis=0)
     material.diffuseColor.setValues(0, len(shades), shades)
     mesh = coin.SoQuadMesh()
     mesh.verticesPerRow, mesh.verticesPerColumn = 2, _STRIPES

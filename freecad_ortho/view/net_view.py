@@ -11,9 +11,9 @@ from pivy import coin
 from freecad_ortho import convert
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
-from freecad_ortho.view import colours
+from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
 from freecad_ortho.view.legend import Legend
-from solver.analysis import measures
+from solver.errors import OrthoError
 from solver.mesh.connectivity import Connectivity
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
@@ -47,15 +47,41 @@ _PROPERTIES = (
         "App::PropertyInteger",
         "LowestDecade",
         "Colour map",
-        QT_TRANSLATE_NOOP("App::Property", "Blue at and below 10 to this power"),
+        QT_TRANSLATE_NOOP("App::Property", "Residuals: blue at and below 10 to this power"),
         default=-6,
     ),
     Property(
         "App::PropertyInteger",
         "HighestDecade",
         "Colour map",
-        QT_TRANSLATE_NOOP("App::Property", "Red at and above 10 to this power"),
+        QT_TRANSLATE_NOOP("App::Property", "Residuals: red at and above 10 to this power"),
         default=-1,
+    ),
+    Property(
+        "App::PropertyBool",
+        "AutomaticRange",
+        "Colour map",
+        QT_TRANSLATE_NOOP("App::Property", "Lengths, curvatures, angles: range from the values"),
+        default=True,
+    ),
+    Property(
+        "App::PropertyFloat",
+        "LowestValue",
+        "Colour map",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Blue at and below this value (mm, 1/m, 1/m2, degrees) if not automatic",
+        ),
+        default=0.0,
+    ),
+    Property(
+        "App::PropertyFloat",
+        "HighestValue",
+        "Colour map",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Red at and above this value (mm, 1/m, 1/m2, degrees) if not automatic"
+        ),
+        default=1.0,
     ),
     Property(
         "App::PropertyBool",
@@ -65,6 +91,23 @@ _PROPERTIES = (
         default=True,
     ),
 )
+
+
+# Properties of the view provider that change the colours.
+_COLOURING = (
+    "FaceColor",
+    "LineColor",
+    "LineWidth",
+    "LowestDecade",
+    "HighestDecade",
+    "AutomaticRange",
+    "LowestValue",
+    "HighestValue",
+    "Legend",
+    "Visibility",
+)
+# Edges that carry the colours are this much wider.
+_COLOURED_LINES = 2.5
 
 
 class NetView(Stateless):
@@ -86,7 +129,6 @@ class NetView(Stateless):
         view_object.addDisplayMode(self._mode(self._faces, self._edges), _FLAT_LINES)
         view_object.addDisplayMode(self._mode(self._faces), _SHADED)
         view_object.addDisplayMode(self._mode(self._edges), _WIREFRAME)
-        self._read_style()
         self._read_faces()
 
     def getDisplayModes(self, view_object: Any) -> list[str]:
@@ -114,7 +156,7 @@ class NetView(Stateless):
         elif name == "Vertices" and self._mesh is not None:
             points = convert.array(feature.Vertices)
             if len(points) == len(self._mesh.vertices):
-                self.show_vertices(points)
+                self.show_stored()
             else:
                 self._read_faces()
         elif name == "ColourMap":
@@ -124,9 +166,7 @@ class NetView(Stateless):
         """Follow a property of the view provider."""
         if not hasattr(self, "_mesh"):
             return
-        if name in ("FaceColor", "LineColor", "LineWidth"):
-            self._read_style()
-        if name in ("FaceColor", "LowestDecade", "HighestDecade", "Legend", "Visibility"):
+        if name in _COLOURING:
             self._colour()
 
     def show_vertices(self, points: FloatArray) -> None:
@@ -135,19 +175,21 @@ class NetView(Stateless):
             return
         self._mesh = self._mesh.with_vertices(points)
         self._coordinates.point.setValues(0, len(points), points)
-        self._colour()
+        if is_quick(self.Object.ColourMap):
+            self._colour()
 
     def show_stored(self) -> None:
         """Show the positions that the net has."""
         self.show_vertices(convert.array(self.Object.Vertices))
+        self._colour()
 
     def _build_nodes(self) -> None:
         self._coordinates = coin.SoCoordinate3()
         self._material = coin.SoMaterial()
-        binding = coin.SoMaterialBinding()
-        binding.value = coin.SoMaterialBinding.PER_FACE
+        self._face_binding = coin.SoMaterialBinding()
         self._face_set = coin.SoIndexedFaceSet()
-        self._line_colour = coin.SoBaseColor()
+        self._line_colour = coin.SoMaterial()
+        self._line_binding = coin.SoMaterialBinding()
         self._line_style = coin.SoDrawStyle()
         self._line_set = coin.SoIndexedLineSet()
         self._legend = Legend()
@@ -160,10 +202,12 @@ class NetView(Stateless):
         unlit = coin.SoLightModel()
         unlit.model = coin.SoLightModel.BASE_COLOR
         self._faces = coin.SoSeparator()
-        for node in (unlit, hints, self._material, binding, push_back, self._face_set):
+        colours = (self._material, self._face_binding)
+        for node in (unlit, hints, *colours, push_back, self._face_set):
             self._faces.addChild(node)
         self._edges = coin.SoSeparator()
-        for node in (unlit, self._line_colour, self._line_style, self._line_set):
+        colours = (self._line_colour, self._line_binding)
+        for node in (unlit, *colours, self._line_style, self._line_set):
             self._edges.addChild(node)
 
     def _mode(self, *shapes: Any) -> coin.SoGroup:
@@ -174,11 +218,6 @@ class NetView(Stateless):
         if self._faces in shapes:
             group.addChild(self._legend.root)
         return group
-
-    def _read_style(self) -> None:
-        view = self.ViewObject
-        self._line_colour.rgb = tuple(view.LineColor[:3])
-        self._line_style.lineWidth = view.LineWidth
 
     def _read_faces(self) -> None:
         """Fill the nodes anew; an incomplete net (while it is being read) shows nothing."""
@@ -199,28 +238,43 @@ class NetView(Stateless):
         self._colour()
 
     def _colour(self) -> None:
-        view = self.ViewObject
         self._legend.hide()
         if self._mesh is None:
             return
+        painted = self._painting(self._mesh)
+        binding = coin.SoMaterialBinding
+        self._face_binding.value = (
+            binding.PER_VERTEX_INDEXED if painted.per_vertex else binding.PER_FACE
+        )
+        _set_colours(self._material, painted.faces)
+        lines = painted.edges
+        self._line_binding.value = binding.OVERALL if lines is None else binding.PER_FACE
+        plain_line = np.array([self.ViewObject.LineColor[:3]])
+        _set_colours(self._line_colour, plain_line if lines is None else lines)
+        widening = 1.0 if lines is None else _COLOURED_LINES
+        self._line_style.lineWidth = widening * self.ViewObject.LineWidth
+        if painted.scale is not None and self.ViewObject.Legend:
+            title = FreeCAD.Qt.translate("Ortho", self.Object.ColourMap)
+            self._legend.show(title, painted.note, painted.scale)
+
+    def _painting(self, mesh: QuadMesh) -> Painting:
+        view = self.ViewObject
         name = self.Object.ColourMap
-        measure = _MEASURES.get(name)
-        shades = np.tile(view.FaceColor[:3], (len(self._mesh.faces), 1))
-        if measure is not None:
-            values = measure(self._mesh)
-            shades = colours.colours(values, view.LowestDecade, view.HighestDecade)
-            if view.Legend:
-                title = FreeCAD.Qt.translate("Ortho", name)
-                note = f"max {values.max():.1e}"
-                self._legend.show(title, note, view.LowestDecade, view.HighestDecade)
-        shades = shades * colours.shading(self._mesh.face_normals)[:, None]
-        self._material.diffuseColor.setValues(0, len(shades), shades)
+        if name == "None":
+            return plain(mesh, view.FaceColor)
+        decades = (view.LowestDecade, view.HighestDecade)
+        chosen = Range(view.AutomaticRange, view.LowestValue, view.HighestValue, decades)
+        try:
+            return painting(mesh, name, chosen, view.FaceColor)
+        except OrthoError as error:
+            # A view has no one to raise to: the net stays visible, and the reason is said.
+            FreeCAD.Console.PrintWarning(f"{self.Object.Label}: {error}\n")
+            return plain(mesh, view.FaceColor)
 
 
-_MEASURES = {
-    "Planarity": measures.planarity,
-    "Orthogonality": measures.orthogonality,
-}
+def _set_colours(material: Any, rows: FloatArray) -> None:
+    material.diffuseColor.deleteValues(len(rows))
+    material.diffuseColor.setValues(0, len(rows), rows)
 
 
 def _set_indices(shape: Any, rows: Any) -> None:

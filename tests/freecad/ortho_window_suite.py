@@ -350,12 +350,22 @@ class TestNetView(WindowCase):
     def test_colour_maps_and_modes_change_the_picture(self):
         net = self.imported(tools.wavy_mesh())
         seen = []
-        for colour_map in ("None", "Planarity", "Orthogonality"):
+        maps = net.getEnumerationsOfProperty("ColourMap")
+        maps.remove("Gap to reference")
+        for colour_map in maps:
             net.ColourMap = colour_map
             seen.append(self.picture(colour_map).tobytes())
         net.ViewObject.DisplayMode = "Wireframe"
         seen.append(self.picture("wireframe").tobytes())
-        self.assertEqual(len(set(seen)), 4)
+        self.assertEqual(len(set(seen)), len(maps) + 1)
+
+    def test_range_of_a_colour_map_can_be_set(self):
+        net = self.imported(tools.wavy_mesh())
+        net.ColourMap = "Edge length"
+        automatic = self.picture("automatic").tobytes()
+        net.ViewObject.AutomaticRange = False
+        net.ViewObject.LowestValue, net.ViewObject.HighestValue = 0.0, 9000.0
+        self.assertNotEqual(self.picture("set").tobytes(), automatic)
 
     def test_fit_all_and_picking_find_it(self):
         net = self.imported(tools.wavy_mesh())

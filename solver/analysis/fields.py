@@ -1,0 +1,126 @@
+"""Quantities spread over a mesh, for colour maps and plots: one value a face, vertex or edge."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.analysis import measures
+from solver.analysis.curvature import gauss_curvature, inner_vertices, mean_curvature
+from solver.analysis.forces import edge_forces
+from solver.errors import InputError
+from solver.mesh.closest import TriangleSurface
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.offset.axes import torsion_free_axes
+
+FACES, VERTICES, EDGES = "faces", "vertices", "edges"
+
+
+@dataclass(frozen=True, eq=False)
+class Field:
+    """Values of one quantity.
+
+    Attributes:
+        place: what a value belongs to: faces, vertices or edges.
+        values: (N,) one each; NaN where the quantity is not defined (curvature at the boundary).
+        dimension: power of the model's length in it: 1 for a length, -2 for Gauss curvature.
+        unit: "degrees", or empty for a number or a length.
+        signed: zero is special, both signs matter.
+        decades: a residual, best seen by its power of ten.
+    """
+
+    place: str
+    values: FloatArray
+    dimension: int = 0
+    unit: str = ""
+    signed: bool = False
+    decades: bool = False
+
+
+Compute = Callable[[QuadMesh, TriangleSurface | None], Field]
+
+
+def field(mesh: QuadMesh, name: str, reference: TriangleSurface | None = None) -> Field:
+    """Compute a quantity of the mesh.
+
+    Args:
+        mesh: the mesh.
+        name: one of ``FIELDS``.
+        reference: surface that the gap is measured to.
+
+    Raises:
+        InputError: unknown name, or a gap without a reference.
+    """
+    if name not in FIELDS:
+        raise InputError(f"field: expected one of {', '.join(FIELDS)}, got '{name}'")
+    return FIELDS[name](mesh, reference)
+
+
+def turning_radii(mesh: QuadMesh) -> FloatArray:
+    """(V,) smallest radius of circles through three neighbours on a parameter line; NaN at ends.
+
+    The radius to which a strip along a line of the net is bent, in the model's unit; infinite on
+    straight lines.
+    """
+    before, here, after = mesh.vertices[mesh.connectivity.line_triples].transpose(1, 0, 2)
+    chord = np.linalg.norm(after - before, axis=1)
+    sine = np.linalg.norm(np.cross(unit_rows(here - before), unit_rows(after - here)), axis=1)
+    with np.errstate(divide="ignore"):
+        radius = chord / (2 * sine)
+    result = np.full(len(mesh.vertices), np.inf)
+    middle = mesh.connectivity.line_triples[:, 1]
+    np.minimum.at(result, middle, radius)
+    result[np.setdiff1d(np.arange(len(result)), middle)] = np.nan
+    return result
+
+
+def _residual(place: str, measure: Callable[[QuadMesh], FloatArray]) -> Compute:
+    return lambda mesh, reference: Field(place, measure(mesh), decades=True)
+
+
+def _star_residual(measure: Callable[[QuadMesh], FloatArray]) -> Compute:
+    def compute(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
+        values = np.full(len(mesh.vertices), np.nan)
+        values[mesh.connectivity.stars[:, 0]] = measure(mesh)
+        return Field(VERTICES, values, decades=True)
+
+    return compute
+
+
+def _gap(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
+    if reference is None:
+        raise InputError("gap to reference: the net has no reference surface; choose one first")
+    feet, _ = reference.closest(mesh.vertices)
+    return Field(VERTICES, np.linalg.norm(mesh.vertices - feet, axis=1), dimension=1)
+
+
+def _twist(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
+    twist = torsion_free_axes(mesh).twist
+    return Field(EDGES, np.degrees(np.arcsin(np.clip(twist, 0, 1))), unit="degrees")
+
+
+def _mean_curvature(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
+    values = np.where(inner_vertices(mesh), mean_curvature(mesh), np.nan)
+    return Field(VERTICES, values, dimension=-1, signed=True)
+
+
+FIELDS: dict[str, Compute] = {
+    "Planarity": _residual(FACES, measures.planarity),
+    "Orthogonality": _residual(FACES, measures.orthogonality),
+    "Circular": _residual(FACES, measures.circular),
+    "Conical": _star_residual(measures.conical),
+    "Geodesic": _star_residual(measures.geodesic),
+    "Asymptotic": _star_residual(measures.asymptotic),
+    "Chebyshev": _residual(EDGES, measures.chebyshev),
+    "Gauss curvature": lambda mesh, reference: Field(
+        VERTICES, gauss_curvature(mesh), dimension=-2, signed=True
+    ),
+    "Mean curvature": _mean_curvature,
+    "Edge length": lambda mesh, reference: Field(EDGES, mesh.edge_lengths, dimension=1),
+    "Bending radius": lambda mesh, reference: Field(VERTICES, turning_radii(mesh), dimension=1),
+    "Twist": _twist,
+    "Gap to reference": _gap,
+    "Force": lambda mesh, reference: Field(EDGES, edge_forces(mesh), signed=True),
+}
