@@ -9,89 +9,19 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho import convert
-from freecad_ortho.objects.properties import Property, Stateless, ensure
+from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon
 from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
 from freecad_ortho.view.legend import Legend
+from freecad_ortho.view.net_properties import PROPERTIES
+from freecad_ortho.view.overlay_shapes import OVERLAYS
+from freecad_ortho.view.overlays import Overlays
+from freecad_ortho.view.reflection import ReflectionLines
 from solver.errors import OrthoError
 from solver.mesh.connectivity import Connectivity
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-
 _FLAT_LINES, _SHADED, _WIREFRAME = "Flat Lines", "Shaded", "Wireframe"
-
-_PROPERTIES = (
-    Property(
-        "App::PropertyColor",
-        "FaceColor",
-        "Net",
-        QT_TRANSLATE_NOOP("App::Property", "Colour of the faces where no colour map is shown"),
-        default=(0.80, 0.84, 0.88),
-    ),
-    Property(
-        "App::PropertyColor",
-        "LineColor",
-        "Net",
-        QT_TRANSLATE_NOOP("App::Property", "Colour of the edges"),
-        default=(0.15, 0.17, 0.20),
-    ),
-    Property(
-        "App::PropertyFloat",
-        "LineWidth",
-        "Net",
-        QT_TRANSLATE_NOOP("App::Property", "Width of the edges in pixels"),
-        default=1.5,
-    ),
-    Property(
-        "App::PropertyInteger",
-        "LowestDecade",
-        "Colour map",
-        QT_TRANSLATE_NOOP("App::Property", "Residuals: blue at and below 10 to this power"),
-        default=-6,
-    ),
-    Property(
-        "App::PropertyInteger",
-        "HighestDecade",
-        "Colour map",
-        QT_TRANSLATE_NOOP("App::Property", "Residuals: red at and above 10 to this power"),
-        default=-1,
-    ),
-    Property(
-        "App::PropertyBool",
-        "AutomaticRange",
-        "Colour map",
-        QT_TRANSLATE_NOOP("App::Property", "Lengths, curvatures, angles: range from the values"),
-        default=True,
-    ),
-    Property(
-        "App::PropertyFloat",
-        "LowestValue",
-        "Colour map",
-        QT_TRANSLATE_NOOP(
-            "App::Property",
-            "Blue at and below this value (mm, 1/m, 1/m2, degrees) if not automatic",
-        ),
-        default=0.0,
-    ),
-    Property(
-        "App::PropertyFloat",
-        "HighestValue",
-        "Colour map",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Red at and above this value (mm, 1/m, 1/m2, degrees) if not automatic"
-        ),
-        default=1.0,
-    ),
-    Property(
-        "App::PropertyBool",
-        "Legend",
-        "Colour map",
-        QT_TRANSLATE_NOOP("App::Property", "Show the colour scale in the 3D view"),
-        default=True,
-    ),
-)
-
 
 # Properties of the view provider that change the colours.
 _COLOURING = (
@@ -104,6 +34,7 @@ _COLOURING = (
     "LowestValue",
     "HighestValue",
     "Legend",
+    "ReflectionLines",
     "Visibility",
 )
 # Edges that carry the colours are this much wider.
@@ -114,14 +45,14 @@ class NetView(Stateless):
     """Proxy of a net's view provider; holds Coin nodes and nothing that would need saving."""
 
     def __init__(self, view_object: Any) -> None:
-        ensure(view_object, _PROPERTIES)
+        ensure(view_object, PROPERTIES)
         view_object.Proxy = self
         # A selected net keeps the colours of its faces; a frame says that it is selected.
         view_object.SelectionStyle = "BoundBox"
 
     def attach(self, view_object: Any) -> None:
         """Build the nodes; FreeCAD calls this on creation and when a document opens."""
-        ensure(view_object, _PROPERTIES)
+        ensure(view_object, PROPERTIES)
         self.ViewObject = view_object
         self.Object = view_object.Object
         self._mesh: QuadMesh | None = None
@@ -168,6 +99,8 @@ class NetView(Stateless):
             return
         if name in _COLOURING:
             self._colour()
+        if name in OVERLAYS or name == "Visibility":
+            self._draw_overlays()
 
     def show_vertices(self, points: FloatArray) -> None:
         """Show the net with other positions, (V, 3) in mm, without touching the net itself."""
@@ -177,11 +110,13 @@ class NetView(Stateless):
         self._coordinates.point.setValues(0, len(points), points)
         if is_quick(self.Object.ColourMap):
             self._colour()
+        self._draw_overlays(moving=True)
 
     def show_stored(self) -> None:
         """Show the positions that the net has."""
         self.show_vertices(convert.array(self.Object.Vertices))
         self._colour()
+        self._draw_overlays()
 
     def _build_nodes(self) -> None:
         self._coordinates = coin.SoCoordinate3()
@@ -193,6 +128,8 @@ class NetView(Stateless):
         self._line_style = coin.SoDrawStyle()
         self._line_set = coin.SoIndexedLineSet()
         self._legend = Legend()
+        self._overlays = Overlays()
+        self._reflection = ReflectionLines()
         hints = coin.SoShapeHints()
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         hints.faceType = coin.SoShapeHints.CONVEX
@@ -203,7 +140,7 @@ class NetView(Stateless):
         unlit.model = coin.SoLightModel.BASE_COLOR
         self._faces = coin.SoSeparator()
         colours = (self._material, self._face_binding)
-        for node in (unlit, hints, *colours, push_back, self._face_set):
+        for node in (unlit, hints, *colours, self._reflection.root, push_back, self._face_set):
             self._faces.addChild(node)
         self._edges = coin.SoSeparator()
         colours = (self._line_colour, self._line_binding)
@@ -217,6 +154,7 @@ class NetView(Stateless):
             group.addChild(shape)
         if self._faces in shapes:
             group.addChild(self._legend.root)
+        group.addChild(self._overlays.root)
         return group
 
     def _read_faces(self) -> None:
@@ -228,6 +166,7 @@ class NetView(Stateless):
             shape.coordIndex.deleteValues(0)
         if len(faces) == 0 or len(faces) % 4 or faces.max() >= len(points):
             self._legend.hide()
+            self._draw_overlays()
             return
         connectivity = Connectivity(faces.reshape(-1, 4), len(points))
         self._mesh = QuadMesh(points, connectivity)
@@ -236,11 +175,16 @@ class NetView(Stateless):
         _set_indices(self._face_set, connectivity.faces)
         _set_indices(self._line_set, connectivity.edges)
         self._colour()
+        self._draw_overlays()
 
     def _colour(self) -> None:
         self._legend.hide()
         if self._mesh is None:
             return
+        if self.ViewObject.ReflectionLines:
+            self._reflection.show(self._mesh)
+        else:
+            self._reflection.hide()
         painted = self._painting(self._mesh)
         binding = coin.SoMaterialBinding
         self._face_binding.value = (
@@ -253,9 +197,15 @@ class NetView(Stateless):
         _set_colours(self._line_colour, plain_line if lines is None else lines)
         widening = 1.0 if lines is None else _COLOURED_LINES
         self._line_style.lineWidth = widening * self.ViewObject.LineWidth
-        if painted.scale is not None and self.ViewObject.Legend:
+        explained = painted.scale is not None and not self.ViewObject.ReflectionLines
+        if explained and self.ViewObject.Legend:
             title = FreeCAD.Qt.translate("Ortho", self.Object.ColourMap)
             self._legend.show(title, painted.note, painted.scale)
+
+    def _draw_overlays(self, moving: bool = False) -> None:
+        view = self.ViewObject
+        chosen = [name for name in OVERLAYS if getattr(view, name)] if view.Visibility else []
+        self._overlays.show(self._mesh, chosen, moving)
 
     def _painting(self, mesh: QuadMesh) -> Painting:
         view = self.ViewObject
