@@ -7,7 +7,7 @@ The first half needs no FreeCAD. The functions on documents (``import_net`` and 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -23,9 +23,8 @@ from solver.mesh.remesh import quads_from_triangles
 from solver.multinet import Quadric, elliptic_net, multi_net
 
 if TYPE_CHECKING:
-    from freecad_ortho.fabrication import Structure
+    from freecad_ortho.fabrication import Limits, Structure
 
-SYSTEMS = ("beams", "panels", "beams+panels")
 DEFAULT_UNIT = "mm"
 
 __all__ = [
@@ -88,42 +87,42 @@ def fabricate(
     mesh: QuadMesh,
     system: str = "beams+panels",
     *,
-    height: float = 200.0,
-    thickness: float = 12.0,
-    panel_thickness: float | None = None,
-    gap: float = 10.0,
-    offset: str = "centre",
-    density: float = 7850.0,
     unit: str = DEFAULT_UNIT,
+    family: str = "both",
+    lines: Sequence[int] | None = None,
+    material: str = "steel",
+    density: float | None = None,
+    limits: Limits | None = None,
+    progress: Callable[[float, str], None] | None = None,
+    **sizes: Any,
 ) -> Structure:
-    """Turn an optimised net into beams, panels or both.
+    """Turn an optimised net into the parts of one or more systems.
 
     Args:
         mesh: the net, in ``unit``.
-        system: beams, panels or beams+panels.
-        height: height of the beams, mm.
-        thickness: thickness of the beams, mm.
-        panel_thickness: thickness of the panels, mm; by default that of the beams.
-        gap: clear distance between neighbouring panels, mm.
-        offset: where the structure lies relative to the net: above, centre or below.
-        density: kg/m3, for the masses.
+        system: names of systems joined by "+".
         unit: unit of the mesh's coordinates.
+        family: parameter lines to build on: "u", "v" or "both".
+        lines: numbers of the lines in these families, None for all.
+        material: name of a preset.
+        density: kg/m3, for the masses; by default the material's.
+        limits: what the parts are held against.
+        progress: called with a fraction and words; may raise to stop.
+        sizes: settings of the systems by name (``height=200, thickness=12, gap=10``), lengths in
+            mm; those that none of the systems asked for has are left out.
 
     Raises:
         InputError: a parameter that cannot be used or does not fit the net.
     """
-    from freecad_ortho.fabrication import BeamSettings, PanelSettings, build
-    from solver.errors import InputError
+    from freecad_ortho import fabrication
 
-    if system not in SYSTEMS:
-        raise InputError(f"system: expected one of {', '.join(SYSTEMS)}, got '{system}'")
-    wanted = system.split("+")
-    plate = thickness if panel_thickness is None else panel_thickness
-    return build(
+    return fabrication.build(
         mesh.scaled(millimetres_per(unit)),
-        beams=BeamSettings(height, thickness, offset) if "beams" in wanted else None,
-        panels=PanelSettings(plate, gap, offset) if "panels" in wanted else None,
-        density=density,
+        fabrication.systems_of(system, sizes),
+        material=fabrication.material(material, density),
+        limits=limits,
+        selection=fabrication.Selection(family, None if lines is None else tuple(lines)),
+        progress=progress,
     )
 
 

@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from freecad_ortho import api  # noqa: E402
-from freecad_ortho.fabrication import BeamSettings, PanelSettings, stage_seconds  # noqa: E402
+from freecad_ortho.fabrication import Beams, Panels, stage_seconds  # noqa: E402
 from solver import QuadMesh, optimise  # noqa: E402
 from solver.linear import BACKENDS  # noqa: E402
 
@@ -122,14 +122,14 @@ def measure_fabrication(case: str) -> dict[str, object] | None:
         return None
     mesh = optimise(mesh, "principal").mesh
     mesh = mesh.scaled(1000 / mesh.mean_edge)
-    settings = BeamSettings(200, 12), PanelSettings(12, 10)
+    both = Beams(200, 12), Panels(12, 10)
     runs = [
         {"system": system, "parts": parts, **min(times, key=lambda run: run["total"])}
         for system, parts, chosen in (
-            ("beams", len(mesh.connectivity.edges), (settings[0], None)),
-            ("beams+panels", len(mesh.connectivity.edges) + len(mesh.faces), settings),
+            ("beams", len(mesh.connectivity.edges), both[:1]),
+            ("beams+panels", len(mesh.connectivity.edges) + len(mesh.faces), both),
         )
-        for times in [[stage_seconds(mesh, *chosen) for _ in range(3)]]
+        for times in [[stage_seconds(mesh, chosen) for _ in range(3)]]
     ]
     return {"mesh": case, "runs": runs}
 

@@ -90,7 +90,7 @@ def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
         (["fabricate", "MESH", "-o", "out", "--height", "-1"], "height"),
         (["fabricate", "MESH", "-o", "out", "--thickness", "nan"], "thickness"),
         (["fabricate", "MESH", "-o", "out", "--thickness", "5000"], "thickness"),
-        (["fabricate", "MESH", "-o", "out", "--system", "nodes"], "system: expected one of"),
+        (["fabricate", "MESH", "-o", "out", "--system", "walls"], "system: expected one of"),
         (["fabricate", "MESH", "-o", "out", "--offset", "left"], "offset"),
         (["check", "absent.obj"], "no such file"),
     ],

@@ -9,9 +9,8 @@ import sys
 from collections.abc import Sequence
 
 from freecad_ortho import api
-from freecad_ortho.cli import multinet, net_options, optimising, reporting, sources
-from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK, kept_whole
-from freecad_ortho.fabrication.packages import missing_package_named
+from freecad_ortho.cli import fabricating, multinet, net_options, optimising, reporting, sources
+from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import OrthoError
 
@@ -49,7 +48,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)
     _add_optimise(commands.add_parser("optimise", help="make a mesh a net, e.g. principal"))
-    _add_fabricate(commands.add_parser("fabricate", help="beams and panels, STEP, DXF, CSV"))
+    fabricate = commands.add_parser("fabricate", help="parts of a net: STEP, DXF, CSV, report")
+    _add_input(fabricate)
+    fabricating.add(fabricate)
     _add_check(commands.add_parser("check", help="measure a mesh against every net"))
     multinet.add(commands.add_parser("multinet", help="an exact orthogonal multi-net"))
     sources.add(commands)
@@ -73,20 +74,6 @@ def _add_optimise(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(run=_optimise)
 
 
-def _add_fabricate(parser: argparse.ArgumentParser) -> None:
-    _add_input(parser)
-    parser.add_argument("--system", default="beams+panels", metavar="beams|panels|beams+panels")
-    parser.add_argument("--height", type=float, default=200.0, metavar="MM")
-    parser.add_argument("--thickness", type=float, default=12.0, metavar="MM")
-    parser.add_argument("--panel-thickness", type=float, metavar="MM", help="default: thickness")
-    parser.add_argument("--gap", type=float, default=10.0, metavar="MM")
-    parser.add_argument("--offset", default="centre", metavar="above|centre|below")
-    parser.add_argument("--density", type=float, default=7850.0, metavar="KG/M3")
-    parser.add_argument("-o", "--output", required=True, metavar="DIR")
-    parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
-    parser.set_defaults(run=_fabricate)
-
-
 def _add_check(parser: argparse.ArgumentParser) -> None:
     _add_input(parser)
     parser.add_argument("--json", action="store_true", help="numbers for other programs")
@@ -104,28 +91,6 @@ def _add_input(parser: argparse.ArgumentParser) -> None:
 
 def _optimise(options: argparse.Namespace) -> int:
     return EXIT_OK if optimising.run(options) else EXIT_NOT_CONVERGED
-
-
-def _fabricate(options: argparse.Namespace) -> int:
-    loaded = reporting.load(options)
-    structure = api.fabricate(
-        loaded.mesh,
-        options.system,
-        height=options.height,
-        thickness=options.thickness,
-        panel_thickness=options.panel_thickness,
-        gap=options.gap,
-        offset=options.offset,
-        density=options.density,
-        unit=loaded.unit,
-    )
-    with kept_whole(), missing_package_named():
-        import cadquery  # noqa: F401
-        import ezdxf  # noqa: F401
-    with reporting.Progress(options.verbose) as progress:
-        api.write_fabrication(structure, options.output, progress)
-    sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")
-    return EXIT_OK
 
 
 def _check(options: argparse.Namespace) -> int:

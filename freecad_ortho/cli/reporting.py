@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho import api
@@ -52,8 +53,7 @@ class Progress:
 def fabrication_line(structure: Structure, folder: str) -> str:
     """One line that says what was made and where it is."""
     report = structure.report()
-    kinds = [part.kind for part in structure.parts]
-    numbers = {kind: kinds.count(kind) for kind in ("beam", "panel") if kind in kinds}
+    numbers = Counter(part.kind for part in structure.parts)
     counts = [f"{number} {kind}{'s' * (number > 1)}" for kind, number in numbers.items()]
     return f"{', '.join(counts)}, {report['mass_kg']:.1f} kg; files are in {folder}"
 

@@ -11,7 +11,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.documents.common import progress, require_net, transaction
-from freecad_ortho.fabrication import BeamSettings, PanelSettings
+from freecad_ortho.fabrication import Beams, Panels
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build
 from freecad_ortho.objects import structure as structure_object
@@ -38,7 +38,7 @@ def add_beams(
         InputError: sizes that do not fit the mesh; the document is unchanged.
     """
     require_net(net)
-    settings = BeamSettings(
+    settings = Beams(
         height=convert.millimetres(height, "height"),
         thickness=convert.millimetres(thickness, "thickness"),
         offset=offset,
@@ -73,7 +73,7 @@ def add_panels(
         InputError: sizes that do not fit the mesh; the document is unchanged.
     """
     require_net(net)
-    settings = PanelSettings(
+    settings = Panels(
         thickness=convert.millimetres(thickness, "thickness"),
         gap=convert.millimetres(gap, "gap"),
         offset=offset,

@@ -1,28 +1,49 @@
 """From a mesh in mm to solids, flat patterns and parts lists; knows no FreeCAD."""
 
 from freecad_ortho.fabrication.files import FILES, stage_seconds, write
-from freecad_ortho.fabrication.part import FlatPattern, Mark, Part
-from freecad_ortho.fabrication.settings import (
-    OFFSETS,
-    STEEL_DENSITY,
-    BeamSettings,
-    PanelSettings,
-)
+from freecad_ortho.fabrication.limits import Limits
+from freecad_ortho.fabrication.material import MATERIALS, Material, material
+from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Hole, Mark
+from freecad_ortho.fabrication.site import Selection, Site
+from freecad_ortho.fabrication.sizes import OFFSETS
 from freecad_ortho.fabrication.solids import brep_text
 from freecad_ortho.fabrication.structure import Structure, build
+from freecad_ortho.fabrication.systems import (
+    SYSTEMS,
+    Beams,
+    Option,
+    Panels,
+    System,
+    SystemParts,
+    systems_of,
+)
 
 __all__ = [
     "FILES",
+    "MATERIALS",
     "OFFSETS",
-    "STEEL_DENSITY",
-    "BeamSettings",
+    "SYSTEMS",
+    "Beams",
+    "Bend",
     "FlatPattern",
+    "Hole",
+    "Limits",
     "Mark",
-    "PanelSettings",
+    "Material",
+    "Measures",
+    "Option",
+    "Panels",
     "Part",
+    "Selection",
+    "Site",
     "Structure",
+    "System",
+    "SystemParts",
     "brep_text",
     "build",
+    "material",
     "stage_seconds",
+    "systems_of",
     "write",
 ]

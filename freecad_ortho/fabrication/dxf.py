@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import FlatPattern, Part
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.pattern import FlatPattern
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -18,19 +19,23 @@ if TYPE_CHECKING:
     from ezdxf.layouts import BlockLayout
 
 SPACING = 30.0
-_LAYERS = (("CUT", 7), ("MARK", 1), ("LABEL", 3))
+# Name and colour, in the order in which a workshop looks at them.
+LAYERS = {"CUT": 7, "HOLE": 5, "AXIS": 4, "BEND": 6, "ENGRAVE": 1, "LABEL": 3}
+# A stroke font: letters are single lines for a plotter, a laser or an engraver to follow.
+_STYLE, _FONT = "SINGLE_STROKE", "txt.shx"
 _MILLIMETRES = 4
 
 
 def write_dxf(path: Path, parts: Sequence[Part]) -> None:
     """Write the flat patterns in mm.
 
-    Layers: CUT the closed outlines, MARK lines and texts to scribe (dashed: on the far side of the
-    plate), LABEL the names.
+    Layers: CUT the closed outlines and cutouts, HOLE circles, AXIS the unrolled parameter line,
+    BEND bend lines, ENGRAVE lines and texts (dashed: on the far side of the plate), LABEL the
+    names.
 
     Args:
         path: file to write.
-        parts: each becomes a block of its name and one insert of it.
+        parts: each that has a flat pattern becomes a block of its name and one insert of it.
 
     Raises:
         OSError: the file cannot be written.
@@ -38,15 +43,18 @@ def write_dxf(path: Path, parts: Sequence[Part]) -> None:
     with _fixed_meta_data():
         drawing = _empty_drawing()
         space = drawing.modelspace()
-        patterns = [part.pattern for part in parts]
-        for part, place in zip(parts, row_layout(patterns), strict=True):
-            _fill_block(drawing.blocks.new(part.name), part)
-            space.add_blockref(part.name, place.tolist())
+        patterns = {part.name: part.pattern for part in parts if part.pattern is not None}
+        places = row_layout(list(patterns.values()))
+        for (name, pattern), place in zip(patterns.items(), places, strict=True):
+            _fill_block(drawing.blocks.new(name), name, pattern)
+            space.add_blockref(name, place.tolist())
         drawing.saveas(path)
 
 
 def row_layout(patterns: Sequence[FlatPattern]) -> FloatArray:
     """(N, 2) lower left corners of the patterns in rows of a roughly square sheet, mm."""
+    if not patterns:
+        return np.empty((0, 2))
     sizes = np.array([pattern.size for pattern in patterns]) + SPACING
     width = max(math.sqrt(float(sizes.prod(axis=1).sum()) * 1.3), float(sizes[:, 0].max()))
     places = np.empty_like(sizes)
@@ -67,29 +75,40 @@ def _empty_drawing() -> Drawing:
     drawing.header["$INSUNITS"] = _MILLIMETRES
     drawing.header["$MEASUREMENT"] = 1
     drawing.linetypes.add("FAR_SIDE", pattern=[6.0, 4.0, -2.0], description="on the far side")
-    for name, colour in _LAYERS:
+    drawing.styles.add(_STYLE, font=_FONT)
+    for name, colour in LAYERS.items():
         drawing.layers.add(name, color=colour)
     return drawing
 
 
-def _fill_block(block: BlockLayout, part: Part) -> None:
+def _fill_block(block: BlockLayout, name: str, pattern: FlatPattern) -> None:
+    for polygon in (pattern.outline, *pattern.cutouts):
+        block.add_lwpolyline(polygon.tolist(), close=True, dxfattribs={"layer": "CUT"})
+    for hole in pattern.holes:
+        radius = hole.diameter / 2
+        block.add_circle(hole.centre.tolist(), radius, dxfattribs={"layer": "HOLE"})
+    if pattern.axis is not None:
+        block.add_lwpolyline(pattern.axis.tolist(), dxfattribs={"layer": "AXIS"})
+    for bend in pattern.bends:
+        block.add_line(*bend.points.tolist(), dxfattribs={"layer": "BEND"})
+    for mark in pattern.marks:
+        if mark.text:
+            _add_text(block, "ENGRAVE", mark.text, mark.points[0], mark.size, mark.angle)
+        else:
+            side = {"linetype": "FAR_SIDE"} if mark.hidden else {}
+            block.add_line(*mark.points.tolist(), dxfattribs={"layer": "ENGRAVE", **side})
+    _add_text(block, "LABEL", name, pattern.label, pattern.label_size, pattern.label_angle)
+
+
+def _add_text(
+    block: BlockLayout, layer: str, words: str, place: FloatArray, size: float, angle: float
+) -> None:
     from ezdxf.enums import TextEntityAlignment
 
-    pattern = part.pattern
-    block.add_lwpolyline(pattern.outline.tolist(), close=True, dxfattribs={"layer": "CUT"})
-    for mark in pattern.marks:
-        attributes = {"layer": "MARK"}
-        if mark.text:
-            text = block.add_text(
-                mark.text, height=mark.size, rotation=mark.angle, dxfattribs=attributes
-            )
-            text.set_placement(mark.points[0].tolist(), align=TextEntityAlignment.MIDDLE_CENTER)
-        else:
-            if mark.hidden:
-                attributes["linetype"] = "FAR_SIDE"
-            block.add_line(*mark.points.tolist(), dxfattribs=attributes)
-    label = block.add_text(part.name, height=pattern.label_size, dxfattribs={"layer": "LABEL"})
-    label.set_placement(pattern.label.tolist(), align=TextEntityAlignment.MIDDLE_CENTER)
+    text = block.add_text(
+        words, height=size, rotation=angle, dxfattribs={"layer": layer, "style": _STYLE}
+    )
+    text.set_placement(place.tolist(), align=TextEntityAlignment.MIDDLE_CENTER)
 
 
 @contextmanager

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from freecad_ortho.fabrication.dxf import write_dxf
-from freecad_ortho.fabrication.settings import BeamSettings, PanelSettings
 from freecad_ortho.fabrication.step import write_step
 from freecad_ortho.fabrication.structure import Progress, Structure, build
+from freecad_ortho.fabrication.systems.system import System
 from freecad_ortho.fabrication.tables import write_parts, write_report
 from solver.errors import OutputError
 from solver.io.atomic import staged_folder
@@ -49,15 +49,13 @@ def write(
         say(0.8, "flat.dxf")
         write_dxf(staging / "flat.dxf", structure.parts)
         say(0.97, "parts.csv")
-        write_parts(staging / "parts.csv", structure.parts)
+        write_parts(staging / "parts.csv", structure.parts, structure.verdicts)
         write_report(staging / "report.json", structure.report())
         say(1.0, "written")
     return [target / name for name in FILES]
 
 
-def stage_seconds(
-    mesh_mm: QuadMesh, beams: BeamSettings | None, panels: PanelSettings | None
-) -> dict[str, float]:
+def stage_seconds(mesh_mm: QuadMesh, systems: Sequence[System]) -> dict[str, float]:
     """Time the stages of building and writing once, for benchmarks.
 
     Returns:
@@ -75,14 +73,15 @@ def stage_seconds(
     import ezdxf  # noqa: F401
 
     structures: list[Structure] = []
-    timed("build", lambda: structures.append(build(mesh_mm, beams, panels)))
+    timed("build", lambda: structures.append(build(mesh_mm, systems)))
     structure = structures[0]
     timed("solids", structure.solids)
     with TemporaryDirectory() as name:
         folder = Path(name)
         timed("step", lambda: write_step(folder / FILES[0], structure.parts))
         timed("dxf", lambda: write_dxf(folder / FILES[1], structure.parts))
-        timed("tables", lambda: write_parts(folder / FILES[2], structure.parts))
+        verdicts = structure.verdicts
+        timed("tables", lambda: write_parts(folder / FILES[2], structure.parts, verdicts))
     seconds["total"] = sum(seconds.values())
     return seconds
 

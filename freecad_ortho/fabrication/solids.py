@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import Loops
+from freecad_ortho.fabrication.bodies import Loops
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:

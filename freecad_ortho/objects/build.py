@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from freecad_ortho import convert
-from freecad_ortho.fabrication import BeamSettings, PanelSettings, Structure, build
+from freecad_ortho.fabrication import Beams, Panels, Structure, System, build, material
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.net import is_net
 from solver.errors import InputError
@@ -38,24 +37,19 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
         )
     carrier = beams if panels is None else below
     _check_carrier(carrier, net)
-    whole = build(
-        convert.quad_mesh(net),
-        None if carrier is None else _beam_settings(carrier),
-        None if panels is None else _panel_settings(panels),
-        density=features[0].Density,
-    )
-    if beams is None and carrier is not None:
-        panels_only = tuple(part for part in whole.parts if part.kind == "panel")
-        return replace(whole, beams=None, beam_geometry=None, parts=panels_only)
-    return whole
+    systems: list[System] = [] if carrier is None else [_beams(carrier)]
+    if panels is not None:
+        systems.append(_panels(panels))
+    whole = build(convert.quad_mesh(net), systems, material=material(density=features[0].Density))
+    return whole.only(Panels.name) if beams is None and carrier is not None else whole
 
 
-def _beam_settings(feature: FreeCAD.DocumentObject) -> BeamSettings:
-    return BeamSettings(feature.Height.Value, feature.Thickness.Value, feature.Offset.lower())
+def _beams(feature: FreeCAD.DocumentObject) -> Beams:
+    return Beams(feature.Height.Value, feature.Thickness.Value, feature.Offset.lower())
 
 
-def _panel_settings(feature: FreeCAD.DocumentObject) -> PanelSettings:
-    return PanelSettings(feature.Thickness.Value, feature.Gap.Value, feature.Offset.lower())
+def _panels(feature: FreeCAD.DocumentObject) -> Panels:
+    return Panels(feature.Thickness.Value, feature.Gap.Value, feature.Offset.lower())
 
 
 def _common_net(features: Sequence[FreeCAD.DocumentObject]) -> FreeCAD.DocumentObject:

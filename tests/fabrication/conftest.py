@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from freecad_ortho.fabrication import BeamSettings, PanelSettings, build
+from freecad_ortho.fabrication import Beams, Panels, build
 from solver.mesh.quadmesh import QuadMesh
 
 
@@ -65,4 +65,4 @@ def meshes(roof, skewed, dodecahedron, twisted):
 @pytest.fixture(scope="session")
 def structure(roof):
     """Beams and panels on the roof."""
-    return build(roof, BeamSettings(200, 12), PanelSettings(20, 15))
+    return build(roof, [Beams(200, 12), Panels(20, 15)])

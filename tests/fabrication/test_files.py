@@ -1,6 +1,7 @@
 """The files are read back: same parts, names and numbers; whole or not at all."""
 
 import csv
+import dataclasses
 import json
 import math
 import os
@@ -10,12 +11,18 @@ import numpy as np
 import pytest
 from ezdxf.enums import TextEntityAlignment
 
-from freecad_ortho.fabrication import FILES, BeamSettings, build, files, stage_seconds, write
-from freecad_ortho.fabrication.dxf import row_layout
-from freecad_ortho.fabrication.part import polygon_area
+from freecad_ortho.fabrication import FILES, Beams, Measures, build, files, stage_seconds, write
+from freecad_ortho.fabrication.dxf import LAYERS, row_layout
+from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.tables import COLUMNS
 from solver.errors import OrthoError, OutputError
+
+REQUIRED = (
+    "name kind family line length_mm width_mm thickness_mm area_mm2 mass_kg gap_mm twist_deg "
+    "straightness_mm radius_mm min_bend_radius_mm stress_MPa verdict"
+)
+SIZES = ("length", "width", "thickness", "area", "volume", "mass")
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +34,7 @@ def folder(structure, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def small(dodecahedron):
-    return build(dodecahedron, BeamSettings(200, 12), None)
+    return build(dodecahedron, [Beams(200, 12)])
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +73,7 @@ def test_writing_says_nothing(small, tmp_path, capfd):
 
 def test_same_structure_gives_the_same_files(roof, tmp_path):
     for name in ("one", "two"):
-        write(build(roof, BeamSettings(200, 12), None), tmp_path / name)
+        write(build(roof, [Beams(200, 12)]), tmp_path / name)
     for name in FILES:
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
 
@@ -74,7 +81,7 @@ def test_same_structure_gives_the_same_files(roof, tmp_path):
 def test_dxf_is_sound_and_in_millimetres(drawing):
     assert not drawing.audit().errors
     assert drawing.header["$INSUNITS"] == 4
-    assert {"CUT", "MARK", "LABEL"} <= {layer.dxf.name for layer in drawing.layers}
+    assert set(LAYERS) <= {layer.dxf.name for layer in drawing.layers}
 
 
 def test_dxf_has_one_block_a_part_with_its_outline(structure, drawing):
@@ -90,9 +97,9 @@ def test_dxf_has_one_block_a_part_with_its_outline(structure, drawing):
         assert polygon_area(outline) == pytest.approx(part.area, rel=1e-9)
         assert outline.min(axis=0) == pytest.approx([0, 0], abs=1e-9)
         # the flat outline is the solid's own: its corners, in its own coordinates
-        gap = np.linalg.norm(outline[:, None] - part.corners[None, :, :2], axis=2)
+        gap = np.linalg.norm(outline[:, None] - part.body.corners[None, :, :2], axis=2)
         assert gap.min(axis=1).max() <= 1e-7
-        assert {entity.dxf.layer for entity in block} <= {"CUT", "MARK", "LABEL"}
+        assert {entity.dxf.layer for entity in block} <= set(LAYERS)
 
 
 def text_box(text):
@@ -136,17 +143,17 @@ def test_label_and_marks_do_not_cover_each_other(structure, drawing):
 
 
 def test_beams_carry_bevel_lines_and_vertices(structure, drawing):
-    geometry = structure.beam_geometry
+    geometry = structure.results["beams"].geometry
     for edge, part in enumerate(structure.parts[: len(geometry.setback)]):
         block = drawing.blocks.get(part.name)
-        lines = block.query('LINE[layer=="MARK"]')
+        lines = block.query('LINE[layer=="ENGRAVE"]')
         assert len(lines) == (geometry.setback[edge] > 1e-6).sum()
-        solid_corners = part.corners[[1, 2, 4, 5, 7, 8, 10, 11], :2]
+        solid_corners = part.body.corners[[1, 2, 4, 5, 7, 8, 10, 11], :2]
         for line in lines:
             for end in (line.dxf.start, line.dxf.end):
                 gap = np.linalg.norm(solid_corners - [end.x, end.y], axis=1)
                 assert gap.min() <= 1e-7
-        texts = {text.dxf.text for text in block.query('TEXT[layer=="MARK"]')}
+        texts = {text.dxf.text for text in block.query('TEXT[layer=="ENGRAVE"]')}
         assert texts == {f"V{vertex}" for vertex in part.vertices}
 
 
@@ -154,7 +161,7 @@ def test_panels_name_their_neighbours(structure, drawing, roof):
     names = [part.name for part in structure.parts if part.kind == "panel"]
     sides = roof.connectivity.edge_faces
     for part in structure.parts[-len(names) :]:
-        texts = {t.dxf.text for t in drawing.blocks.get(part.name).query('TEXT[layer=="MARK"]')}
+        texts = {t.dxf.text for t in drawing.blocks.get(part.name).query('TEXT[layer=="ENGRAVE"]')}
         beside = {int(f) for f in sides[(sides == part.face).any(axis=1)].ravel()}
         assert texts == {names[face] for face in beside - {part.face, -1}}
 
@@ -173,17 +180,25 @@ def test_parts_list_reads_back(structure, folder):
     with (folder / "parts.csv").open(newline="") as stream:
         rows = list(csv.DictReader(stream))
     assert tuple(rows[0]) == COLUMNS
-    assert ",".join(COLUMNS).startswith(
-        "name,kind,length_mm,height_mm,thickness_mm,area_mm2,volume_mm3,mass_kg,twist_deg"
-    )
+    assert set(REQUIRED.split()) <= set(COLUMNS)
+    sizes = [column for column in COLUMNS if column.rpartition("_")[0] in SIZES]
+    assert len(sizes) == len(SIZES)
     for row, part in zip(rows, structure.parts, strict=True):
-        assert (row["name"], row["kind"]) == (part.name, part.kind)
-        for column in COLUMNS[2:8]:
+        assert (row["name"], row["kind"], row["family"]) == (part.name, part.kind, part.family)
+        assert row["line"] == ("" if part.line is None else str(part.line))
+        for column in sizes:
             value = getattr(part, column.rpartition("_")[0])
             assert float(row[column]) == pytest.approx(value, abs=1e-6)
-        assert float(row["twist_deg"]) == pytest.approx(part.twist_deg, rel=1e-2)
+        assert row["height_mm"] == row["width_mm"]
+        for field in dataclasses.fields(Measures):
+            value = getattr(part.measures, field.name)
+            if value is None:
+                assert row[field.name] == ""
+            else:
+                assert float(row[field.name]) == pytest.approx(value, rel=1e-5)
         assert tuple(map(int, row["vertices"].split())) == part.vertices
         assert row["face"] == ("" if part.face is None else str(part.face))
+        assert row["verdict"] == "ok"
 
 
 def test_report_reads_back(structure, folder, roof):
@@ -197,7 +212,7 @@ def test_report_reads_back(structure, folder, roof):
     assert report["beams"]["height_deviation_max"] <= 0.05
     assert report["volume_mm3"] == pytest.approx(sum(part.volume for part in structure.parts))
     shrunk = report["panels"]["sides_shrunk_more"]
-    assert shrunk == (structure.panel_geometry.sides > 7.5 + 1e-6).sum() > 0
+    assert shrunk == (structure.results["panels"].geometry.sides > 7.5 + 1e-6).sum() > 0
     assert [message for message in report["messages"] if f"{shrunk} sides" in message]
 
 
@@ -262,7 +277,7 @@ def test_folder_that_cannot_be_made(small, tmp_path):
 
 
 def test_stages_are_timed(roof):
-    seconds = stage_seconds(roof, BeamSettings(200, 12), None)
+    seconds = stage_seconds(roof, [Beams(200, 12)])
     assert set(seconds) == {"build", "solids", "step", "dxf", "tables", "total"}
     assert seconds["total"] == pytest.approx(
         sum(value for name, value in seconds.items() if name != "total")

@@ -5,22 +5,14 @@ import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
-from freecad_ortho.fabrication import BeamSettings, PanelSettings, brep_text, build
+from freecad_ortho.fabrication import Beams, Panels, brep_text, build
 
-SYSTEMS = {
-    "beams": (True, False),
-    "panels": (False, True),
-    "beams+panels": (True, True),
-}
+SYSTEMS = ("beams", "panels", "beams+panels")
 
 
 def make(mesh, system, offset, thickness=12.0):
-    beams, panels = SYSTEMS[system]
-    return build(
-        mesh,
-        BeamSettings(200, thickness, offset) if beams else None,
-        PanelSettings(20, 15, offset) if panels else None,
-    )
+    systems = {"beams": Beams(200, thickness, offset), "panels": Panels(20, 15, offset)}
+    return build(mesh, [systems[name] for name in system.split("+")])
 
 
 def shared_volume(one, other):
@@ -65,14 +57,14 @@ def worst_overlap(structure, count=120):
 def test_solids_are_valid_closed_and_of_analytic_volume(meshes, name, system, offset):
     structure = make(meshes[name], system, offset)
     mesh = meshes[name]
-    expected = SYSTEMS[system][0] * len(mesh.connectivity.edges)
-    assert len(structure.parts) == expected + SYSTEMS[system][1] * len(mesh.faces)
+    counts = {"beams": len(mesh.connectivity.edges), "panels": len(mesh.faces)}
+    assert len(structure.parts) == sum(counts[name] for name in system.split("+"))
     for part, solid in zip(structure.parts, structure.solids(), strict=True):
         assert solid.isValid(), part.name
         assert solid.Volume() == pytest.approx(part.volume, rel=1e-9), part.name
         assert len(solid.Shells()) == 1
         counts = [0, 0]
-        for loop in part.loops:
+        for loop in part.body.loops:
             for pair in zip(loop, loop[1:] + loop[:1], strict=True):
                 counts[pair[0] < pair[1]] += 1
         assert counts[0] == counts[1] == len(solid.Edges())
@@ -86,10 +78,10 @@ def test_neighbours_share_no_volume(meshes, name, system):
 
 @pytest.mark.parametrize("offset", ["above", "below"])
 def test_thick_plates_on_ridges_and_valleys_share_no_volume(roof, offset):
-    beams = BeamSettings(300, 60, offset)
-    panels = PanelSettings(60, 8, offset)
-    assert worst_overlap(build(roof, beams, panels), 80) <= 1e-6
-    assert worst_overlap(build(roof, None, panels), 80) <= 1e-6
+    beams = Beams(300, 60, offset)
+    panels = Panels(60, 8, offset)
+    assert worst_overlap(build(roof, [beams, panels]), 80) <= 1e-6
+    assert worst_overlap(build(roof, [panels]), 80) <= 1e-6
 
 
 def test_overlap_check_can_fail(roof):

@@ -157,7 +157,7 @@ def test_flat_patterns(run, parts):
     import ezdxf
 
     drawing = ezdxf.readfile(run[0] / "flat.dxf")
-    assert {"CUT", "MARK", "LABEL"} <= {layer.dxf.name for layer in drawing.layers}
+    assert {"CUT", "ENGRAVE", "LABEL"} <= {layer.dxf.name for layer in drawing.layers}
     blocks = {block.name for block in drawing.blocks}
     assert {row["name"] for row in parts} <= blocks
 

@@ -12,9 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.beams import LEFT_TOP, RIGHT_TOP, BeamGeometry
-from freecad_ortho.fabrication.part import FlatPattern, Mark, Part, fitted_text_size, part_names
-from freecad_ortho.fabrication.settings import PanelSettings, rounded_down
+from freecad_ortho.fabrication.sizes import rounded_down
+from freecad_ortho.fabrication.systems.beams.geometry import LEFT_TOP, RIGHT_TOP, BeamGeometry
 from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
@@ -52,13 +51,14 @@ class PanelGeometry:
 
 
 def panel_geometry(
-    mesh: QuadMesh, settings: PanelSettings, beams: BeamGeometry | None = None
+    mesh: QuadMesh, levels: tuple[float, float], gap: float, beams: BeamGeometry | None = None
 ) -> PanelGeometry:
     """Compute the corners of all panels.
 
     Args:
         mesh: positions in mm; with beams, of the parallel mesh at the beams' upper level.
-        settings: thickness, gap and offset.
+        levels: lower and upper level along the face normal, mm from the mesh.
+        gap: joint between neighbours, mm.
         beams: when given, panels lie on them, lifted until no beam's upper side cuts a panel.
 
     Raises:
@@ -73,75 +73,36 @@ def panel_geometry(
     frame = np.stack([first, second, normal], axis=1)
     flat = np.einsum("fck,fdk->fcd", corner - middle[:, None], frame[:, :2])
 
-    lower = np.full(len(corner), settings.levels[0])
+    thickness = levels[1] - levels[0]
+    lower = np.full(len(corner), levels[0])
     lift = np.zeros(len(corner))
     if beams is not None:
         lift = _lift(mesh.connectivity, beams, middle, normal)
         lower = lift
-    upper = lower + settings.thickness
+    upper = lower + thickness
     bend = _half_angle_tangents(mesh.connectivity, normal, side)
     closing = np.maximum(np.maximum(-lower[:, None] * bend, -upper[:, None] * bend), 0.0)
-    sides = np.maximum(settings.gap / 2, closing + settings.gap / 4)
-    sides = np.where(np.isnan(bend), settings.gap / 2, sides)
+    sides = np.maximum(gap / 2, closing + gap / 4)
+    sides = np.where(np.isnan(bend), gap / 2, sides)
     clear = np.where(np.isnan(bend), np.inf, 2 * (sides - closing))
 
     outline = _inset(flat, sides)
-    _refuse_gap(settings, flat, outline)
+    _refuse_gap(gap, thickness, flat, outline)
     plane = middle[:, None] + np.einsum("fcd,fdk->fck", outline, frame[:, :2])
-    levels = [plane + (level[:, None] * normal)[:, None] for level in (lower, upper)]
+    rings = [plane + (level[:, None] * normal)[:, None] for level in (lower, upper)]
     low = np.concatenate([outline.min(axis=1), lower[:, None]], axis=1)
     origin = middle + np.einsum("fd,fdk->fk", low, frame)
-    points = np.concatenate(levels, axis=1)
+    points = np.concatenate(rings, axis=1)
     return PanelGeometry(points, origin, frame, outline, sides, clear, lift)
 
 
-def panel_parts(
-    mesh: QuadMesh,
-    settings: PanelSettings,
-    geometry: PanelGeometry,
-    density: float,
-    shift: FloatArray,
-) -> list[Part]:
-    """Return one part a face, in the order of the faces.
-
-    Density in kg/m3; ``shift`` (3,) brings the geometry into the place of the model, mm.
-    """
-    connectivity = mesh.connectivity
-    names = part_names("P", len(connectivity.faces))
-    across = _neighbours(connectivity).tolist()
-    faces = connectivity.faces.tolist()
-    arms = geometry.points - geometry.origin[:, None]
-    corners = np.einsum("npk,nck->npc", arms, geometry.frame)
-    parts = []
-    for face, name in enumerate(names):
-        beside = [names[other] if other >= 0 else "" for other in across[face]]
-        pattern = _flat_pattern(name, geometry.outline[face], beside)
-        length, height = pattern.size.tolist()
-        volume = pattern.area * settings.thickness
-        parts.append(
-            Part(
-                name=name,
-                kind="panel",
-                corners=corners[face],
-                loops=LOOPS,
-                origin=geometry.origin[face] + shift,
-                frame=geometry.frame[face],
-                pattern=pattern,
-                length=length,
-                height=height,
-                thickness=settings.thickness,
-                area=pattern.area,
-                volume=volume,
-                mass=volume * 1e-9 * density,
-                twist_deg=0.0,
-                vertices=tuple(faces[face]),
-                face=face,
-            )
-        )
-    return parts
+def diagonal_distances(mesh: QuadMesh) -> FloatArray:
+    """(F,) distance between the diagonals of each face: how far it is from planar."""
+    corner = mesh.vertices[mesh.faces]
+    return np.abs(np.einsum("fk,fk->f", corner[:, 1] - corner[:, 0], mesh.face_normals))
 
 
-def _neighbours(connectivity: Connectivity) -> IntArray:
+def neighbours(connectivity: Connectivity) -> IntArray:
     """(F, 4) face across each side, -1 at the boundary."""
     twins = connectivity.twins
     return np.where(twins >= 0, twins // 4, -1).reshape(-1, 4)
@@ -151,7 +112,7 @@ def _half_angle_tangents(
     connectivity: Connectivity, normal: FloatArray, side: FloatArray
 ) -> FloatArray:
     """(F, 4) tan(theta / 2) across each side, positive at a ridge, NaN at the boundary."""
-    across = _neighbours(connectivity)
+    across = neighbours(connectivity)
     other = normal[across]
     sine = np.einsum("fck,fck->fc", np.cross(normal[:, None], other), unit_rows(side))
     cosine = np.einsum("fk,fck->fc", normal, other)
@@ -189,36 +150,14 @@ def _inset(polygon: FloatArray, distance: FloatArray) -> FloatArray:
     return np.asarray(polygon + np.where(straight[..., None], even, shift))
 
 
-def _refuse_gap(settings: PanelSettings, polygon: FloatArray, outline: FloatArray) -> None:
+def _refuse_gap(gap: float, thickness: float, polygon: FloatArray, outline: FloatArray) -> None:
     side = np.roll(polygon, -1, axis=1) - polygon
     left = np.roll(outline, -1, axis=1) - outline
     kept = np.einsum("fcd,fcd->fc", left, side) / np.einsum("fcd,fcd->fc", side, side)
     if kept.min() <= 1e-3:
         face = int(np.argmin(kept.min(axis=1)))
-        largest = settings.gap / (1 - float(kept.min()))
+        largest = gap / (1 - float(kept.min()))
         raise InputError(
-            f"gap: {settings.gap:g} mm with panels {settings.thickness:g} mm thick leaves nothing "
+            f"gap: {gap:g} mm with panels {thickness:g} mm thick leaves nothing "
             f"of face {face}; take a gap below {rounded_down(largest)} mm or thinner panels"
         )
-
-
-def _flat_pattern(name: str, outline: FloatArray, beside: list[str]) -> FlatPattern:
-    """Outline seen from above, neighbours' names along the sides, a tick at the first corner."""
-    corner = outline - outline.min(axis=0)
-    side = np.roll(corner, -1, axis=0) - corner
-    length = np.linalg.norm(side, axis=1)
-    along = side / length[:, None]
-    inward = np.stack([-along[:, 1], along[:, 0]], axis=1)
-    middle = corner.mean(axis=0)
-    # The circle around the middle that stays inside; text is kept in or outside of half of it.
-    radius = float(np.abs(np.einsum("kd,kd->k", inward, middle - corner)).min())
-    tick = corner[0] + 0.15 * (middle - corner[0])
-    marks = [Mark(np.stack([corner[0], tick]))]
-    for k, text in enumerate(beside):
-        if text:
-            size = fitted_text_size(text, 0.5 * float(length[k]), 0.3 * radius, 12.0)
-            place = (corner[k] + corner[(k + 1) % 4]) / 2 + 0.2 * radius * inward[k]
-            angle = float(np.degrees(np.arctan2(along[k, 1], along[k, 0])))
-            marks.append(Mark(place[None], text, size, angle))
-    label_size = min(1.1 * radius / float(np.hypot(len(name), 1)), 30.0)
-    return FlatPattern(corner, tuple(marks), middle, label_size)

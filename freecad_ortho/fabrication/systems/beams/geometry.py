@@ -14,8 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import FlatPattern, Mark, Part, fitted_text_size, part_names
-from freecad_ortho.fabrication.settings import BeamSettings, rounded_down
+from freecad_ortho.fabrication.sizes import rounded_down
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
@@ -49,6 +48,7 @@ class BeamGeometry:
         height: (E,) of the plate.
         volume: (E,) from the formula.
         twist_mm: (E,) largest distance of the axes' ends from the plate's mid plane.
+        levels: lower and upper level along the axes, mm from the mesh.
     """
 
     points: FloatArray
@@ -59,6 +59,7 @@ class BeamGeometry:
     height: FloatArray
     volume: FloatArray
     twist_mm: FloatArray
+    levels: tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,28 +78,31 @@ class _Frames:
     miss: FloatArray
 
 
-def beam_geometry(mesh: QuadMesh, axes: Axes, settings: BeamSettings) -> BeamGeometry:
+def beam_geometry(
+    mesh: QuadMesh, axes: Axes, levels: tuple[float, float], thickness: float
+) -> BeamGeometry:
     """Compute the corners of all beams.
 
     Args:
         mesh: positions in mm.
         axes: of the same mesh.
-        settings: height, thickness and offset.
+        levels: lower and upper level along the axes, mm from the mesh.
+        thickness: of the plates, mm.
 
     Raises:
         InputError: an edge without length, or a height or thickness that does not fit an edge.
     """
     frames = _frames(mesh, axes)
-    lower, upper = settings.levels
-    half = settings.thickness / 2
+    lower, upper = levels
+    half = thickness / 2
     setback = half * _cotangents(mesh, axes, frames)
     lengths = mesh.edge_lengths
     level_lengths = np.stack(
-        [lengths + level * (frames.slope[:, 1] - frames.slope[:, 0]) for level in settings.levels],
+        [lengths + level * (frames.slope[:, 1] - frames.slope[:, 0]) for level in levels],
         axis=1,
     )
-    _refuse_height(mesh, settings, level_lengths)
-    _refuse_thickness(mesh, settings, level_lengths.min(axis=1), setback)
+    _refuse_height(mesh, upper - lower, level_lengths)
+    _refuse_thickness(mesh, thickness, level_lengths.min(axis=1), setback)
 
     origin = mesh.vertices[mesh.connectivity.edges[:, 0]]
     rings, outlines = [], []
@@ -118,8 +122,9 @@ def beam_geometry(mesh: QuadMesh, axes: Axes, settings: BeamSettings) -> BeamGeo
         outline=quadrilateral,
         setback=setback,
         height=height,
-        volume=height * settings.thickness * (mean_length - setback.sum(axis=1) / 4),
+        volume=height * thickness * (mean_length - setback.sum(axis=1) / 4),
         twist_mm=np.abs(frames.miss).max(axis=1) * max(abs(lower), abs(upper)),
+        levels=levels,
     )
 
 
@@ -141,49 +146,6 @@ def _at_level(
     )
     ends = np.stack([first, last], axis=1)
     return ring, np.stack([ends, np.broadcast_to(rise[:, None], ends.shape)], axis=2)
-
-
-def beam_parts(
-    mesh: QuadMesh,
-    axes: Axes,
-    settings: BeamSettings,
-    geometry: BeamGeometry,
-    density: float,
-    shift: FloatArray,
-) -> list[Part]:
-    """Return one part an edge, in the order of the edges.
-
-    Density in kg/m3; ``shift`` (3,) brings the geometry into the place of the model, mm.
-    """
-    edges = mesh.connectivity.edges.tolist()
-    names = part_names("B", len(edges))
-    twist = np.degrees(np.arcsin(np.clip(axes.twist, 0.0, 1.0)))
-    arms = geometry.points - geometry.origin[:, None]
-    corners = np.einsum("npk,nck->npc", arms, geometry.frame)
-    parts = []
-    for edge, name in enumerate(names):
-        pattern = _flat_pattern(name, geometry.outline[edge], geometry.setback[edge], edges[edge])
-        volume = float(geometry.volume[edge])
-        parts.append(
-            Part(
-                name=name,
-                kind="beam",
-                corners=corners[edge],
-                loops=LOOPS,
-                origin=geometry.origin[edge] + shift,
-                frame=geometry.frame[edge],
-                pattern=pattern,
-                length=float(pattern.size[0]),
-                height=float(geometry.height[edge]),
-                thickness=settings.thickness,
-                area=pattern.area,
-                volume=volume,
-                mass=volume * 1e-9 * density,
-                twist_deg=float(twist[edge]),
-                vertices=tuple(edges[edge]),
-            )
-        )
-    return parts
 
 
 def _frames(mesh: QuadMesh, axes: Axes) -> _Frames:
@@ -244,29 +206,29 @@ def _cotangents(mesh: QuadMesh, axes: Axes, frames: _Frames) -> FloatArray:
     )
 
 
-def _refuse_height(mesh: QuadMesh, settings: BeamSettings, lengths: FloatArray) -> None:
+def _refuse_height(mesh: QuadMesh, height: float, lengths: FloatArray) -> None:
     wrong = lengths.min(axis=1) <= _LEAST_LEFT * mesh.edge_lengths
     if wrong.any():
-        shrink = (mesh.edge_lengths - lengths.min(axis=1)) / settings.height
+        shrink = (mesh.edge_lengths - lengths.min(axis=1)) / height
         largest = float((mesh.edge_lengths[wrong] / shrink[wrong]).min())
         raise InputError(
-            f"beam height: {settings.height:g} mm does not fit {_edge_name(mesh, wrong)}, where "
+            f"beam height: {height:g} mm does not fit {_edge_name(mesh, wrong)}, where "
             f"the axes meet before that; take less than {rounded_down(largest)} mm or "
             "another offset"
         )
 
 
 def _refuse_thickness(
-    mesh: QuadMesh, settings: BeamSettings, available: FloatArray, setback: FloatArray
+    mesh: QuadMesh, thickness: float, available: FloatArray, setback: FloatArray
 ) -> None:
     needed = np.maximum(setback[:, 0] + setback[:, 1], setback[:, 2] + setback[:, 3])
     room = available * (1 - _LEAST_LEFT)
     if (needed > room).any():
         worst = needed / room
         edge = int(np.argmax(worst))
-        largest = settings.thickness / float(worst[edge])
+        largest = thickness / float(worst[edge])
         raise InputError(
-            f"beam thickness: {settings.thickness:g} mm does not fit "
+            f"beam thickness: {thickness:g} mm does not fit "
             f"{_edge_name(mesh, np.arange(len(worst)) == edge)}, whose mitres need "
             f"{needed[edge]:.1f} of its {available[edge]:.1f} mm; take at most "
             f"{rounded_down(largest)} mm"
@@ -277,36 +239,3 @@ def _edge_name(mesh: QuadMesh, chosen: BoolArray) -> str:
     edge = int(np.argmax(chosen))
     first, second = mesh.connectivity.edges[edge]
     return f"edge {edge} (vertices {first} and {second})"
-
-
-def _flat_pattern(
-    name: str, outline: FloatArray, setback: FloatArray, ends: list[int]
-) -> FlatPattern:
-    """Outline of the plate seen from its right side, the edge running to the right."""
-    corner = outline - outline.min(axis=0)
-    height = float(corner[:, 1].max())
-    bottom_start, bottom_end, top_end, top_start = corner
-    marks = []
-    for side, (bottom, top, sign) in enumerate(
-        [
-            (bottom_start, top_start, 1.0),
-            (bottom_end, top_end, -1.0),
-            (bottom_end, top_end, -1.0),
-            (bottom_start, top_start, 1.0),
-        ]
-    ):
-        shift = np.array([sign * setback[side], 0.0])
-        if setback[side] > 1e-6:
-            marks.append(Mark(np.stack([bottom + shift, top + shift]), hidden=side > 1))
-    start = max(bottom_start[0], top_start[0]) + max(setback[0], setback[3])
-    end = min(bottom_end[0], top_end[0]) - max(setback[1], setback[2])
-    # A third of the clear length for the name, a quarter at each end for its vertex.
-    clear = max(end - start, 0.2 * (corner[:, 0].max()))
-    middle = (start + end) / 2
-    for vertex, sign in zip(ends, (-1.0, 1.0), strict=True):
-        place = np.array([[middle + sign * 0.36 * clear, height / 2]])
-        text = f"V{vertex}"
-        size = fitted_text_size(text, 0.24 * clear, 0.5 * height, 15.0)
-        marks.append(Mark(place, text, size))
-    label_size = fitted_text_size(name, 0.4 * clear, height)
-    return FlatPattern(corner, tuple(marks), np.array([middle, height / 2]), label_size)

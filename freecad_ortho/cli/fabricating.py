@@ -1,0 +1,82 @@
+"""The command fabricate: a net becomes the parts of one or more systems, and their files."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from freecad_ortho import api
+from freecad_ortho.cli import reporting, values
+from freecad_ortho.cli.endings import EXIT_OK, kept_whole
+from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.packages import missing_package_named
+from freecad_ortho.fabrication.site import FAMILY_CHOICES
+from freecad_ortho.fabrication.systems import SYSTEMS, Option
+from solver.errors import InputError
+
+
+def add(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command and those of every system."""
+    parser.add_argument("--system", default="beams+panels", metavar="NAME[+NAME...]")
+    parser.epilog = f"systems: {', '.join(SYSTEMS)}"
+    group = parser.add_argument_group("sizes", "those that no system asked for has are left out")
+    for option in _options().values():
+        _add_option(group, option)
+    parser.add_argument("--family", default="both", metavar="|".join(FAMILY_CHOICES))
+    parser.add_argument("--lines", metavar="I,J,...", help="these parameter lines only, from 0")
+    parser.add_argument("--material", default="steel", metavar="|".join(MATERIALS))
+    parser.add_argument("--density", type=float, metavar="KG/M3", help="default: the material's")
+    parser.add_argument("-o", "--output", required=True, metavar="DIR")
+    parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Build the structure and write its files."""
+    loaded = reporting.load(options)
+    given = {name: getattr(options, name) for name in _options()}
+    structure = api.fabricate(
+        loaded.mesh,
+        options.system,
+        family=options.family,
+        lines=None if options.lines is None else _line_numbers(options.lines),
+        material=options.material,
+        density=options.density,
+        unit=loaded.unit,
+        **{name: value for name, value in given.items() if value is not None},
+    )
+    with kept_whole(), missing_package_named():
+        import cadquery  # noqa: F401
+        import ezdxf  # noqa: F401
+    with reporting.Progress(options.verbose) as progress:
+        api.write_fabrication(structure, options.output, progress)
+    sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")
+    return EXIT_OK
+
+
+def _options() -> dict[str, Option]:
+    """Every option of every system by name; systems share those of the same name."""
+    return {option.name: option for system in SYSTEMS.values() for option in system.options}
+
+
+def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
+    flag = "--" + option.name.replace("_", "-")
+    users = [
+        name
+        for name, system in SYSTEMS.items()
+        if option.name in (each.name for each in system.options)
+    ]
+    words = f"{', '.join(users)}: {option.help}"
+    if option.kind is bool:
+        group.add_argument(flag, action="store_true", default=None, help=words)
+        return
+    if option.default is not None:
+        words += f" (default: {option.default})"
+    group.add_argument(flag, type=option.kind, metavar=option.metavar, help=words)
+
+
+def _line_numbers(text: str) -> tuple[int, ...]:
+    numbers = values.numbers("--lines", text, text.count(",") + 1)
+    if any(number != int(number) for number in numbers):
+        raise InputError(f"--lines: expected whole numbers separated by commas, got '{text[:40]}'")
+    return tuple(int(number) for number in numbers)

@@ -1,0 +1,108 @@
+"""The flat pattern of a part: what is cut, drilled, bent and engraved, in the plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.mesh.quadmesh import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Mark:
+    """A line or a text to engrave on a flat pattern.
+
+    Attributes:
+        points: (2, 2) ends of a line, or (1, 2) the middle of a text, mm.
+        text: what to write, empty for a line.
+        size: text height, mm.
+        angle: direction of the text, degrees.
+        hidden: true for a line that belongs to the far side of the plate.
+    """
+
+    points: FloatArray
+    text: str = ""
+    size: float = 0.0
+    angle: float = 0.0
+    hidden: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Hole:
+    """A round hole through the plate.
+
+    Attributes:
+        centre: (2,) mm.
+        diameter: mm.
+    """
+
+    centre: FloatArray
+    diameter: float
+
+
+@dataclass(frozen=True, eq=False)
+class Bend:
+    """A straight line along which the plate is bent.
+
+    Attributes:
+        points: (2, 2) ends of the line, mm.
+        angle_deg: by which the two sides leave their common plane, positive when they rise towards
+            the side that is seen.
+    """
+
+    points: FloatArray
+    angle_deg: float
+
+
+@dataclass(frozen=True, eq=False)
+class FlatPattern:
+    """The true outline of a plate in its own plane, lower left corner of its box at the origin.
+
+    Attributes:
+        outline: (N, 2) corners, counter-clockwise, mm.
+        marks: what to engrave.
+        label: (2,) middle of the name, inside the outline.
+        label_size: text height of the name, mm.
+        cutouts: closed polygons (M, 2) inside the outline, clockwise or not.
+        holes: round holes.
+        axis: (K, 2) the unrolled parameter line, None where there is none.
+        bends: bend lines.
+        label_angle: direction of the name, degrees.
+    """
+
+    outline: FloatArray
+    marks: tuple[Mark, ...]
+    label: FloatArray
+    label_size: float
+    cutouts: tuple[FloatArray, ...] = ()
+    holes: tuple[Hole, ...] = ()
+    axis: FloatArray | None = None
+    bends: tuple[Bend, ...] = ()
+    label_angle: float = 0.0
+
+    @property
+    def size(self) -> FloatArray:
+        """(2,) width and height of the outline's box, mm."""
+        return np.asarray(self.outline.max(axis=0) - self.outline.min(axis=0))
+
+    @property
+    def area(self) -> float:
+        """Area inside the outline less cutouts and holes, mm2."""
+        cut = sum(abs(polygon_area(cutout)) for cutout in self.cutouts)
+        drilled = sum(np.pi * hole.diameter**2 / 4 for hole in self.holes)
+        return float(polygon_area(self.outline) - cut - drilled)
+
+
+def polygon_area(outline: FloatArray) -> float:
+    """Signed area of a polygon (N, 2), positive when counter-clockwise."""
+    x, y = (outline - outline[0]).T
+    return float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+
+
+def fitted_text_size(text: str, width: float, height: float, largest: float = 30.0) -> float:
+    """Height of a single line of text that fits into a box, mm.
+
+    A character of the plain stroke fonts that cutting software uses is at most as wide as high.
+    """
+    return float(min(0.8 * width / max(len(text), 1), 0.6 * height, largest))

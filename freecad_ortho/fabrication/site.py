@@ -1,0 +1,138 @@
+"""Where systems build: the net, its axes and lines, the material, and what is built already."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from freecad_ortho.fabrication.material import MATERIALS, Material
+from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.lines import FAMILIES, ParameterLine, ParameterLines
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.offset.axes import Axes, torsion_free_axes
+
+if TYPE_CHECKING:
+    from freecad_ortho.fabrication.systems.system import SystemParts
+
+FAMILY_CHOICES = (*FAMILIES, "both")
+# The CAD kernel tells points apart that are 1e-7 mm from each other; far longer edges lose that.
+_LONGEST_EDGE = 1e6
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Which parameter lines are built on.
+
+    Args:
+        family: "u", "v" or "both".
+        lines: numbers in the families chosen, None for all.
+
+    Raises:
+        InputError: an unknown family, or a line number below 0.
+    """
+
+    family: str = "both"
+    lines: tuple[int, ...] | None = None
+
+    def __post_init__(self) -> None:
+        if self.family not in FAMILY_CHOICES:
+            raise InputError(
+                f"family: expected one of {', '.join(FAMILY_CHOICES)}, got '{self.family}'"
+            )
+        if self.lines is not None and (not self.lines or min(self.lines) < 0):
+            raise InputError(
+                f"lines: expected numbers from 0 on, got {list(self.lines)}; name at least one"
+            )
+
+    @property
+    def everything(self) -> bool:
+        """True where nothing is left out."""
+        return self.family == "both" and self.lines is None
+
+
+@dataclass(frozen=True, eq=False)
+class Site:
+    """A place to build on.
+
+    Attributes:
+        mesh: near the origin, mm; there no digits are lost, wherever the model is.
+        shift: (3,) brings the geometry into the place of the model, mm.
+        material: of all parts.
+        selection: which parameter lines are wanted.
+        done: what the systems before made, by their names.
+    """
+
+    mesh: QuadMesh
+    shift: FloatArray
+    material: Material = MATERIALS["steel"]
+    selection: Selection = Selection()
+    done: Mapping[str, SystemParts] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, mesh_mm: QuadMesh, material: Material, selection: Selection) -> Site:
+        """Make a site of a mesh in mm.
+
+        Raises:
+            InputError: edges of kilometres, or lines that the net does not have.
+        """
+        _refuse_long_edges(mesh_mm)
+        centre = mesh_mm.vertices[mesh_mm.connectivity.referenced].mean(axis=0)
+        site = cls(mesh_mm.with_vertices(mesh_mm.vertices - centre), centre, material, selection)
+        if not selection.everything and not site.chosen_lines:
+            counts = [f"{len(site.lines.of_family(family))} {family}" for family in FAMILIES]
+            raise InputError(
+                f"lines: the net has {' and '.join(counts)} lines, counted from 0, and none of "
+                "those asked for; choose others"
+            )
+        return site
+
+    @cached_property
+    def axes(self) -> Axes:
+        """Torsion-free axes at the vertices."""
+        return torsion_free_axes(self.mesh)
+
+    @cached_property
+    def lines(self) -> ParameterLines:
+        """All parameter lines of the net."""
+        return ParameterLines(self.mesh.connectivity)
+
+    @cached_property
+    def chosen_lines(self) -> tuple[ParameterLine, ...]:
+        """The parameter lines that are built on."""
+        family, numbers = self.selection.family, self.selection.lines
+        return tuple(
+            line
+            for line in self.lines.all
+            if family in ("both", line.family) and (numbers is None or line.number in numbers)
+        )
+
+    @cached_property
+    def chosen_edges(self) -> BoolArray:
+        """(E,) true for the edges of the chosen lines."""
+        if self.selection.everything:
+            return np.ones(len(self.mesh.connectivity.edges), dtype=bool)
+        chosen = np.zeros(len(self.mesh.connectivity.edges), dtype=bool)
+        for line in self.chosen_lines:
+            chosen[line.edges] = True
+        return chosen
+
+    @property
+    def edge_family(self) -> list[str]:
+        """Letter of each edge's family, "" where families cannot be told apart."""
+        return [("u", "v", "")[number] for number in self.lines.edge_family.tolist()]
+
+
+def _refuse_long_edges(mesh: QuadMesh) -> None:
+    longest = float(mesh.edge_lengths.max())
+    if longest > _LONGEST_EDGE:
+        edge = int(mesh.edge_lengths.argmax())
+        first, second = mesh.connectivity.edges[edge]
+        raise InputError(
+            f"mesh: edge {edge} (vertices {first} and {second}) is {longest / 1e6:.3g} km long; "
+            "check the unit"
+        )

@@ -1,0 +1,41 @@
+"""The systems that a net can be built with. A new one needs a line here, and no more elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from freecad_ortho.fabrication.systems.beams import Beams
+from freecad_ortho.fabrication.systems.panels import Panels
+from freecad_ortho.fabrication.systems.system import Option, System, SystemParts
+from solver.errors import InputError
+
+# In the order in which they are built: later ones may lie on earlier ones.
+SYSTEMS: dict[str, type[System]] = {system.name: system for system in (Beams, Panels)}
+
+__all__ = ["SYSTEMS", "Beams", "Option", "Panels", "System", "SystemParts", "systems_of"]
+
+
+def systems_of(names: str, values: Mapping[str, Any]) -> list[System]:
+    """Make systems by their names, joined by "+", from the values of their options.
+
+    Options that are not given take their defaults; options of other systems are left out.
+
+    Raises:
+        InputError: an unknown system or one twice, an unknown option, a value that cannot be used.
+    """
+    wanted = names.split("+")
+    unknown = [name for name in wanted if name not in SYSTEMS]
+    if unknown or len(set(wanted)) < len(wanted):
+        raise InputError(
+            f"system: expected one of {', '.join(SYSTEMS)}, or several joined by '+', got '{names}'"
+        )
+    known = {option.name for system in SYSTEMS.values() for option in system.options}
+    for name in values:
+        if name not in known:
+            raise InputError(f"{name}: no system has such a size; there are {', '.join(known)}")
+    chosen = [system for name, system in SYSTEMS.items() if name in wanted]
+    return [
+        system.of({each.name: values.get(each.name, each.default) for each in system.options})
+        for system in chosen
+    ]

@@ -1,0 +1,112 @@
+"""The system of panels: settings, parts and report."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.systems.panels.geometry import (
+    PanelGeometry,
+    diagonal_distances,
+    panel_geometry,
+)
+from freecad_ortho.fabrication.systems.panels.parts import panel_parts
+from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+
+# Distance between diagonals above which a face is visibly not planar, mm.
+_GAP_WORTH_SAYING = 0.1
+
+
+@dataclass(frozen=True)
+class Panels(System):
+    """A plate of this thickness in every face.
+
+    Args:
+        thickness: plate thickness, mm.
+        gap: joint between neighbours measured on the mesh, mm; each side shrinks by half of it.
+        offset: along the face normal the panels occupy ``[0, thickness]`` (above), half to each
+            side (centre) or ``[-thickness, 0]`` (below); with beams they lie on top instead.
+
+    Raises:
+        InputError: a length that is not positive and finite, or an unknown offset.
+    """
+
+    thickness: float
+    gap: float
+    offset: str = "centre"
+
+    name: ClassVar[str] = "panels"
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("thickness", 12.0, "of the plates"),
+        Option("panel_thickness", None, "of the panels where it differs"),
+        Option("gap", 10.0, "joint between panels"),
+        Option("offset", "centre", "where the plates lie", str, "|".join(OFFSETS)),
+    )
+
+    def __post_init__(self) -> None:
+        check_size("panel thickness", self.thickness)
+        check_size("gap", self.gap)
+        check_offset(self.offset)
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> Panels:
+        """Make the settings from options; panels are as thick as the beams unless told."""
+        plate = values["panel_thickness"]
+        plate = values["thickness"] if plate is None else plate
+        return cls(plate, values["gap"], values["offset"])
+
+    @property
+    def levels(self) -> tuple[float, float]:
+        """Lower and upper level along the face normal, mm from the mesh."""
+        return offset_levels(self.offset, self.thickness)
+
+    def build(self, site: Site) -> SystemParts:
+        """Work out the panels, on the beams where there are some.
+
+        Raises:
+            InputError: a face that the gap leaves nothing of.
+        """
+        mesh, beams = site.mesh, None
+        if "beams" in site.done:
+            beams = site.done["beams"].geometry
+            mesh = mesh.with_vertices(mesh.vertices + beams.levels[1] * site.axes.offsets)
+        geometry = panel_geometry(mesh, self.levels, self.gap, beams)
+        gaps = diagonal_distances(site.mesh)
+        parts = panel_parts(site, geometry, self.thickness, gaps)
+        report = self._report(geometry, parts, beams is not None)
+        return SystemParts(parts, report, _messages(report, float(gaps.max())), geometry)
+
+    def _report(
+        self, geometry: PanelGeometry, parts: tuple[Part, ...], on_beams: bool
+    ) -> dict[str, Any]:
+        clear = float(geometry.clear.min())
+        return {
+            "thickness_mm": self.thickness,
+            "gap_mm": self.gap,
+            "offset": "on the beams" if on_beams else self.offset,
+            "clear_gap_min_mm": clear if np.isfinite(clear) else None,
+            "sides_shrunk_more": int((geometry.sides > self.gap / 2 * (1 + 1e-9)).sum()),
+            "lift_max_mm": float(geometry.lift.max()),
+            **sums(parts),
+        }
+
+
+def _messages(report: dict[str, Any], gap: float) -> tuple[str, ...]:
+    messages = []
+    if report["sides_shrunk_more"]:
+        messages.append(
+            f"panels: {report['sides_shrunk_more']} sides shrunk by more than half the gap, "
+            "because the plates lean together there"
+        )
+    if gap > _GAP_WORTH_SAYING:
+        messages.append(
+            f"panels: faces are up to {gap:.3g} mm from planar, the plates are their best "
+            "planes; optimise the mesh first"
+        )
+    return tuple(messages)

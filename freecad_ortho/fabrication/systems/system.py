@@ -1,0 +1,81 @@
+"""What every system is: settings that turn a site into parts."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.site import Site
+
+
+@dataclass(frozen=True)
+class Option:
+    """A setting as the command line, macros and panels offer it.
+
+    Attributes:
+        name: in Python, ``panel_thickness``; on the command line ``--panel-thickness``.
+        default: taken when nothing is given; systems may share an option and differ in this.
+        help: a few words for ``--help``.
+        kind: float, int, str, or bool for a switch.
+        metavar: placeholder of the value.
+    """
+
+    name: str
+    default: Any
+    help: str
+    kind: type = float
+    metavar: str = "MM"
+
+
+@dataclass(frozen=True, eq=False)
+class SystemParts:
+    """What a system made of a site.
+
+    Attributes:
+        parts: in the order of their names.
+        report: its section of ``report.json``, ready for JSON; lengths in mm.
+        messages: anything out of the ordinary, in plain words.
+        geometry: arrays that systems built after this one may lie on.
+    """
+
+    parts: tuple[Part, ...]
+    report: dict[str, Any] = field(default_factory=dict)
+    messages: tuple[str, ...] = ()
+    geometry: Any = None
+
+
+class System(ABC):
+    """A way to build a net. Subclasses are frozen dataclasses of settings, checked when made."""
+
+    name: ClassVar[str]
+    options: ClassVar[tuple[Option, ...]]
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> System:
+        """Make the settings from a value for each of ``options``; by default the fields' names.
+
+        Raises:
+            InputError: a value that cannot be used.
+        """
+        return cls(**values)
+
+    @abstractmethod
+    def build(self, site: Site) -> SystemParts:
+        """Work out the parts.
+
+        Raises:
+            InputError: sizes that do not fit the net, or a net that is not fit for this system.
+        """
+
+
+def sums(parts: tuple[Part, ...]) -> dict[str, float]:
+    """Total length, area, volume and mass for a system's report."""
+    return {
+        "length_mm": sum(part.length for part in parts),
+        "area_mm2": sum(part.area for part in parts),
+        "volume_mm3": sum(part.volume for part in parts),
+        "mass_kg": sum(part.mass for part in parts),
+    }

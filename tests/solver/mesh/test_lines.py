@@ -1,0 +1,80 @@
+"""Parameter lines: their order, families and numbers follow the connectivity alone."""
+
+import numpy as np
+import pytest
+
+from solver.mesh.connectivity import Connectivity
+from solver.mesh.grid import grid_faces
+from solver.mesh.lines import ParameterLines
+
+
+def lines_of(m, n, **closed):
+    return ParameterLines(Connectivity(grid_faces(m, n, **closed), m * n))
+
+
+def test_lines_of_a_grid_are_its_rows_and_columns():
+    lines, numbers = lines_of(5, 4), np.arange(20).reshape(5, 4)
+    assert [line.vertices.tolist() for line in lines.of_family("u")] == numbers.T.tolist()
+    assert [line.vertices.tolist() for line in lines.of_family("v")] == numbers.tolist()
+    assert [line.number for line in lines.all] == [0, 1, 2, 3, 0, 1, 2, 3, 4]
+    assert not any(line.closed for line in lines.all)
+
+
+def test_edges_join_the_vertices_in_order_and_each_belongs_to_one_line():
+    lines = lines_of(6, 5, closed_u=True)
+    ends = lines.connectivity.edges
+    for line in lines.all:
+        path = np.append(line.vertices, line.vertices[0]) if line.closed else line.vertices
+        pairs = np.sort(np.stack([path[:-1], path[1:]], axis=1), axis=1)
+        assert (ends[line.edges] == pairs).all()
+        assert (lines.edge_line[line.edges] == line.number).all()
+        assert (lines.edge_family[line.edges] == "uv".index(line.family)).all()
+    used = np.concatenate([line.edges for line in lines.all])
+    assert sorted(used) == list(range(len(ends)))
+
+
+def test_closed_lines_return_and_start_at_their_smallest_vertex():
+    lines = lines_of(6, 5, closed_u=True)
+    assert all(line.closed and len(line.edges) == 6 for line in lines.of_family("u"))
+    assert all(not line.closed and len(line.edges) == 4 for line in lines.of_family("v"))
+    assert all(line.vertices[0] == line.vertices.min() for line in lines.all)
+
+
+def fan(count):
+    """Faces around one vertex, two neighbours sharing each spoke."""
+    spoke, tip = 1 + np.arange(count), 1 + count + np.arange(count)
+    faces = np.stack([0 * spoke, spoke, tip, np.roll(spoke, -1)], axis=1)
+    return ParameterLines(Connectivity(faces, 1 + 2 * count))
+
+
+@pytest.mark.parametrize(("count", "families"), [(3, {""}), (5, {""}), (6, {"u", "v"})])
+def test_families_exist_where_they_can_alternate(count, families):
+    lines = fan(count)
+    assert {line.family for line in lines.all} == families
+    spokes = [line for line in lines.all if 0 in line.vertices]
+    assert len(spokes) == count
+    assert all(len(line.edges) == 1 for line in spokes)
+
+
+def test_each_component_has_its_own_families():
+    one = grid_faces(3, 3)
+    lines = ParameterLines(Connectivity(np.concatenate([one, np.roll(one, -1, axis=1) + 9]), 18))
+    first, second = (
+        {
+            tuple(line.vertices % 9)
+            for line in lines.of_family("u")
+            if (line.vertices < 9).all() == k
+        }
+        for k in (True, False)
+    )
+    assert first == {(0, 3, 6), (1, 4, 7), (2, 5, 8)}
+    assert second == {(0, 1, 2), (3, 4, 5), (6, 7, 8)}
+
+
+def test_names_survive_a_move_and_do_not_depend_on_the_start_corner_within_a_family():
+    faces = grid_faces(4, 5)
+    turned = ParameterLines(Connectivity(np.roll(faces, 2, axis=1), 20))
+    plain = ParameterLines(Connectivity(faces, 20))
+    for one, other in zip(plain.all, turned.all, strict=True):
+        assert one.family == other.family
+        assert one.vertices.tolist() == other.vertices.tolist()
