@@ -10,8 +10,16 @@ import FreeCAD
 sys.path.append(os.environ["ORTHO_SUITE_FOLDER"])
 
 
+def versions():
+    from PySide import QtCore
+
+    freecad = ".".join(part.strip() for part in FreeCAD.Version()[:3])
+    return f"FreeCAD {freecad} (Python {sys.version.split()[0]}, Qt {QtCore.qVersion()})"
+
+
 def run():
     with Path(os.environ["ORTHO_SUITE_RESULT"]).open("w", encoding="utf-8") as stream:
+        stream.write(f"{versions()}\n")
         suite = unittest.defaultTestLoader.loadTestsFromName(os.environ["ORTHO_SUITE"])
         outcome = unittest.TextTestRunner(stream, verbosity=2).run(suite)
         passed = outcome.wasSuccessful() and outcome.testsRun > 0

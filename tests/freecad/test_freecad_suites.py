@@ -37,10 +37,22 @@ needs_window = pytest.mark.skipif(
 )
 
 
+# FreeCAD 1.1 greets a new user with a page that waits for an answer, unless it has been seen.
+PREFERENCES = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
+<FCParamGroup Name="Preferences"><FCParamGroup Name="Mod"><FCParamGroup Name="Start">
+<FCBool Name="FirstStart2024" Value="0"/>
+</FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+"""
+
+
 def fresh_home(folder, with_add_on=True):
     """A home folder of a new user, with the add-on where FreeCAD 0.20, 1.0 and 1.1 look for it."""
     home = folder / "home"
     for data in ("FreeCAD", "FreeCAD/v1-1"):
+        settings = home / ".config" / data
+        settings.mkdir(parents=True, exist_ok=True)
+        (settings / "user.cfg").write_text(PREFERENCES, encoding="utf-8")
         mods = home / ".local" / "share" / data / "Mod"
         mods.mkdir(parents=True, exist_ok=True)
         if with_add_on and not (mods / "Ortho").exists():
@@ -83,8 +95,18 @@ def run_suite(program, suite, folder, scratch, with_add_on=True):
     return result.read_text(encoding="utf-8") if result.exists() else "no result", said
 
 
-def show(result, said):
-    sys.stdout.write(f"{result}\n--- FreeCAD said ---\n{said}\n")
+@pytest.fixture
+def run(tmp_path, scratch, record_testsuite_property):
+    """Run a suite, show what came of it, and note the versions for scripts/matrix_table.py."""
+
+    def run_and_show(program, suite, **options):
+        result, said = run_suite(program, suite, tmp_path, scratch, **options)
+        sys.stdout.write(f"{result}\n--- FreeCAD said ---\n{said}\n")
+        record_testsuite_property("freecad", result.partition("\n")[0])
+        assert "SUITE PASSED" in result
+        return result, said
+
+    return run_and_show
 
 
 @pytest.fixture(scope="module")
@@ -94,10 +116,8 @@ def scratch(tmp_path_factory):
 
 @needs_console
 @pytest.mark.parametrize("suite", HEADLESS)
-def test_headless(tmp_path, scratch, suite):
-    result, said = run_suite([CONSOLE], suite, tmp_path, scratch)
-    show(result, said)
-    assert "SUITE PASSED" in result
+def test_headless(run, suite):
+    _, said = run([CONSOLE], suite)
     # FreeCAD reports each error state with a traceback; there must be no other.
     asked_for = len(re.findall(r"^<class 'solver\.errors\.InputError'>: ", said, re.MULTILINE))
     assert said.count("Traceback") == asked_for
@@ -106,23 +126,18 @@ def test_headless(tmp_path, scratch, suite):
 
 @needs_console
 @pytest.mark.parametrize("with_add_on", [True, False])
-def test_document_opens_where_something_is_missing(tmp_path, scratch, with_add_on):
+def test_document_opens_where_something_is_missing(run, scratch, with_add_on):
     if not (scratch / "volume.txt").exists():
         pytest.skip("the headless suite has not saved its document")
-    result, said = run_suite([CONSOLE], MISSING, tmp_path, scratch, with_add_on=with_add_on)
-    show(result, said)
-    assert "SUITE PASSED" in result
+    result, _ = run([CONSOLE], MISSING, with_add_on=with_add_on)
     assert "skipped=1" in result
 
 
 @needs_window
 @pytest.mark.slow
 @pytest.mark.parametrize("suite", WINDOWED)
-def test_with_a_window(tmp_path, scratch, suite):
-    program = [SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW]
-    result, said = run_suite(program, suite, tmp_path, scratch)
-    show(result, said)
-    assert "SUITE PASSED" in result
+def test_with_a_window(run, suite):
+    _, said = run([SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW], suite)
     for word in ("Traceback", "Exception", "Error in"):
         assert word not in said
 
