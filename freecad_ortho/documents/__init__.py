@@ -5,7 +5,6 @@ Each one is undone in one step. Lengths are numbers of mm, FreeCAD quantities, o
 as it was.
 """
 
-from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
 from freecad_ortho.documents.pictures import save_picture
 from freecad_ortho.documents.structures import add_beams, add_panels, export_fabrication
@@ -18,5 +17,4 @@ __all__ = [
     "keep_outcome",
     "optimise_net",
     "save_picture",
-    "show_net",
 ]

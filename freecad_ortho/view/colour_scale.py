@@ -55,8 +55,7 @@ class ColourScale:
 
     @classmethod
     def between(cls, field: Field, low: float, high: float) -> ColourScale:
-        """The scale between two values; a range without width is widened around the lower."""
-        high = max(low, high)
+        """The scale between two values; a range without width is widened around them."""
         # Rounding alone must not be drawn as blue and red.
         least = 1e-6 * max(abs(low), abs(high)) or 1.0
         if high - low < least:

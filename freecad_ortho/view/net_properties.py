@@ -163,5 +163,3 @@ PROPERTIES = (
         default=False,
     ),
 )
-
-OVERLAY_NAMES = tuple(item.name for item in PROPERTIES if item.group == "Overlays")

@@ -1,0 +1,1 @@
+"""Strips along parameter lines and developable patches, unrolled: pure geometry."""
