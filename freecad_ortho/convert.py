@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     import cadquery
     import Part
 
+    from freecad_ortho.sources import Option, Source
+
 
 def vectors(points: FloatArray) -> list[FreeCAD.Vector]:
     """Make FreeCAD vectors from an (N, 3) array; every bit is kept."""
@@ -53,7 +55,13 @@ def store_mesh(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> None:
 
 
 def store_vertices(net: FreeCAD.DocumentObject, vertices: FloatArray) -> None:
-    """Move a net's vertices, (V, 3) in mm; its faces stay."""
+    """Move a net's vertices, (V, 3) in mm; its faces stay.
+
+    A net that was made by a source no longer follows it: else the next change there, or the next
+    recomputation, would take the move back.
+    """
+    if getattr(net, "FollowSource", False):
+        net.FollowSource = False
     net.Vertices = vectors(vertices)
 
 
@@ -63,19 +71,100 @@ def millimetres(value: float | str | FreeCAD.Units.Quantity, name: str) -> float
     Raises:
         InputError: not a length.
     """
+    return _number_of(value, name, FreeCAD.Units.Length, "a length", "12 mm")
+
+
+def degrees(value: float | str | FreeCAD.Units.Quantity, name: str) -> float:
+    """Read an angle: a number of degrees, a quantity, or a text such as ``"0.5 rad"``.
+
+    Raises:
+        InputError: not an angle.
+    """
+    return _number_of(value, name, FreeCAD.Units.Angle, "an angle", "30 deg")
+
+
+def option_values(source: Source, options: dict[str, Any]) -> dict[str, Any]:
+    """Options of a source as plain values in mm and degrees.
+
+    Raises:
+        InputError: an option that the source does not have, or a value of the wrong kind.
+    """
+    return {name: _option_value(source.option(name), value) for name, value in options.items()}
+
+
+def _option_value(option: Option, value: Any) -> Any:
+    if option.kind == "placement":
+        return placing(value) if isinstance(value, FreeCAD.Placement) else value
+    if option.kind == "points":
+        return rows(value)
+    if option.kind in ("length", "distance", "angle", "area"):
+        read = {"angle": degrees, "area": square_millimetres}.get(option.kind, millimetres)
+        if isinstance(option.default, tuple) and isinstance(value, (tuple, list)):
+            return tuple(read(item, option.name) for item in value)
+        return read(value, option.name)
+    return tuple(value) if isinstance(value, list) else value
+
+
+def square_millimetres(value: float | str | FreeCAD.Units.Quantity, name: str) -> float:
+    """Read an area: a number of mm2, a quantity, or a text such as ``"2 m^2"``.
+
+    Raises:
+        InputError: not an area.
+    """
+    return _number_of(value, name, FreeCAD.Units.Area, "an area", "2 m^2")
+
+
+def rows(points: Any) -> FloatArray:
+    """(N, 3) array of points given as vectors, sequences of three or two numbers, or an array.
+
+    Raises:
+        InputError: not points.
+    """
+    try:
+        table = [tuple(point) for point in points]
+        width = len(table[0]) if table else 3
+        result = np.array(table, dtype=np.float64).reshape(-1, width)
+    except (TypeError, ValueError):
+        raise InputError(f"points: expected rows of three numbers, got {points!r}") from None
+    if width not in (2, 3) or not np.isfinite(result).all():
+        raise InputError("points: expected rows of three finite numbers each; mend them")
+    return np.pad(result, ((0, 0), (0, 3 - width)))
+
+
+def placing(placement: FreeCAD.Placement) -> tuple[FloatArray, FloatArray]:
+    """Rotation (3, 3) and origin (3,) in mm of a placement."""
+    axes = [FreeCAD.Vector(*(float(k == axis) for k in range(3))) for axis in range(3)]
+    turned = array([placement.Rotation.multVec(axis) for axis in axes]).T
+    return turned, array([placement.Base])[0]
+
+
+def placement(placing: tuple[FloatArray, FloatArray]) -> FreeCAD.Placement:
+    """Placement of a rotation (3, 3) and an origin (3,) in mm."""
+    rotation, origin = (np.asarray(part, dtype=np.float64) for part in placing)
+    matrix = FreeCAD.Matrix()
+    for i in range(3):
+        for j in range(3):
+            setattr(matrix, f"A{i + 1}{j + 1}", float(rotation[i, j]))
+        setattr(matrix, f"A{i + 1}4", float(origin[i]))
+    return FreeCAD.Placement(matrix)
+
+
+def _number_of(value: Any, name: str, unit: Any, what: str, example: str) -> float:
+    """A plain number of FreeCAD's own unit from a number, a quantity or a text."""
+    complaint = f"{name}: {value!r} is not {what}; give it like '{example}'"
     if isinstance(value, str):
         try:
             value = FreeCAD.Units.Quantity(value)
         except (ValueError, ArithmeticError, OSError) as error:
-            raise InputError(f"{name}: '{value}' is not a length; give it like '12 mm'") from error
+            raise InputError(complaint) from error
     if isinstance(value, FreeCAD.Units.Quantity):
-        if value.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
-            raise InputError(f"{name}: '{value}' is not a length; give it like '12 mm'")
+        if value.Unit not in (unit, FreeCAD.Units.Unit()):
+            raise InputError(complaint)
         value = value.Value
     try:
         return float(value)
-    except TypeError:
-        raise InputError(f"{name}: {value!r} is not a length; give it like '12 mm'") from None
+    except (TypeError, ValueError):
+        raise InputError(complaint) from None
 
 
 def part_shape(shape: cadquery.Shape) -> Part.Shape:

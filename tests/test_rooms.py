@@ -37,7 +37,11 @@ def import_all(package, blocked):
 
 @pytest.mark.parametrize(
     ("package", "blocked"),
-    [("solver", FREECAD + CAD), ("freecad_ortho.fabrication", FREECAD)],
+    [
+        ("solver", FREECAD + CAD),
+        ("freecad_ortho.sources", FREECAD + CAD),
+        ("freecad_ortho.fabrication", FREECAD),
+    ],
 )
 def test_imports_without(package, blocked):
     result = import_all(package, blocked)

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from freecad_ortho import api
+from freecad_ortho.triangles import read_triangles
 from solver import Constraints, InputError, NetOptions
-from solver.io.obj import read_obj
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.constraints import (
     BoundaryGlide,
@@ -149,30 +149,9 @@ def _numbers(text: str) -> np.ndarray:
 
 
 def _surface(path: str) -> tuple[FloatArray, np.ndarray]:
-    """Points and triangles of an OBJ file, polygons cut into fans; other formats by trimesh."""
-    if Path(path).suffix.lower() != ".obj":
-        return _surface_by_trimesh(path)
-    data = read_obj(path)
-    triangles = [
-        (polygon[0], polygon[k], polygon[k + 1])
-        for polygon in data.polygons
-        for k in range(1, len(polygon) - 1)
-    ]
-    return data.vertices, np.array(triangles, dtype=np.int64).reshape(-1, 3)
-
-
-def _surface_by_trimesh(path: str) -> tuple[FloatArray, np.ndarray]:
-    if not Path(path).is_file():
-        raise InputError(f"{path}: no such file; check the path")
-    try:
-        import trimesh
-    except ImportError:
-        raise InputError(f"{path}: needs the package trimesh, or an OBJ file") from None
-    try:
-        mesh = trimesh.load(path, force="mesh")
-    except Exception as error:
-        raise InputError(f"{path}: cannot be read as a mesh ({error}); export as OBJ") from error
-    return np.asarray(mesh.vertices), np.asarray(mesh.faces, dtype=np.int64)
+    """Points and triangles of a surface's file."""
+    points, triangles, _ = read_triangles(path)
+    return points, triangles
 
 
 def _curve(path: str) -> tuple[FloatArray, bool]:

@@ -7,14 +7,36 @@ as it was.
 
 from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
 from freecad_ortho.documents.pictures import save_picture
+from freecad_ortho.documents.sources import (
+    add_elliptic_net,
+    add_multi_net,
+    add_primitive,
+    add_source,
+    change_net,
+    change_source,
+    form_net,
+    net_from_faces,
+    quads_from_mesh,
+    weld_nets,
+)
 from freecad_ortho.documents.structures import add_beams, add_panels, export_fabrication
 
 __all__ = [
     "add_beams",
+    "add_elliptic_net",
+    "add_multi_net",
     "add_panels",
+    "add_primitive",
+    "add_source",
+    "change_net",
+    "change_source",
     "export_fabrication",
+    "form_net",
     "import_net",
     "keep_outcome",
+    "net_from_faces",
     "optimise_net",
+    "quads_from_mesh",
     "save_picture",
+    "weld_nets",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -54,11 +55,15 @@ def import_net(
     return net
 
 
-def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
+def optimise_net(target: FreeCAD.DocumentObject, /, close_to: Any = None, **settings: Any) -> Any:
     """Optimise a Net in its document; structures on it follow.
+
+    A Net that was made by a source keeps the result and no longer follows that source.
 
     Args:
         target: the Net.
+        close_to: a surface to stay near: a shape, ``(shape, "Face1")``, a list of these, or a Net
+            that was sampled from faces.
         settings: as for :func:`freecad_ortho.api.optimise` (``net``, ``fairness``, ...).
 
     Returns:
@@ -72,6 +77,8 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     require_net(target)
     mend_class_checks()
     mesh = convert.quad_mesh(target)
+    if close_to is not None:
+        settings["constraints"] = _close_to(close_to, settings.get("constraints"))
     outcome = _ready.pop(_key(target, settings, mesh.vertices), None)
     if outcome is None:
         outcome = api.optimise(mesh, **settings)
@@ -80,6 +87,16 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
         target.LastReport = json.dumps(outcome.report.as_dict())
         target.Document.recompute()
     return outcome
+
+
+def _close_to(surface: Any, constraints: Any) -> Any:
+    """Constraints with closeness to CAD faces, which stand as fine triangles."""
+    from freecad_ortho.objects import cad_faces
+    from solver import Constraints
+
+    faces = getattr(surface, "CadFaces", None) or surface
+    triangles = cad_faces.surface_triangles(cad_faces.faces_of(faces))
+    return replace(constraints or Constraints(), close_to=triangles)
 
 
 def keep_outcome(

@@ -17,7 +17,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 VERSION = 1
 COLOUR_MAPS = ("None", *FIELDS)
 
-_PROPERTIES = (
+NET_PROPERTIES = (
     Property(
         "App::PropertyVectorList",
         "Vertices",
@@ -78,7 +78,7 @@ _PROPERTIES = (
 class Net(Persistent):
     """Proxy of a net. The properties hold everything; others react when they change."""
 
-    properties = _PROPERTIES
+    properties = NET_PROPERTIES
     version = VERSION
 
     def execute(self, feature: FreeCAD.DocumentObject) -> None:

@@ -20,11 +20,11 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.sparse import coo_array, csr_array
 from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.io.intake import quad_mesh
+from solver.mesh.border import Border, set_back
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import IntArray
@@ -32,7 +32,6 @@ from solver.mesh.mirror import SAME_PLACE, size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 LIBRARY = "pyQuadriFlow"
-_SMOOTHINGS = 15
 _CHILD = """
 import sys
 import numpy as np
@@ -189,52 +188,24 @@ def _run(
 def _set_back(
     mesh: QuadMesh, points: FloatArray, triangles: IntArray, corner: float
 ) -> tuple[QuadMesh, float]:
-    """Smooth within the surface; border vertices on the border, corners on corners."""
-    surface = TriangleSurface(points, triangles)
-    border, kept = _border(points, triangles, corner)
-    net = mesh.connectivity
-    rim = net.boundary_vertices
-    positions = mesh.vertices.copy()
-    fixed = np.zeros(len(positions), dtype=bool)
-    if border is not None and rim.any():
-        numbers = np.flatnonzero(rim)
-        for place in points[kept]:
-            apart = np.linalg.norm(positions[numbers] - place, axis=1) + 1e9 * fixed[numbers]
-            nearest = numbers[int(np.argmin(apart))]
-            positions[nearest], fixed[nearest] = place, True
-    inner_mean = _means(net.edges, len(positions))
-    rim_mean = _means(net.edges[net.boundary_edges], len(positions))
-    moving_rim, inside = rim & ~fixed, ~rim
-    for _ in range(_SMOOTHINGS):
-        smooth = positions + 0.5 * (inner_mean @ positions - positions)
-        slid = positions + 0.5 * (rim_mean @ positions - positions)
-        if inside.any():
-            positions[inside] = surface.closest(smooth[inside])[0]
-        if moving_rim.any() and border is not None:
-            positions[moving_rim] = border.closest(slid[moving_rim])[0]
-    done = mesh.with_vertices(positions)
-    if border is None or not rim.any():
+    """Smooth within the surface; give the largest gap between the two borders as well."""
+    border = _border(points, triangles, corner)
+    done = set_back(mesh, TriangleSurface(points, triangles), border)
+    net = done.connectivity
+    if border is None or not net.boundary_edges.any():
         return done, 0.0
-    middles = positions[net.edges[net.boundary_edges]].mean(axis=1)
-    return done, float(np.linalg.norm(border.closest(middles)[0] - middles, axis=1).max())
+    middles = done.vertices[net.edges[net.boundary_edges]].mean(axis=1)
+    gaps = border.curve.closest(middles)[0] - middles
+    return done, float(np.linalg.norm(gaps, axis=1).max())
 
 
-def _means(edges: IntArray, count: int) -> csr_array:
-    """Matrix that takes the mean over the neighbours along some edges."""
-    both = np.concatenate([edges, edges[:, ::-1]])
-    share = 1.0 / np.maximum(np.bincount(both[:, 0], minlength=count), 1)
-    return csr_array(coo_array((share[both[:, 0]], both.T), shape=(count, count)))
-
-
-def _border(
-    points: FloatArray, triangles: IntArray, corner: float
-) -> tuple[TriangleSurface | None, IntArray]:
-    """The border's segments as one curve, and the vertices where it turns sharply."""
+def _border(points: FloatArray, triangles: IntArray, corner: float) -> Border | None:
+    """The border's segments, and the vertices where it turns sharply; None without a border."""
     half = np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
     pairs, counts = np.unique(np.sort(half, axis=1), axis=0, return_counts=True)
     rim = pairs[counts == 1]
     if not len(rim):
-        return None, np.zeros(0, dtype=np.int64)
+        return None
     both = np.concatenate([rim, rim[:, ::-1]])
     both = both[np.argsort(both[:, 0], kind="stable")]
     vertices, start, valence = np.unique(both[:, 0], return_index=True, return_counts=True)
@@ -246,4 +217,4 @@ def _border(
     sharp = cosine > -np.cos(np.radians(corner))
     # Triangles without area count as segments.
     curve = TriangleSurface(points, rim[:, [0, 1, 1]])
-    return curve, np.concatenate([vertices[plain][sharp], vertices[~plain]])
+    return Border(curve, points[np.concatenate([vertices[plain][sharp], vertices[~plain]])])

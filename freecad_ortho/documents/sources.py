@@ -1,0 +1,257 @@
+"""Nets in documents that are made by a source: primitives, multi-nets, faces, form-finding ..."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+
+from freecad_ortho import convert
+from freecad_ortho.documents.common import document_or_new, progress, require_net, transaction
+from freecad_ortho.objects import cad_faces, source_net
+from freecad_ortho.objects import net as net_object
+from freecad_ortho.sources import source
+from solver.errors import InputError
+
+Face = tuple[FreeCAD.DocumentObject, str]
+
+
+def add_source(
+    name: str,
+    /,
+    nets: FreeCAD.DocumentObject | Sequence[FreeCAD.DocumentObject] = (),
+    faces: Sequence[Face] = (),
+    document: FreeCAD.Document | str | None = None,
+    **options: Any,
+) -> FreeCAD.DocumentObject:
+    """Add a net made by any source; it follows its options and what it is made of.
+
+    Args:
+        name: of the source, one of :data:`freecad_ortho.sources.SOURCES`.
+        nets: nets that it is made of, for sources that need some; they are hidden.
+        faces: shapes and names of their faces, for the source ``faces``.
+        document: a document or its name; without it that of the nets or faces, the active or a new
+            one.
+        options: of the source; lengths as numbers of mm, quantities or texts such as ``"2 m"``.
+
+    Returns:
+        The new Net, in mm.
+
+    Raises:
+        InputError: an unknown source or option, or values that make no net; the document is
+            unchanged.
+    """
+    entry = source(name)
+    chosen = list(nets) if isinstance(nets, (list, tuple)) else [nets]
+    for net in chosen:
+        require_net(net)
+    links = cad_faces.faces_of(faces)
+    source_net.require_inputs(entry, chosen, links)
+    values = convert.option_values(entry, options)
+    owner = (chosen or [link[0] for link in links] or [None])[0]
+    target = owner.Document if owner is not None else document_or_new(document, "Net")
+    with transaction(target, entry.name.capitalize()):
+        feature = source_net.create(target, name, values, chosen, links)
+        target.recompute()
+        for net in chosen:
+            net.Visibility = False
+    _say_remarks(feature)
+    return feature
+
+
+def change_source(
+    net: FreeCAD.DocumentObject,
+    nets: Sequence[FreeCAD.DocumentObject] | None = None,
+    faces: Sequence[Face] | None = None,
+    **options: Any,
+) -> None:
+    """Give a net that follows a source other options; vertices that were moved are made anew.
+
+    Args:
+        net: a net made by :func:`add_source` or its kin.
+        nets: other nets that it is made of.
+        faces: other faces that it is sampled from.
+        options: of its source; those not given stay.
+
+    Raises:
+        InputError: values that make no net; the document is unchanged.
+    """
+    if not source_net.is_source_net(net):
+        label = getattr(net, "Label", net)
+        raise InputError(f"net: {label} follows no source; add a primitive, for one")
+    values = convert.option_values(source(net.MadeBy), options)
+    with transaction(net.Document, FreeCAD.Qt.translate("Ortho", "Change source")):
+        before = source_net.values_of(net)
+        try:
+            source_net.set_values(net, values)
+            if nets is not None:
+                net.Nets = list(nets)
+            if faces is not None:
+                net.CadFaces = cad_faces.faces_of(faces)
+            source_net.remake(net)
+        except BaseException:
+            source_net.set_values(net, before)
+            raise
+        net.FollowSource = True
+        net.Document.recompute()
+    _say_remarks(net)
+
+
+def add_primitive(name: str, **options: Any) -> FreeCAD.DocumentObject:
+    """Add a net that is known exactly: ``sphere``, ``catenoid``, ``enneper`` and others.
+
+    Args:
+        name: of the primitive.
+        options: ``sampling=(M, N)``, ``placement``, ``document`` and the primitive's own.
+
+    Raises:
+        InputError: no such primitive or option; the document is unchanged.
+    """
+    from freecad_ortho.sources import GROUPS
+
+    if name not in GROUPS["primitive"]:
+        known = ", ".join(GROUPS["primitive"])
+        raise InputError(f"primitive: expected one of {known}, got '{name}'")
+    return add_source(name, **options)
+
+
+def add_multi_net(points: Any = (), **options: Any) -> FreeCAD.DocumentObject:
+    """Add the multi-net of a polyline on a quadric.
+
+    Args:
+        points: (n, 3) points in the frame of the quadric, in mm; they are set onto it.
+        options: ``quadric``, ``semi_axes``, ``sampling``, ``t_range`` (mm2), ``closed``,
+            ``reflect``, ``placement``, ``document``.
+
+    Raises:
+        InputError: no curve on the quadric, or t outside its range; the document is unchanged.
+    """
+    return add_source("multi-net", points=points, **options)
+
+
+def add_elliptic_net(moving: str = "lambda", **options: Any) -> FreeCAD.DocumentObject:
+    """Add a multi-net in elliptic coordinates.
+
+    Args:
+        moving: ``lambda``, ``mu`` or ``nu``: the coordinate in the role of t.
+        options: ``semi_axes``, ``curve`` (a preset, or ``formulas`` with ``first_formula`` and
+            ``second_formula``), ``sampling``, ``t_range`` (mm2), ``reflect``, ``document``.
+
+    Raises:
+        InputError: a value outside its range; the document is unchanged.
+    """
+    return add_source("elliptic multi-net", moving=moving, **options)
+
+
+def net_from_faces(faces: Any, **options: Any) -> FreeCAD.DocumentObject:
+    """Add a net sampled from CAD faces along their parameter lines, joined where they meet.
+
+    Args:
+        faces: a shape (all its faces), ``(shape, "Face1")``, or a list of these.
+        options: ``sampling=(M, N)`` or ``edge="1 m"``, ``spacing``, ``outside``, ``u_part``,
+            ``v_part``.
+
+    Raises:
+        InputError: no faces, or a face that cannot be sampled so; the document is unchanged.
+    """
+    return add_source("faces", faces=cad_faces.faces_of(faces), **options)
+
+
+def form_net(net: FreeCAD.DocumentObject, **options: Any) -> FreeCAD.DocumentObject:
+    """Add the membrane or cable net in equilibrium that starts from a net.
+
+    Args:
+        net: the start; its supports are held.
+        options: ``kind``, ``supports``, ``lift``, ``density``, loads and others of the source
+            ``form-finding``.
+
+    Raises:
+        InputError: no supports, or no equilibrium; the document is unchanged.
+    """
+    return add_source("form-finding", net, **options)
+
+
+def change_net(net: FreeCAD.DocumentObject, change: str, **options: Any) -> FreeCAD.DocumentObject:
+    """Add a net made from another: ``subdivide``, ``diagonal mesh``, ``mirror`` and others.
+
+    Args:
+        net: the net; it stays, hidden, and the new one follows it.
+        change: name of the source.
+        options: of the change.
+
+    Raises:
+        InputError: no such change, or it does not fit the net; the document is unchanged.
+    """
+    return add_source(change, net, **options)
+
+
+def weld_nets(
+    nets: Sequence[FreeCAD.DocumentObject], tolerance: Any = 0.001
+) -> FreeCAD.DocumentObject:
+    """Add one net of several whose borders meet.
+
+    Args:
+        nets: at least two.
+        tolerance: vertices nearer than this become one.
+
+    Raises:
+        InputError: too few nets, or faces that collapse; the document is unchanged.
+    """
+    return add_source("weld", list(nets), tolerance=tolerance)
+
+
+def quads_from_mesh(
+    mesh: FreeCAD.DocumentObject | str | os.PathLike[str],
+    faces: int | None = None,
+    edge: Any = None,
+    seed: int = 0,
+    time_limit: float = 60.0,
+    unit: str | None = None,
+    document: FreeCAD.Document | str | None = None,
+) -> FreeCAD.DocumentObject:
+    """Add a net of quads in place of triangles, border and corners kept.
+
+    Args:
+        mesh: a Mesh object, or an STL, OBJ, PLY, OFF or GLB file.
+        faces: wanted number of quads.
+        edge: wanted edge length instead.
+        seed: another number gives another layout.
+        time_limit: seconds that the library may take.
+        unit: of a file's coordinates; without it what the file says, else mm.
+        document: where to; without it that of the mesh, the active or a new one.
+
+    Raises:
+        InputError: a soup of triangles, the library missing, hanging or failing; the document is
+            unchanged.
+    """
+    from solver.mesh.remesh import quads_from_triangles
+
+    label = getattr(mesh, "Label", None) or Path(str(mesh)).stem
+    points, triangles = cad_faces.triangles_of(mesh, unit)
+    length = None if edge is None else convert.millimetres(edge, "edge")
+    with progress(FreeCAD.Qt.translate("Ortho", "Remeshing to quads")):
+        made = quads_from_triangles(
+            points, triangles, faces=faces, edge=length, seed=seed, time_limit=time_limit
+        )
+    owner = None if isinstance(mesh, (str, os.PathLike)) else mesh
+    target = owner.Document if owner is not None else document_or_new(document, label)
+    with transaction(target, FreeCAD.Qt.translate("Ortho", "Quads from triangles")):
+        net = net_object.create(target, made.mesh, f"{label} quads")
+        if owner is not None:
+            owner.Visibility = False
+        else:
+            net.SourceFile = os.fspath(mesh)
+        target.recompute()
+    FreeCAD.Console.PrintMessage(
+        f"{net.Label}: {len(made.mesh.faces)} quads, {len(made.irregular)} irregular vertices, "
+        f"border within {made.border_gap:.2g} mm\n"
+    )
+    return net
+
+
+def _say_remarks(net: FreeCAD.DocumentObject) -> None:
+    for remark in net.Remarks:
+        FreeCAD.Console.PrintMessage(f"{net.Label}: {remark}\n")

@@ -1,0 +1,162 @@
+"""CAD faces and FreeCAD's triangle meshes as plain functions and arrays."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import FreeCAD
+import numpy as np
+
+from freecad_ortho import convert
+from freecad_ortho.triangles import read_triangles
+from freecad_ortho.units import millimetres_per
+from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.patch import SurfacePatch
+from solver.mesh.quadmesh import FloatArray
+
+if TYPE_CHECKING:
+    import Part
+
+Face = tuple[FreeCAD.DocumentObject, str]
+# Areas that differ by less than this part: the border is that of the parameters.
+_SAME_AREA = 1e-6
+# How far polylines and triangles stray from what they stand for, in parts of its size.
+_DEFLECTION = 2e-5
+_COARSER = 3e-4
+
+
+def faces_of(given: Any) -> list[Face]:
+    """Faces as (shape, name) from a shape, a face, FreeCAD's links, or a list of these.
+
+    A shape stands for all its faces.
+
+    Raises:
+        InputError: something without a face of that name.
+    """
+    result: list[Face] = []
+    for feature, names in _links(given):
+        shape = getattr(feature, "Shape", None)
+        if shape is None or not shape.Faces:
+            label = getattr(feature, "Label", feature)
+            raise InputError(f"faces: {label} has no faces; select a face of a shape")
+        count = len(shape.Faces)
+        for name in names or [f"Face{k + 1}" for k in range(count)]:
+            number = name.removeprefix("Face")
+            if not (number.isdigit() and 1 <= int(number) <= count):
+                raise InputError(
+                    f"faces: {feature.Label} has Face1 to Face{count}, not '{name}'; select a face"
+                )
+            result.append((feature, name))
+    return result
+
+
+def _links(given: Any) -> Iterable[tuple[Any, list[str]]]:
+    if hasattr(given, "Document"):
+        yield given, []
+    elif isinstance(given, (tuple, list)) and len(given) == 2 and _is_name(given[1]):
+        names = [given[1]] if isinstance(given[1], str) else list(given[1])
+        yield given[0], [name for name in names if name]
+    elif isinstance(given, (tuple, list)):
+        for item in given:
+            yield from _links(item)
+    else:
+        raise InputError(f"faces: expected shapes or (shape, 'Face1'), got {given!r}")
+
+
+def _is_name(value: Any) -> bool:
+    several = isinstance(value, (tuple, list)) and all(isinstance(x, str) for x in value)
+    return isinstance(value, str) or (several and len(value) > 0)
+
+
+def surface_patch(feature: FreeCAD.DocumentObject, name: str) -> SurfacePatch:
+    """One face as functions of its parameters, in mm; normals as those of the face."""
+    face = feature.Shape.getElement(name)
+    first, last, low, high = face.ParameterRange
+    turned = face.Orientation == "Reversed"
+
+    def evaluate(u: FloatArray, v: FloatArray) -> FloatArray:
+        # Backwards along u where the face shows its surface's other side.
+        places = first + last - u if turned else u
+        pairs = zip(places.tolist(), v.tolist(), strict=True)
+        return convert.array([face.valueAt(*pair) for pair in pairs])
+
+    def inside(u: FloatArray, v: FloatArray) -> BoolArray:
+        places = first + last - u if turned else u
+        pairs = zip(places.tolist(), v.tolist(), strict=True)
+        return np.array([face.isPartOfDomain(*pair) for pair in pairs], dtype=bool)
+
+    def foot(points: FloatArray) -> FloatArray:
+        surface = face.Surface
+        return convert.array(
+            [face.valueAt(*surface.parameter(point)) for point in convert.vectors(points)]
+        )
+
+    trimmed = _is_trimmed(face)
+    return SurfacePatch(
+        evaluate,
+        (first, last),
+        (low, high),
+        inside if trimmed else None,
+        _border(face) if trimmed else (),
+        f"{feature.Label}.{name}",
+        foot,
+    )
+
+
+def _is_trimmed(face: Part.Face) -> bool:
+    whole = face.Surface.toShape(*face.ParameterRange)
+    return abs(whole.Area - face.Area) > _SAME_AREA * whole.Area
+
+
+def _border(face: Part.Face) -> tuple[FloatArray, ...]:
+    """Closed polylines along the border, without seams, close to it."""
+    fine = _DEFLECTION * face.BoundBox.DiagonalLength
+    near = 10 * fine
+    chains: list[list[FloatArray]] = []
+    for wire in face.Wires:
+        chains.append([])
+        for edge in wire.OrderedEdges:
+            if edge.isSeam(face) or edge.Length < near:
+                continue
+            points = convert.array(edge.discretize(Deflection=fine))
+            end = chains[-1][-1][-1] if chains[-1] else None
+            if end is not None and np.linalg.norm(points[-1] - end) < near:
+                points = points[::-1]
+            elif end is None or np.linalg.norm(points[0] - end) > near:
+                points = points[::-1] if edge.Orientation == "Reversed" else points
+                chains.append([])
+            chains[-1].append(points)
+    closed = [np.concatenate([part[:-1] for part in chain]) for chain in chains if chain]
+    return tuple(line for line in closed if len(line) > 2)
+
+
+def surface_triangles(faces: Sequence[Face]) -> tuple[FloatArray, IntArray]:
+    """Vertices (V, 3) in mm and triangles (T, 3) that follow faces closely."""
+    points, triangles, count = [], [], 0
+    for feature, name in faces:
+        face = feature.Shape.getElement(name)
+        vertices, corners = face.tessellate(_COARSER * face.BoundBox.DiagonalLength)
+        points.append(convert.array(vertices))
+        triangles.append(np.array(corners, dtype=np.int64).reshape(-1, 3) + count)
+        count += len(vertices)
+    return np.concatenate(points), np.concatenate(triangles)
+
+
+def triangles_of(given: Any, unit: str | None = None) -> tuple[FloatArray, IntArray]:
+    """Vertices (V, 3) in mm and triangles (T, 3) of a Mesh object or of a file.
+
+    Raises:
+        InputError: neither, or without triangles.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        points, triangles, named = read_triangles(given)
+        return points * millimetres_per(unit or named or "mm"), triangles
+    mesh = getattr(given, "Mesh", None)
+    if mesh is None or not mesh.CountFacets:
+        label = getattr(given, "Label", given)
+        raise InputError(f"mesh: {label} holds no triangles; select a Mesh object or give a file")
+    points, corners = mesh.Topology
+    return convert.array(points), np.array(corners, dtype=np.int64).reshape(-1, 3)

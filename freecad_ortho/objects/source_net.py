@@ -1,0 +1,256 @@
+"""A net that is made from numbers, from other nets or from CAD faces, and follows them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import FreeCAD
+
+from freecad_ortho import convert
+from freecad_ortho.objects import cad_faces
+from freecad_ortho.objects.net import NET_PROPERTIES, Net
+from freecad_ortho.objects.properties import (
+    OUTPUT,
+    READ_ONLY,
+    Property,
+    ensure,
+)
+from freecad_ortho.sources import Made, Option, Source, source
+from solver.errors import InputError, OrthoError
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+_KINDS = {
+    "length": "App::PropertyLength",
+    "distance": "App::PropertyDistance",
+    # FreeCAD's area cannot be negative, t can.
+    "area": "App::PropertyFloat",
+    "angle": "App::PropertyAngle",
+    "number": "App::PropertyFloat",
+    "count": "App::PropertyInteger",
+    "choice": "App::PropertyEnumeration",
+    "flag": "App::PropertyBool",
+    "text": "App::PropertyString",
+    "points": "App::PropertyVectorList",
+    "placement": "App::PropertyPlacement",
+}
+
+_PROPERTIES = (
+    *NET_PROPERTIES,
+    Property(
+        "App::PropertyString",
+        "MadeBy",
+        "Source",
+        QT_TRANSLATE_NOOP("App::Property", "What the net is made by"),
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyBool",
+        "FollowSource",
+        "Source",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Make the net anew when its source changes; off once its vertices were moved",
+        ),
+        default=True,
+    ),
+    Property(
+        "App::PropertyStringList",
+        "Remarks",
+        "Source",
+        QT_TRANSLATE_NOOP("App::Property", "What is to be known about the net as it was made"),
+        flags=OUTPUT | READ_ONLY,
+    ),
+)
+_NETS = Property(
+    "App::PropertyLinkList",
+    "Nets",
+    "Source",
+    QT_TRANSLATE_NOOP("App::Property", "Nets that this one is made of"),
+)
+_FACES = Property(
+    "App::PropertyLinkSubList",
+    "CadFaces",
+    "Source",
+    QT_TRANSLATE_NOOP("App::Property", "Faces that the net is sampled from and stays linked to"),
+)
+
+
+class SourceNet(Net):
+    """Proxy of a net that follows a source; all that is needed to make it stands in properties."""
+
+    properties = _PROPERTIES
+
+    def __init__(self, feature: FreeCAD.DocumentObject, kind: str) -> None:
+        super().__init__(feature)
+        feature.MadeBy = kind
+        ensure(feature, _own_properties(source(kind)))
+
+    def onDocumentRestored(self, feature: FreeCAD.DocumentObject) -> None:
+        """Give an object from an older document the properties that came later."""
+        super().onDocumentRestored(feature)
+        ensure(feature, _own_properties(source(feature.MadeBy)))
+
+    def execute(self, feature: FreeCAD.DocumentObject) -> None:
+        """Make the net anew, unless its vertices were moved since; on an error the last one stays.
+
+        Raises:
+            OrthoError: what is wrong and what to do; FreeCAD shows it and marks the object.
+        """
+        if not feature.FollowSource:
+            return
+        try:
+            remake(feature)
+        except OrthoError as error:
+            # The report view shows where an exception came from; the inner frames help nobody.
+            raise type(error)(str(error)) from None
+
+
+def create(
+    document: FreeCAD.Document,
+    kind: str,
+    values: Mapping[str, Any],
+    nets: Sequence[FreeCAD.DocumentObject] = (),
+    faces: Sequence[tuple[FreeCAD.DocumentObject, str]] = (),
+    label: str | None = None,
+) -> FreeCAD.DocumentObject:
+    """Add a net that follows a source; its mesh is made at once.
+
+    Args:
+        document: where to.
+        kind: name of the source.
+        values: its options, plain values in mm and degrees.
+        nets: nets that it is made of.
+        faces: shapes and names of their faces that it is sampled from.
+        label: name in the tree.
+
+    Raises:
+        InputError: values that make no net.
+    """
+    made = source(kind).make(values, **_inputs(nets, faces))
+    name = "MultiNet" if kind == "multi-net" else "Net"
+    feature = document.addObject("App::FeaturePython", name)
+    SourceNet(feature, kind)
+    feature.Label = label or kind[0].upper() + kind[1:]
+    if nets:
+        feature.Nets = list(nets)
+    if faces:
+        feature.CadFaces = list(faces)
+    set_values(feature, values)
+    _store(feature, made)
+    if FreeCAD.GuiUp:
+        from freecad_ortho.view.net_view import NetView
+
+        NetView(feature.ViewObject)
+    return feature
+
+
+def is_source_net(feature: object) -> bool:
+    """Tell whether a document object is a net that follows a source."""
+    return isinstance(getattr(feature, "Proxy", None), SourceNet)
+
+
+def remake(feature: FreeCAD.DocumentObject) -> None:
+    """Make the mesh from the properties.
+
+    Raises:
+        OrthoError: the properties make no net; nothing was changed.
+    """
+    nets = feature.Nets if "Nets" in feature.PropertiesList else ()
+    faces = cad_faces.faces_of(feature.CadFaces) if "CadFaces" in feature.PropertiesList else ()
+    made = source(feature.MadeBy).make(values_of(feature), **_inputs(nets, faces))
+    _store(feature, made)
+
+
+def values_of(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
+    """The options of a net's source, plain values in mm and degrees."""
+    return {option.name: _read(feature, option) for option in source(feature.MadeBy).options}
+
+
+def set_values(feature: FreeCAD.DocumentObject, values: Mapping[str, Any]) -> None:
+    """Write options into the properties; plain values in mm and degrees."""
+    entry = source(feature.MadeBy)
+    for name, value in values.items():
+        option = entry.option(name)
+        parts = value if len(option.parts) > 1 else (value,)
+        for part, item in zip(option.parts, parts, strict=True):
+            setattr(feature, part, _to_property(option, item))
+
+
+def _inputs(
+    nets: Sequence[FreeCAD.DocumentObject], faces: Sequence[tuple[FreeCAD.DocumentObject, str]]
+) -> dict[str, Any]:
+    """What a source takes besides its options: meshes of nets, patches of faces."""
+    inputs: dict[str, Any] = {}
+    if nets:
+        inputs["meshes"] = [convert.quad_mesh(net) for net in nets]
+    if faces:
+        inputs["patches"] = [cad_faces.surface_patch(*face) for face in faces]
+    return inputs
+
+
+def _store(feature: FreeCAD.DocumentObject, made: Made) -> None:
+    convert.store_mesh(feature, made.mesh)
+    feature.Remarks = list(made.remarks)
+
+
+def _own_properties(entry: Source) -> list[Property]:
+    """The properties that hold a source's options and links."""
+    properties = []
+    for option in entry.options:
+        many = len(option.parts) > 1
+        values = option.default if many else (option.default,)
+        for part, value in zip(option.parts, values, strict=True):
+            properties.append(
+                Property(
+                    _KINDS[option.kind],
+                    part,
+                    "Parameters",
+                    option.meaning,
+                    default=_to_property(option, value),
+                    choices=option.choices,
+                )
+            )
+    properties += [_NETS] if entry.needs in ("net", "nets") else []
+    return properties + ([_FACES] if entry.needs == "faces" else [])
+
+
+def _to_property(option: Option, value: Any) -> Any:
+    if option.kind == "points":
+        return convert.vectors(convert.rows(value))
+    if option.kind == "placement":
+        return convert.placement(value)
+    return value
+
+
+def _read(feature: FreeCAD.DocumentObject, option: Option) -> Any:
+    values = tuple(_plain(option, getattr(feature, part)) for part in option.parts)
+    return values if len(values) > 1 else values[0]
+
+
+def _plain(option: Option, value: Any) -> Any:
+    if option.kind in ("length", "distance", "angle"):
+        return value.Value
+    if option.kind == "points":
+        return convert.array(value)
+    if option.kind == "placement":
+        return convert.placing(value)
+    return value
+
+
+def require_inputs(
+    entry: Source,
+    nets: Sequence[FreeCAD.DocumentObject],
+    faces: Sequence[tuple[FreeCAD.DocumentObject, str]],
+) -> None:
+    """Raise InputError unless a source is given what it needs."""
+    wanted = {"net": 1, "nets": 2}.get(entry.needs, 0)
+    if len(nets) < wanted or (entry.needs != "nets" and len(nets) > wanted):
+        raise InputError(
+            f"{entry.name}: expected {wanted or 'no'} net{'s' * (wanted != 1)}"
+            f"{' or more' * (entry.needs == 'nets')}, got {len(nets)}; select them"
+        )
+    if (entry.needs == "faces") != bool(faces):
+        words = "at least one CAD face" if entry.needs == "faces" else "no CAD faces"
+        raise InputError(f"{entry.name}: expected {words}, got {len(faces)}; select them")

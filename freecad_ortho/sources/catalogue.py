@@ -1,0 +1,41 @@
+"""All sources by name, and the groups that they are offered in."""
+
+from __future__ import annotations
+
+from freecad_ortho.sources.changes import CHANGES
+from freecad_ortho.sources.faces import FACES
+from freecad_ortho.sources.forming import FORM
+from freecad_ortho.sources.multinets import ELLIPTIC_NET, MULTI_NET
+from freecad_ortho.sources.option import Source
+from freecad_ortho.sources.primitives import primitive_sources
+from solver.errors import InputError
+
+_PRIMITIVES = primitive_sources()
+
+SOURCES: dict[str, Source] = {
+    **_PRIMITIVES,
+    **{entry.name: entry for entry in (MULTI_NET, ELLIPTIC_NET, FACES, FORM, *CHANGES)},
+}
+
+GROUPS: dict[str, tuple[str, ...]] = {
+    "primitive": tuple(_PRIMITIVES),
+    "multi-net": (MULTI_NET.name,),
+    "elliptic multi-net": (ELLIPTIC_NET.name,),
+    "faces": (FACES.name,),
+    "form-finding": (FORM.name,),
+    "derived": ("diagonal mesh", "medial mesh", "checkerboard"),
+    "refine": ("subdivide", "coarsen", "trim"),
+    "transform": ("transform", "mirror", "Moebius transformation", "inversion", "orient"),
+    "weld": ("weld",),
+}
+
+
+def source(name: str) -> Source:
+    """The source of a name.
+
+    Raises:
+        InputError: there is none.
+    """
+    if name not in SOURCES:
+        raise InputError(f"source: expected one of {', '.join(SOURCES)}, got '{name}'")
+    return SOURCES[name]

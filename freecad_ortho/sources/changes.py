@@ -1,0 +1,197 @@
+"""Nets made from other nets: derived meshes, cuts, copies and transformations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from freecad_ortho.sources.option import Made, Option, Source
+from solver.errors import InputError
+from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
+from solver.mesh.quadmesh import QuadMesh
+
+_CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "Fixed point")
+
+
+def _one(change: Callable[..., QuadMesh]) -> Callable[..., Made]:
+    """A source's function from one that changes one mesh."""
+
+    def build(meshes: Sequence[QuadMesh], **options: Any) -> Made:
+        return Made(change(meshes[0], **options))
+
+    return build
+
+
+def _diagonal(mesh: QuadMesh, which: str, border: str) -> QuadMesh:
+    pair = diagonal.diagonal_meshes(mesh, border)
+    part = pair.first if which == "first" else pair.second
+    return coarsen.compact(part, part.faces)
+
+
+def _subdivided(mesh: QuadMesh, levels: int, rule: str) -> QuadMesh:
+    change = subdivide.subdivided if rule == "plain" else subdivide.catmull_clark
+    return change(mesh, levels)
+
+
+def _coarsened(mesh: QuadMesh, every: tuple[int, int], keep_border: bool) -> QuadMesh:
+    """Every k-th line: of any mesh where both steps are equal and fit, else of grid type."""
+    if every[0] == every[1]:
+        try:
+            return coarsen.coarsened(mesh, every[0])
+        except InputError:
+            if mesh.connectivity.regular[~mesh.connectivity.boundary_vertices].all():
+                return coarsen.coarsened_grid(mesh, *every, keep_border)
+            raise
+    return coarsen.coarsened_grid(mesh, *every, keep_border)
+
+
+def _trimmed(mesh: QuadMesh, rings: int, rows: tuple[int, int, int, int]) -> QuadMesh:
+    if not rings and not any(rows):
+        raise InputError("trim: expected rings or rows to cut off, got none; say how many")
+    if rings:
+        mesh = coarsen.without_border(mesh, rings)
+    return coarsen.trimmed(mesh, (rows[0], rows[2]), (rows[1], rows[3])) if any(rows) else mesh
+
+
+def _mirrored(
+    mesh: QuadMesh, normal: tuple[float, ...], point: tuple[float, ...], image_only: bool
+) -> QuadMesh:
+    return (mirror.reflection if image_only else mirror.mirrored)(mesh, normal, point)
+
+
+def _oriented(mesh: QuadMesh, reverse: bool, swap: bool) -> QuadMesh:
+    mesh = mirror.reversed_orientation(mesh) if reverse else mesh
+    return mirror.swapped(mesh) if swap else mesh
+
+
+def _moved(mesh: QuadMesh, **options: Any) -> QuadMesh:
+    return transform.similarity(mesh, degrees=options.pop("turn"), **options)
+
+
+def _welded(meshes: Sequence[QuadMesh], tolerance: float) -> Made:
+    whole = max(mirror.size_of(mesh.vertices) for mesh in meshes)
+    mesh = mirror.welded(meshes, max(tolerance / whole, mirror.SAME_PLACE))
+    parts = int(mesh.connectivity.components.max()) + 1
+    return Made(mesh, (f"{parts} separate parts",) if parts > 1 else ())
+
+
+CHANGES = (
+    Source(
+        "diagonal mesh",
+        "One of the two meshes of face diagonals",
+        (
+            Option("which", "first", "choice", "The first holds the first vertex",
+                   ("first", "second")),
+            Option("border", "drop", "choice", "Zigzag border, or closed by narrow quads",
+                   ("drop", "fill")),
+        ),
+        _one(_diagonal),
+        "net",
+    ),
+    Source(
+        "medial mesh",
+        "Points where the medial lines of the faces cross",
+        (),
+        _one(diagonal.medial_mesh),
+        "net",
+    ),
+    Source(
+        "checkerboard",
+        "Midpoints of the edges: a parallelogram in each face",
+        (),
+        _one(diagonal.checkerboard),
+        "net",
+    ),
+    Source(
+        "subdivide",
+        "Four faces for each, parameter lines kept",
+        (
+            Option("levels", 1, "count", "How many times"),
+            Option("rule", "plain", "choice", "Midpoints, or smoothed",
+                   ("plain", "catmull-clark")),
+        ),
+        _one(_subdivided),
+        "net",
+    ),
+    Source(
+        "coarsen",
+        "Every k-th parameter line",
+        (
+            Option("every", (2, 2), "count", "Steps along u and v", suffixes=("U", "V")),
+            Option("keep_border", True, "flag", "Keep the last line where the step misses it"),
+        ),
+        _one(_coarsened),
+        "net",
+    ),
+    Source(
+        "trim",
+        "Rings or rows of faces cut off",
+        (
+            Option("rings", 1, "count", "Rings of faces at the border"),
+            Option("rows", (0, 0, 0, 0), "count", "Rows at the starts and ends of u and v",
+                   suffixes=("UStart", "UEnd", "VStart", "VEnd")),
+        ),
+        _one(_trimmed),
+        "net",
+    ),
+    Source(
+        "mirror",
+        "The net and its mirror image, the seam merged",
+        (
+            Option("normal", (1.0, 0.0, 0.0), "number", "Normal of the plane"),
+            Option("point", (0.0, 0.0, 0.0), "distance", "A point of the plane"),
+            Option("image_only", False, "flag", "The mirror image alone"),
+        ),
+        _one(_mirrored),
+        "net",
+    ),
+    Source(
+        "orient",
+        "Other side up, or families u and v exchanged",
+        (
+            Option("reverse", True, "flag", "Turn the other side up"),
+            Option("swap", False, "flag", "Exchange u and v"),
+        ),
+        _one(_oriented),
+        "net",
+    ),
+    Source(
+        "transform",
+        "Moved, turned and scaled",
+        (
+            Option("scale", 1.0, "number", "Factor"),
+            Option("turn", (0.0, 0.0, 0.0), "angle", "Angles about x, then y, then z"),
+            Option("move", (0.0, 0.0, 0.0), "distance", "Translation"),
+            _CENTRE,
+        ),
+        _one(_moved),
+        "net",
+    ),
+    Source(
+        "Moebius transformation",
+        "Bent so that circles stay circles; place and size stay",
+        (
+            Option("centre", (0.0, 0.0, 20000.0), "distance", "Centre of the inversion"),
+            Option("strength", 1.0, "number", "Less moves the centre away"),
+        ),
+        _one(transform.moebius),
+        "net",
+    ),
+    Source(
+        "inversion",
+        "Inverted in a sphere",
+        (
+            Option("centre", (0.0, 0.0, 20000.0), "distance", "Centre of the sphere"),
+            Option("radius", 10000.0, "length", "Its radius"),
+        ),
+        _one(transform.inverted),
+        "net",
+    ),
+    Source(
+        "weld",
+        "Several nets joined into one where their borders meet",
+        (Option("tolerance", 0.001, "length", "Merge vertices nearer than this"),),
+        _welded,
+        "nets",
+    ),
+)  # fmt: skip

@@ -1,0 +1,47 @@
+"""CAD faces as a source; what a face is comes as plain functions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.sources.primitives import sampling as sampling_option
+from solver.mesh.patch import SurfacePatch, sampled
+
+
+def _sampled(
+    patches: Sequence[SurfacePatch],
+    sampling: tuple[int, int],
+    edge: float,
+    spacing: str,
+    outside: str,
+    u_part: tuple[float, float],
+    v_part: tuple[float, float],
+) -> Made:
+    chosen = [patch.part(u_part, v_part) for patch in patches]
+    made = sampled(
+        chosen,
+        counts=None if edge else sampling,
+        edge=edge or None,
+        spacing=spacing,
+        outside=outside,
+    )
+    return Made(made.mesh, made.remarks)
+
+
+FACES = Source(
+    "faces",
+    "CAD faces sampled along their own parameter lines",
+    (
+        sampling_option(13, 13),
+        Option("edge", 0.0, "length", "Wanted edge length; 0: by the sampling"),
+        Option("spacing", "length", "choice", "Even lengths or equal steps of the parameters",
+               ("length", "parameter")),
+        Option("outside", "snap", "choice", "Quads that the border cuts: set onto it, or left out",
+               ("snap", "drop")),
+        Option("u_part", (0.0, 1.0), "number", "Part of the range of u that is sampled, 0 to 1"),
+        Option("v_part", (0.0, 1.0), "number", "Part of the range of v that is sampled, 0 to 1"),
+    ),
+    _sampled,
+    "faces",
+)  # fmt: skip

@@ -1,0 +1,176 @@
+"""Multi-nets as sources: from a polyline on a quadric, and in elliptic coordinates."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.sources.placing import PLACEMENT, Placing, placed
+from freecad_ortho.sources.primitives import sampling
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+from solver.multinet import MultiNet, Quadric, elliptic_net, multi_net, reflected
+from solver.multinet.formula import formula
+from solver.multinet.presets import PRESETS
+
+QUADRICS = {
+    "ellipsoid": (1.0, 1.0, 1.0),
+    "one-sheeted hyperboloid": (1.0, 1.0, -1.0),
+    "two-sheeted hyperboloid": (1.0, -1.0, -1.0),
+}
+_FORMULAS = "formulas"
+_SPACING = Option(
+    "spacing", "length", "choice", "Even lengths or equal steps of the parameters",
+    ("length", "parameter"),
+)  # fmt: skip
+_T_RANGE = Option(
+    "t_range", (0.0, 0.0), "area", "First and last t (0 and 0: clear of both ends)"
+)  # fmt: skip
+_REFLECT = Option("reflect", "", "text", "Axes to extend the net along by mirror images, as x,y")
+
+
+def quadric_of(quadric: str, semi_axes: ArrayLike, placement: Placing) -> Quadric:
+    """The quadric of a kind, semi-axes in mm, and where it stands.
+
+    Raises:
+        InputError: an unknown kind, or semi-axes that are not positive.
+    """
+    if quadric not in QUADRICS:
+        raise InputError(f"quadric: expected one of {', '.join(QUADRICS)}, got '{quadric}'")
+    lengths = np.asarray(semi_axes, dtype=np.float64)
+    if lengths.shape != (3,) or not (np.isfinite(lengths) & (lengths > 0)).all():
+        raise InputError(
+            f"semi-axes: expected three positive lengths, got {list(lengths)}; the kind of quadric "
+            "sets the signs"
+        )
+    return Quadric(np.array(QUADRICS[quadric]) / lengths**2, *placement)
+
+
+def first_polyline(quadric: Quadric) -> FloatArray:
+    """(4, 3) points of a first polyline on a quadric, in its own frame, clear of its planes."""
+    a, b, c = 1.0 / np.sqrt(np.abs(quadric.curvatures))
+    share = np.linspace(0.0, 1.0, 4)[:, None]
+    start, end = np.array([1.0, -0.5, 0.15]), np.array([0.35, 0.9, 0.6])
+    if (quadric.curvatures < 0).sum() == 2:
+        start, end = np.array([1.3, -0.7, 0.2]), np.array([1.5, 0.6, 0.8])
+    path = (1 - share) * start + share * end + [0, 0, 0.35] * np.sin(np.pi * share)
+    return Quadric(quadric.curvatures).project(path * [a, b, c])
+
+
+def drawn_net(
+    quadric: str,
+    semi_axes: ArrayLike,
+    points: ArrayLike,
+    closed: bool,
+    placement: Placing,
+) -> MultiNet:
+    """The multi-net of points near a quadric, given in its own frame in mm.
+
+    Raises:
+        InputError: no quadric, or points that make no curve on it.
+    """
+    base = quadric_of(quadric, semi_axes, placement)
+    local = np.asarray(points, dtype=np.float64).reshape(-1, 3)
+    if not len(local):
+        local = first_polyline(base)
+    return multi_net(base, base.from_frame(local), closed=closed, snap=True)
+
+
+def automatic_range(net: MultiNet) -> tuple[float, float]:
+    """Ends of t clear of both flat ends: from half of the smallest to three times its size."""
+    low, high = (end - net.base for end in net.admissible)
+    return 0.6 * low + net.base, min(-1.5 * low, 0.6 * high) + net.base
+
+
+def _finished(
+    net: MultiNet, sampling: tuple[int, int], t_range: tuple[float, float], spacing: str,
+    reflect: str,
+) -> Made:  # fmt: skip
+    ends = (float(t_range[0]), float(t_range[1]))
+    if ends == (0.0, 0.0):
+        ends = net.t_range or automatic_range(net)
+    mesh = net.sampled(*sampling, ends, spacing)
+    if reflect.strip():
+        mesh = reflected(mesh, reflect.replace(",", "").replace(" ", "").lower(), net.quadric)
+    low, high = net.admissible
+    return Made(mesh, (f"t from {ends[0]:.4g} to {ends[1]:.4g} mm2, {said_range(low, high)}",))
+
+
+def said_range(low: float, high: float) -> str:
+    """The admissible range of t in words."""
+    return f"admissible from {low:.4g} to {high:.4g} mm2" if np.isfinite(high) else (
+        f"admissible from {low:.4g} mm2 on"
+    )  # fmt: skip
+
+
+def _drawn(
+    sampling: tuple[int, int], t_range: tuple[float, float], spacing: str, reflect: str,
+    **given: Any,
+) -> Made:  # fmt: skip
+    return _finished(drawn_net(**given), sampling, t_range, spacing, reflect)
+
+
+def _elliptic(
+    semi_axes: tuple[float, float, float],
+    moving: str,
+    curve: str,
+    first_formula: str,
+    second_formula: str,
+    sampling: tuple[int, int],
+    t_range: tuple[float, float],
+    spacing: str,
+    reflect: str,
+    placement: Placing,
+) -> Made:
+    axes = tuple(float(length) ** 2 for length in semi_axes)
+    if curve == _FORMULAS:
+        names = dict(zip("abc", axes, strict=True))
+        one, two = (formula(text, ("s", "a", "b", "c")) for text in (first_formula, second_formula))
+        net = elliptic_net(axes, moving, lambda s: (one(s=s, **names), two(s=s, **names)))
+    else:
+        chosen = PRESETS[curve]
+        net = elliptic_net(axes, moving, chosen.curve, unfolded=True, closed=chosen.closed)
+    made = _finished(net, sampling, t_range, spacing, reflect)
+    return Made(placed(made.mesh, placement), made.remarks)
+
+
+MULTI_NET = Source(
+    "multi-net",
+    "Orthogonal multi-net of a polyline drawn on a quadric",
+    (
+        Option("quadric", "ellipsoid", "choice", "Quadric that carries the polyline",
+               tuple(QUADRICS)),
+        Option("semi_axes", (9000.0, 6500.0, 4000.0), "length", "Semi-axes of the quadric"),
+        sampling(24, 12),
+        _T_RANGE,
+        _SPACING,
+        Option("closed", False, "flag", "Join the last point with the first"),
+        _REFLECT,
+        Option("points", (), "points", "Points of the polyline, in the frame of the quadric"),
+        PLACEMENT,
+    ),
+    _drawn,
+)  # fmt: skip
+
+ELLIPTIC_NET = Source(
+    "elliptic multi-net",
+    "Orthogonal multi-net in elliptic coordinates",
+    (
+        Option("semi_axes", (9000.0, 6500.0, 4000.0), "length", "Semi-axes of lambda = 0, falling"),
+        Option("moving", "lambda", "choice", "Elliptic coordinate in the role of t",
+               ("lambda", "mu", "nu")),
+        Option("curve", "wave", "choice", "Curve of the two other coordinates",
+               (*PRESETS, _FORMULAS)),
+        Option("first_formula", "-0.5*(b + c)", "text", "Formula of s for the first of them"),
+        Option("second_formula", "-b - (a - b)*s", "text", "Formula of s for the second"),
+        sampling(24, 12),
+        _T_RANGE,
+        _SPACING,
+        _REFLECT,
+        PLACEMENT,
+    ),
+    _elliptic,
+)  # fmt: skip

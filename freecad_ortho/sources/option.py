@@ -1,0 +1,135 @@
+"""What a source of nets asks for and gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
+
+# Kinds of one number; an option that is a tuple has several of them.
+NUMBERS = ("length", "distance", "area", "angle", "number", "count")
+KINDS = (*NUMBERS, "choice", "flag", "text", "points", "placement")
+_SUFFIXES = {2: ("Start", "End"), 3: ("X", "Y", "Z"), 4: ("First", "Second", "Third", "Fourth")}
+
+
+@dataclass(frozen=True)
+class Option:
+    """One thing that a source asks for.
+
+    Attributes:
+        name: keyword of the source's function.
+        default: value, a tuple where there are several numbers.
+        kind: ``length`` (mm, not negative), ``distance`` (mm), ``area`` (mm2), ``angle`` (degrees),
+            ``number``, ``count`` (whole), ``choice``, ``flag``, ``text``, ``points`` ((n, 3) mm) or
+            ``placement`` (rotation (3, 3), origin (3,)).
+        meaning: one sentence without a full stop.
+        choices: words of a choice.
+        suffixes: of the parts of a tuple, in property names.
+    """
+
+    name: str
+    default: Any
+    kind: str
+    meaning: str
+    choices: tuple[str, ...] = ()
+    suffixes: tuple[str, ...] = ()
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Names of the properties that hold it."""
+        stem = "".join(word.capitalize() for word in self.name.split("_"))
+        if self.kind in NUMBERS and isinstance(self.default, tuple):
+            ends = self.suffixes or _SUFFIXES[len(self.default)]
+            return tuple(stem + end for end in ends)
+        return (stem,)
+
+    @property
+    def label(self) -> str:
+        """The name in plain words."""
+        return self.name.replace("_", " ").capitalize()
+
+
+@dataclass(frozen=True, eq=False)
+class Made:
+    """What a source has made.
+
+    Attributes:
+        mesh: the net, in mm.
+        remarks: what a user should know about it, one sentence each.
+    """
+
+    mesh: QuadMesh
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Source:
+    """One way to get a net.
+
+    Attributes:
+        name: unique among all sources.
+        meaning: one sentence.
+        options: what it asks for, in the order of a form.
+        build: from the options by name (and ``meshes`` or ``patches``) to the net.
+        needs: ``""``, ``net`` (one), ``nets`` (several) or ``faces`` (of CAD shapes).
+    """
+
+    name: str
+    meaning: str
+    options: tuple[Option, ...]
+    build: Callable[..., Made]
+    needs: str = ""
+
+    @property
+    def defaults(self) -> dict[str, Any]:
+        """All options with their defaults."""
+        return {option.name: option.default for option in self.options}
+
+    def option(self, name: str) -> Option:
+        """The option of a name.
+
+        Raises:
+            InputError: there is none.
+        """
+        for option in self.options:
+            if option.name == name:
+                return option
+        known = ", ".join(option.name for option in self.options) or "no options"
+        raise InputError(f"{self.name}: has {known}, not '{name}'; choose one of these")
+
+    def make(self, given: Mapping[str, Any], **inputs: Any) -> Made:
+        """Make the net from given options and the defaults of the others.
+
+        Raises:
+            InputError: an unknown option, or values that make no net.
+        """
+        for name, value in given.items():
+            self._check(self.option(name), value)
+        values = {**self.defaults, **given}
+        for option in self.options:
+            if option.kind == "points":
+                values[option.name] = np.asarray(values[option.name], dtype=float).reshape(-1, 3)
+        return self.build(**values, **inputs)
+
+    def _check(self, option: Option, value: Any) -> None:
+        if option.kind == "choice" and value not in option.choices:
+            raise InputError(
+                f"{option.name}: expected one of {', '.join(option.choices)}, got {value!r}"
+            )
+        if option.kind not in NUMBERS:
+            return
+        several = isinstance(option.default, tuple)
+        count = len(option.default) if several else 1
+        numbers = tuple(value) if several and isinstance(value, (tuple, list)) else (value,)
+        if len(numbers) != count or not all(_is_number(item) for item in numbers):
+            words = f"{count} numbers" if several else "a number"
+            raise InputError(f"{option.name}: expected {words}, got {value!r}")
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and abs(value) < 1e300

@@ -1,0 +1,21 @@
+"""Where a made net stands."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freecad_ortho.sources.option import Option
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+Placing = tuple[FloatArray, FloatArray]
+PLACEMENT = Option(
+    "placement", (np.eye(3), np.zeros(3)), "placement", "Where the net stands and how it is turned"
+)
+
+
+def placed(mesh: QuadMesh, placement: Placing) -> QuadMesh:
+    """Turn a mesh by a (3, 3) rotation and move it by (3,) mm; unplaced ones keep every bit."""
+    rotation, origin = placement
+    if np.array_equal(rotation, np.eye(3)) and not np.any(origin):
+        return mesh
+    return mesh.with_vertices(mesh.vertices @ rotation.T + origin)

@@ -1,0 +1,79 @@
+"""The solver's primitives as sources, one each, in metres where the solver's default is 1."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.sources.placing import PLACEMENT, placed
+from solver.mesh.primitives import PRIMITIVES, Parameter, primitive
+
+_METRE = 1000.0
+_LENGTHS = {
+    "radius", "top_radius", "height", "waist", "size", "widest", "narrowest", "length",
+    "width", "semi_axes", "first", "second",
+}  # fmt: skip
+_DISTANCES = {"pitch", "rise", "cross_rise"}
+_ANGLES = {"angles", "angle", "latitudes"}
+_AREAS = {"squares", "t_range"}
+_LINES = {
+    "catenoid": ("principal", "asymptotic"),
+    "enneper": ("asymptotic", "principal"),
+    "helicoid": ("asymptotic", "principal"),
+    "unduloid": ("principal", "cmc"),
+}
+# A vase, for a rotational net of which no profile is known yet.
+_PROFILE = ((2000.0, 0.0, 0.0), (2600.0, 1500.0, 0.0), (1500.0, 3500.0, 0.0), (1900.0, 4500.0, 0.0))
+_MEANINGS = {
+    "angles": "First and last angle around the axis",
+    "angle": "Turning angle of the spine",
+    "clear": "Part of the range that is left free at the ends",
+    "latitudes": "First and last latitude",
+    "lines": "Which lines of the surface the net follows",
+    "profile": "Points (radius, height) that are turned about z",
+    "reach": "How far the net reaches over the surface",
+    "spine": "Points whose tangents make the sheet; empty for a helix",
+    "squares": "Squares of the semi-axes of the first ellipse",
+    "t_range": "First and last t of the confocal family",
+}
+
+
+def primitive_sources() -> dict[str, Source]:
+    """All primitives by name."""
+    return {name: _source(name) for name in PRIMITIVES}
+
+
+def sampling(u: int, v: int) -> Option:
+    """The option for how many vertices there are along u and v."""
+    return Option("sampling", (u, v), "count", "Vertices along u and v", suffixes=("U", "V"))
+
+
+def _source(name: str) -> Source:
+    entry = PRIMITIVES[name]
+    options = tuple(_option(name, parameter) for parameter in entry.parameters)
+
+    def build(sampling: tuple[int, int], placement: Any, **parameters: Any) -> Made:
+        for key, value in list(parameters.items()):
+            if key in ("profile", "spine"):
+                points = value[:, :2] if key == "profile" and len(value) else value
+                parameters[key] = points if len(points) else None
+        return Made(placed(primitive(name, *sampling, **parameters), placement))
+
+    return Source(name, entry.meaning, (sampling(25, 13), *options, PLACEMENT), build)
+
+
+def _option(name: str, parameter: Parameter) -> Option:
+    key, default = parameter.name, parameter.default
+    meaning = _MEANINGS.get(key, key.replace("_", " ").capitalize())
+    if parameter.kind == "points":
+        return Option(key, _PROFILE if key == "profile" else (), "points", meaning)
+    if parameter.kind == "word":
+        return Option(key, default, "choice", meaning, _LINES[name])
+    kind = "length" if key in _LENGTHS else "number"
+    for names, other in ((_DISTANCES, "distance"), (_ANGLES, "angle"), (_AREAS, "area")):
+        kind = other if key in names else kind
+    scale = {"length": _METRE, "distance": _METRE, "area": _METRE**2}.get(kind, 1.0)
+    if isinstance(default, tuple):
+        return Option(key, tuple(scale * float(x) for x in default), kind, meaning)
+    assert isinstance(default, (int, float))
+    return Option(key, scale * float(default), kind, meaning)

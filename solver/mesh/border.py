@@ -1,0 +1,138 @@
+"""Border vertices set onto a given border, corners onto its corners, the rest evened out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array, csr_array
+
+from solver.mesh.closest import TriangleSurface
+from solver.mesh.coarsen import compact
+from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+_SMOOTHINGS = 15
+_ROUNDS = 4
+# Faces thinner than this part of a square are no use.
+_THIN = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class Border:
+    """The border of a surface.
+
+    Attributes:
+        curve: its segments, as triangles without area.
+        corners: (K, 3) where it turns sharply.
+    """
+
+    curve: TriangleSurface
+    corners: FloatArray
+
+    @classmethod
+    def of_polylines(cls, lines: Sequence[FloatArray], corner: float = 40.0) -> Border:
+        """Border of closed polylines (n, 3), which do not repeat their start.
+
+        Args:
+            lines: at least one.
+            corner: turns by more than this, in degrees, are corners.
+        """
+        offsets = np.cumsum([0] + [len(line) for line in lines])
+        numbers = [o + np.arange(len(line)) for o, line in zip(offsets, lines, strict=False)]
+        segments = np.concatenate([np.stack([k, np.roll(k, -1)], axis=1) for k in numbers])
+        points = np.concatenate(list(lines))
+        sharp = np.concatenate([_turns(line) > np.radians(corner) for line in lines])
+        return cls(TriangleSurface(points, segments[:, [0, 1, 1]]), points[sharp])
+
+
+def _turns(line: FloatArray) -> FloatArray:
+    """(n,) turning angles of a closed polyline."""
+    before, after = line - np.roll(line, 1, axis=0), np.roll(line, -1, axis=0) - line
+    cross = np.linalg.norm(np.cross(before, after), axis=1)
+    return np.asarray(np.arctan2(cross, (before * after).sum(axis=1)))
+
+
+def set_back(
+    mesh: QuadMesh, surface: TriangleSurface, border: Border | None, free: BoolArray | None = None
+) -> QuadMesh:
+    """Even out a mesh within a surface; border vertices stay on the border, corners on corners.
+
+    Args:
+        mesh: a mesh near the surface.
+        surface: where inner vertices go.
+        border: where border vertices go; None for a closed surface.
+        free: (V,) inner vertices that may move; by default all.
+    """
+    net = mesh.connectivity
+    rim = net.boundary_vertices
+    positions = mesh.vertices.copy()
+    fixed = np.zeros(len(positions), dtype=bool)
+    if border is not None and rim.any():
+        numbers = np.flatnonzero(rim)
+        for place in border.corners:
+            apart = np.linalg.norm(positions[numbers] - place, axis=1) + 1e9 * fixed[numbers]
+            nearest = numbers[int(np.argmin(apart))]
+            positions[nearest], fixed[nearest] = place, True
+    inner_mean = _means(net.edges, len(positions))
+    rim_mean = _means(net.edges[net.boundary_edges], len(positions))
+    moving_rim, inside = rim & ~fixed, ~rim if free is None else ~rim & free
+    for _ in range(_SMOOTHINGS):
+        smooth = positions + 0.5 * (inner_mean @ positions - positions)
+        slid = positions + 0.5 * (rim_mean @ positions - positions)
+        if inside.any():
+            positions[inside] = surface.closest(smooth[inside])[0]
+        if moving_rim.any() and border is not None:
+            positions[moving_rim] = border.curve.closest(slid[moving_rim])[0]
+    return mesh.with_vertices(positions)
+
+
+def fitted(mesh: QuadMesh, surface: TriangleSurface, border: Border) -> tuple[QuadMesh, int]:
+    """A mesh with a stepped border set onto a smooth one; faces that have no room there go.
+
+    Only vertices near the border move.
+
+    Returns:
+        The mesh, and the number of faces that were left out.
+
+    Raises:
+        InputError: no face is left.
+    """
+    start, dropped = mesh, 0
+    for _ in range(_ROUNDS):
+        net = start.connectivity
+        near = net.boundary_vertices.copy()
+        for _ in range(3):
+            near[start.faces[near[start.faces].any(axis=1)].ravel()] = True
+        done = set_back(start, surface, border, near)
+        bad = _useless(done, surface)
+        if not bad.any():
+            return done, dropped
+        dropped += int(bad.sum())
+        start = compact(start, start.faces[~bad])
+    return done, dropped
+
+
+def _useless(mesh: QuadMesh, surface: TriangleSurface) -> BoolArray:
+    """(F,) faces that are folded, turned over or as thin as a line."""
+    corners = mesh.vertices[mesh.faces]
+    normals = surface.closest(corners.mean(axis=1))[1]
+    before = corners - np.roll(corners, 1, axis=1)
+    after = np.roll(corners, -1, axis=1) - corners
+    turn = np.einsum("fki,fi->fk", np.cross(before, after), normals)
+    lengths = np.linalg.norm(after, axis=2)
+    area = 0.5 * np.linalg.norm(
+        np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]), axis=1
+    )
+    scale = lengths.max(axis=1) ** 2
+    side = np.sign(np.median(turn.sum(axis=1)))
+    folded = (side * turn < -1e-2 * scale[:, None]).any(axis=1)
+    return np.asarray(folded | (area < _THIN * scale) | (lengths.min(axis=1) ** 2 < 1e-4 * scale))
+
+
+def _means(edges: IntArray, count: int) -> csr_array:
+    """Matrix that takes the mean over the neighbours along some edges."""
+    both = np.concatenate([edges, edges[:, ::-1]])
+    share = 1.0 / np.maximum(np.bincount(both[:, 0], minlength=count), 1)
+    return csr_array(coo_array((share[both[:, 0]], both.T), shape=(count, count)))
