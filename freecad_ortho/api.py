@@ -21,6 +21,7 @@ from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.primitives import primitive
 from solver.mesh.remesh import quads_from_triangles
 from solver.multinet import Quadric, elliptic_net, multi_net
+from solver.offset.offset_mesh import offset_mesh
 
 if TYPE_CHECKING:
     from freecad_ortho.fabrication import Limits, Structure
@@ -36,6 +37,7 @@ __all__ = [
     "fabricate",
     "find_form",
     "multi_net",
+    "offset_mesh",
     "optimise",
     "primitive",
     "quads_from_triangles",

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 
 from freecad_ortho import api
-from freecad_ortho.cli import fitting, forming, remeshing, reporting, values
+from freecad_ortho.cli import fitting, forming, offsetting, remeshing, reporting, values
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.io.points import read_points
@@ -30,6 +30,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         parser.set_defaults(run=_changer(change))
     _add_weld(commands.add_parser("weld", help="join patches into one net"))
     forming.add(commands.add_parser("formfind", help="a membrane or cable net in equilibrium"))
+    offsetting.add(commands.add_parser("offset", help="a parallel mesh at a distance"))
     fitting.add(commands.add_parser("fit-multinet", help="the multi-net nearest to a mesh"))
     remeshing.add(commands.add_parser("quads", help="a triangle mesh remeshed to quads"))
 

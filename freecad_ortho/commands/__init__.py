@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 TOOLBARS = {
     "Design": ("ImportNet",),
     "Optimise": ("Optimise",),
-    "Analyse": (),
+    "Analyse": ("Display", "Check", "SavePicture"),
     "Fabricate": ("Beams", "Panels", "ExportFabrication"),
 }
 
@@ -33,9 +33,19 @@ def register() -> None:
 
 
 def _commands() -> list[Command]:
+    from freecad_ortho.commands.display import Check, Display, SavePicture
     from freecad_ortho.commands.export_fabrication import ExportFabrication
     from freecad_ortho.commands.import_net import ImportNet
     from freecad_ortho.commands.optimise import Optimise
     from freecad_ortho.commands.structures import Beams, Panels
 
-    return [ImportNet(), Optimise(), Beams(), Panels(), ExportFabrication()]
+    return [
+        ImportNet(),
+        Optimise(),
+        Display(),
+        Check(),
+        SavePicture(),
+        Beams(),
+        Panels(),
+        ExportFabrication(),
+    ]

@@ -34,6 +34,29 @@ def ask_folder() -> str | None:
     return _remember(path)
 
 
+def ask_picture() -> tuple[str, int, int] | None:
+    """Ask for a PNG file and a width and height in pixels; None when the user cancels."""
+    window = FreeCADGui.getMainWindow()
+    title = translate("Ortho", "Save picture")
+    path, _ = QtGui.QFileDialog.getSaveFileName(
+        window, title, _last_folder(), translate("Ortho", "Picture (*.png)")
+    )
+    if _remember(path) is None:
+        return None
+    size, accepted = QtGui.QInputDialog.getText(
+        window,
+        title,
+        translate("Ortho", "Width x height in pixels"),
+        QtGui.QLineEdit.Normal,
+        "1600 x 1000",
+    )
+    numbers = [int(part) for part in size.lower().split("x") if part.strip().isdecimal()]
+    if not accepted or len(numbers) != 2:
+        return None
+    name = path if path.lower().endswith(".png") else f"{path}.png"
+    return name, numbers[0], numbers[1]
+
+
 def _last_folder() -> str:
     return FreeCAD.ParamGet(_PREFERENCES).GetString("LastFolder", "")
 

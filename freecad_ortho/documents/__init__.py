@@ -5,6 +5,7 @@ Each one is undone in one step. Lengths are numbers of mm, FreeCAD quantities, o
 as it was.
 """
 
+from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
 from freecad_ortho.documents.pictures import save_picture
 from freecad_ortho.documents.sources import (
@@ -38,5 +39,6 @@ __all__ = [
     "optimise_net",
     "quads_from_mesh",
     "save_picture",
+    "show_net",
     "weld_nets",
 ]

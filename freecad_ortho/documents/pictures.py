@@ -9,6 +9,8 @@ import FreeCAD
 from freecad_ortho.documents.common import open_document
 from solver.errors import InputError
 
+_LARGEST = 16384
+
 
 def save_picture(
     path: str | os.PathLike[str],
@@ -16,8 +18,9 @@ def save_picture(
     width: int = 1600,
     height: int = 1000,
     background: str = "White",
+    turn: bool = True,
 ) -> None:
-    """Save a rendered picture of a document, seen from the front above, fitted to the picture.
+    """Save a rendered picture of a document.
 
     Args:
         path: a PNG file.
@@ -25,6 +28,7 @@ def save_picture(
         width: in pixels.
         height: in pixels.
         background: a colour name, ``Current`` or ``Transparent``.
+        turn: look from the front above and fit everything in; else as the view shows it.
 
     Raises:
         InputError: FreeCAD runs without a window, or no document is open.
@@ -34,6 +38,10 @@ def save_picture(
             "picture: FreeCAD runs without a window; run the script with 'freecad' "
             "(under xvfb-run on a machine without a screen), not with 'freecadcmd'"
         )
+    if min(width, height) < 1 or max(width, height) > _LARGEST:
+        raise InputError(
+            f"picture: expected 1 to {_LARGEST} pixels each way, got {width} x {height}"
+        )
     from freecad_ortho.view import picture
 
-    picture.save(os.fspath(path), open_document(document), width, height, background)
+    picture.save(os.fspath(path), open_document(document), width, height, background, turn)

@@ -55,7 +55,8 @@ class ColourScale:
 
     @classmethod
     def between(cls, field: Field, low: float, high: float) -> ColourScale:
-        """The scale between two values; a range without width is widened around them."""
+        """The scale between two values; a range without width is widened around the lower."""
+        high = max(low, high)
         # Rounding alone must not be drawn as blue and red.
         least = 1e-6 * max(abs(low), abs(high)) or 1.0
         if high - low < least:

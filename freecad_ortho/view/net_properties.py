@@ -163,3 +163,5 @@ PROPERTIES = (
         default=False,
     ),
 )
+
+OVERLAY_NAMES = tuple(item.name for item in PROPERTIES if item.group == "Overlays")

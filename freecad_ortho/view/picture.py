@@ -15,15 +15,18 @@ from solver.errors import InputError, OutputError
 _LOOK_FROM = coin.SbVec3f(0.45, -0.75, 0.5)
 
 
-def save(path: str, document: FreeCAD.Document, width: int, height: int, background: str) -> None:
-    """Turn the document's 3D view to the standard direction, fit it, and save it as a picture.
+def save(
+    path: str, document: FreeCAD.Document, width: int, height: int, background: str, turn: bool
+) -> None:
+    """Save the document's 3D view as a picture, turned to the standard direction where asked for.
 
     Raises:
         InputError: the document has no 3D view.
         OutputError: the file was not written.
     """
     view = three_d_view(document)
-    look(view)
+    if turn:
+        look(view)
     QtGui.QApplication.processEvents()
     view.saveImage(path, width, height, background)
     if not QtGui.QImage(path).width():

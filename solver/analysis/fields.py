@@ -106,7 +106,7 @@ def _mean_curvature(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
     return Field(VERTICES, values, dimension=-1, signed=True)
 
 
-FIELDS: dict[str, Compute] = {
+RESIDUALS: dict[str, Compute] = {
     "Planarity": _residual(FACES, measures.planarity),
     "Orthogonality": _residual(FACES, measures.orthogonality),
     "Circular": _residual(FACES, measures.circular),
@@ -114,6 +114,9 @@ FIELDS: dict[str, Compute] = {
     "Geodesic": _star_residual(measures.geodesic),
     "Asymptotic": _star_residual(measures.asymptotic),
     "Chebyshev": _residual(EDGES, measures.chebyshev),
+}
+FIELDS: dict[str, Compute] = {
+    **RESIDUALS,
     "Gauss curvature": lambda mesh, reference: Field(
         VERTICES, gauss_curvature(mesh), dimension=-2, signed=True
     ),

@@ -33,15 +33,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array
+from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
-from scipy.sparse.linalg import splu
 
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.offset.parallelism import apply, edge_weights, factorised, projections
 
-_HARD = 1e10  # squared singular values of C far below its inverse count as zero
-_SOFT = 1e-2  # weight times planarity squared where faces are not planar
 _NORMAL = 1e-3  # pull to the vertex normal, decides what the edges leave open
 _PASSES = 10
 _CLOSED = 1e-14  # constraint residual at which more passes gain nothing
@@ -79,10 +77,10 @@ def torsion_free_axes(mesh: QuadMesh) -> Axes:
     connectivity = mesh.connectivity
     start, end = connectivity.edges.T
     direction = unit_rows(mesh.vertices[end] - mesh.vertices[start])
-    across = np.eye(3) - direction[:, :, None] * direction[:, None, :]
+    across = projections(direction)
     offsets = _filtered(mesh, across, _edge_normals(mesh, across))
 
-    heights = np.linalg.norm(_apply(across, offsets[start] + offsets[end]), axis=1) / 2
+    heights = np.linalg.norm(apply(across, offsets[start] + offsets[end]), axis=1) / 2
     component = _vertex_components(mesh)
     mean = _mean_by_label(heights, component[start], int(component.max()) + 1)
     offsets = offsets / mean[component][:, None]
@@ -100,18 +98,7 @@ def _edge_normals(mesh: QuadMesh, across: FloatArray) -> FloatArray:
     """(E, 3) mean unit normal of the faces at each edge, perpendicular to it."""
     faces = mesh.connectivity.edge_faces
     of_faces = np.vstack([mesh.face_normals, np.zeros((1, 3))])  # index -1: no face
-    return np.asarray(unit_rows(_apply(across, of_faces[faces[:, 0]] + of_faces[faces[:, 1]])))
-
-
-def _edge_weights(mesh: QuadMesh) -> FloatArray:
-    """(E,) weight of the constraint, lower where a face at the edge is not planar."""
-    corner = mesh.vertices[mesh.faces]
-    first, second = corner[:, 2] - corner[:, 0], corner[:, 3] - corner[:, 1]
-    distance = np.abs(np.einsum("fk,fk->f", corner[:, 1] - corner[:, 0], mesh.face_normals))
-    size = (np.linalg.norm(first, axis=1) + np.linalg.norm(second, axis=1)) / 2
-    planarity = np.append(distance / np.where(size > 0, size, 1.0), 0.0)
-    worst = planarity[mesh.connectivity.edge_faces].max(axis=1)
-    return np.asarray(_SOFT / np.maximum(worst, np.sqrt(_SOFT / _HARD)) ** 2)
+    return np.asarray(unit_rows(apply(across, of_faces[faces[:, 0]] + of_faces[faces[:, 1]])))
 
 
 def _filtered(mesh: QuadMesh, across: FloatArray, normals: FloatArray) -> FloatArray:
@@ -122,17 +109,7 @@ def _filtered(mesh: QuadMesh, across: FloatArray, normals: FloatArray) -> FloatA
     diagonal = np.eye(3) * pull[:, None, None]
     for ends in (start, end):
         np.add.at(diagonal, ends, across)
-    weight = _edge_weights(mesh)[:, None, None]
-    stiff = diagonal.copy()
-    for ends in (start, end):
-        np.add.at(stiff, ends, weight * across)
-    matrix = _block_matrix(stiff, -weight * across, start, end)
-    factors = splu(
-        matrix,
-        permc_spec="MMD_AT_PLUS_A",
-        diag_pivot_thresh=0.0,
-        options={"SymmetricMode": True},
-    )
+    factors = factorised(mesh, diagonal, edge_weights(mesh)[:, None, None] * across)
 
     right = mesh.vertex_normals * np.where(mesh.connectivity.referenced, _NORMAL, 0.0)[:, None]
     for ends in (start, end):
@@ -140,29 +117,13 @@ def _filtered(mesh: QuadMesh, across: FloatArray, normals: FloatArray) -> FloatA
     offsets = factors.solve(right.ravel()).reshape(count, 3)
     residual = np.inf
     for _ in range(_PASSES):
-        opening = _apply(across, offsets[end] - offsets[start])
+        opening = apply(across, offsets[end] - offsets[start])
         largest = max(float(np.abs(offsets).max()), np.finfo(float).tiny)
         previous, residual = residual, float(np.abs(opening).max()) / largest
         if residual <= _CLOSED or residual > previous / 2:
             break
-        offsets = factors.solve(_apply(diagonal, offsets).ravel()).reshape(count, 3)
+        offsets = factors.solve(apply(diagonal, offsets).ravel()).reshape(count, 3)
     return np.asarray(offsets)
-
-
-def _block_matrix(
-    diagonal: FloatArray, beside: FloatArray, start: IntArray, end: IntArray
-) -> csc_array:
-    """Symmetric sparse matrix of 3 x 3 blocks: ``diagonal`` (V, 3, 3), ``beside`` (E, 3, 3)."""
-    vertex = np.arange(len(diagonal))
-    row = np.concatenate([vertex, start, end])[:, None, None]
-    column = np.concatenate([vertex, end, start])[:, None, None]
-    blocks = np.concatenate([diagonal, beside, beside])
-    rows = np.broadcast_to(3 * row + np.arange(3)[:, None], blocks.shape)
-    columns = np.broadcast_to(3 * column + np.arange(3), blocks.shape)
-    size = 3 * len(diagonal)
-    return csc_array(
-        coo_array((blocks.ravel(), (rows.ravel(), columns.ravel())), shape=(size, size))
-    )
 
 
 def _vertex_components(mesh: QuadMesh) -> IntArray:
@@ -178,8 +139,3 @@ def _mean_by_label(values: FloatArray, label: IntArray, labels: int) -> FloatArr
     total = np.bincount(label, weights=values, minlength=labels)
     mean = total / np.maximum(np.bincount(label, minlength=labels), 1)
     return np.where(mean > 0, mean, 1.0)
-
-
-def _apply(blocks: FloatArray, vectors: FloatArray) -> FloatArray:
-    """(N, 3) product of each 3 x 3 block with its vector."""
-    return np.asarray(np.einsum("nij,nj->ni", blocks, vectors))

@@ -128,7 +128,10 @@ def smallest_bend_radius(strip: Strip, width: float) -> float:
             np.abs(step[:, 0] * inner[:, 1] - step[:, 1] * inner[:, 0])
             for step in (steps[:-1], steps[1:])
         )
+        if not len(inner):
+            break
+        # The face beyond the last bend is flat, whatever its end.
+        before[0], after[-1] = after[0], before[-1]
         room = np.maximum(0.5 * (before + after), 1e-300)
-        if len(room):
-            sharpest = max(sharpest, float((np.abs(strip.bends[1:-1]) / room).max()))
+        sharpest = max(sharpest, float((np.abs(strip.bends[1:-1]) / room).max()))
     return 1 / sharpest if sharpest > 1e-15 else np.inf

@@ -57,3 +57,9 @@ def test_equal_values_lie_in_the_middle():
 def test_no_values_at_all():
     scale = ColourScale.automatic(field([np.nan, np.nan]))
     assert scale.low < scale.high
+
+
+def test_a_range_the_wrong_way_round_still_has_labels():
+    scale = ColourScale.between(field([1.0], dimension=1), 100.0, 1.0)
+    assert scale.low < 100.0 < scale.high
+    assert len(scale.labels()) == 5

@@ -1,0 +1,116 @@
+"""Task panel that shows how far a net is from every kind of net."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from freecad_ortho import convert
+from freecad_ortho.commands import context
+from freecad_ortho.resources import icon
+from solver.analysis.check import check
+from solver.analysis.fields import RESIDUALS
+
+translate = FreeCAD.Qt.translate
+
+
+class CheckPanel:
+    """Measures, advice, and the recommendation; a double click shows a measure in colours."""
+
+    def __init__(self, net: FreeCAD.DocumentObject) -> None:
+        self._document, self._name = net.Document.Name, net.Name
+        self.result = check(convert.quad_mesh(net))
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(translate("Ortho", "Check"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("check")))
+        column = QtGui.QVBoxLayout(self.form)
+        self.summary = _wrapped(_summary(net.Label, self.result))
+        self.recommendation = _wrapped(self.result["advice"]["recommendation"])
+        self.measures = _table(
+            [translate("Ortho", "Measure"), translate("Ortho", "Worst"), translate("Ortho", "At")],
+            _measures(self.result),
+        )
+        self.measures.setToolTip(translate("Ortho", "Double click: show it in colours"))
+        self.measures.cellDoubleClicked.connect(self._show)
+        self.nets = _table(
+            [
+                translate("Ortho", "Net"),
+                translate("Ortho", "Distance"),
+                translate("Ortho", "Near?"),
+            ],
+            _advice(self.result),
+        )
+        for widget in (self.summary, self.recommendation, self.measures, self.nets):
+            column.addWidget(widget)
+
+    def getStandardButtons(self) -> int:
+        """Nothing is changed here, so there is nothing to cancel."""
+        return int(QtGui.QDialogButtonBox.Close)
+
+    def reject(self) -> bool:
+        """Close."""
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def _show(self, row: int, _: int) -> None:
+        name = self.measures.item(row, 0).text().capitalize()
+        if name in RESIDUALS and self._document in FreeCAD.listDocuments():
+            net = FreeCAD.getDocument(self._document).getObject(self._name)
+            if net is not None:
+                context.run("show_net", net, colour_map=name)
+
+
+def _summary(label: str, result: dict[str, Any]) -> str:
+    words = translate("Ortho", "{}: {} vertices, {} quads, {} irregular, edge ratio {:.2f}")
+    counts = (result["vertices"], result["faces"], result["irregular_vertices"])
+    return words.format(label, *counts, result["edge_ratio"])
+
+
+def _measures(result: dict[str, Any]) -> list[list[str]]:
+    rows = []
+    for name, entry in result["measures"].items():
+        place = "" if entry["worst"] is None else f"{entry['where']} {entry['worst']}"
+        rows.append([name, f"{entry['max']:.1e}", place])
+    return rows
+
+
+def _advice(result: dict[str, Any]) -> list[list[str]]:
+    yes, no = translate("Ortho", "yes"), translate("Ortho", "no")
+    rows = []
+    for advice in result["advice"]["nets"]:
+        title = advice["net"]
+        if advice["diagonal"]:
+            title = translate("Ortho", "{}, diagonal").format(title)
+        rows.append([title, f"{advice['distance']:.1e}", yes if advice["possible"] else no])
+    return rows
+
+
+def _wrapped(text: str) -> QtGui.QLabel:
+    label = QtGui.QLabel(text)
+    label.setWordWrap(True)
+    return label
+
+
+def _table(titles: list[str], rows: list[list[str]]) -> QtGui.QTableWidget:
+    table = QtGui.QTableWidget(len(rows), len(titles))
+    table.setHorizontalHeaderLabels(titles)
+    table.verticalHeader().hide()
+    table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+    for i, row in enumerate(rows):
+        for j, text in enumerate(row):
+            item = QtGui.QTableWidgetItem(text)
+            if j == 1:
+                item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+            table.setItem(i, j, item)
+    line = table.fontMetrics().height() + 6
+    table.verticalHeader().setMinimumSectionSize(line)
+    table.verticalHeader().setDefaultSectionSize(line)
+    table.resizeColumnsToContents()
+    table.horizontalHeader().setStretchLastSection(True)
+    # All rows at once: scrolling inside a task panel that scrolls itself is a nuisance.
+    table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+    table.setMinimumHeight(line * len(rows) + table.horizontalHeader().height() + 24)
+    return table

@@ -1,0 +1,185 @@
+"""Colours, overlays, check and pictures in FreeCAD's window. Run by FreeCAD."""
+
+import unittest
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import ortho_suite_tools as tools
+from ortho_suite_tools import press, wait
+from PySide import QtGui
+
+from freecad_ortho import api
+from freecad_ortho.commands import dialogs, messages
+from freecad_ortho.panels import check_panel, display_panel
+from solver.errors import InputError
+
+
+class AnalyseCase(unittest.TestCase):
+    def setUp(self):
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        self.lines, self.errors, self.panel = [], [], None
+        self.watch(messages, "show_error", self.errors.append)
+        run = FreeCADGui.doCommand
+
+        def recorded(line):
+            self.lines.append(line)
+            run(line)
+
+        self.watch(FreeCADGui, "doCommand", recorded)
+        self.net = api.import_net(tools.wavy_mesh())
+        self.document = self.net.Document
+        self.document.UndoMode = 1
+        FreeCADGui.ActiveDocument.ActiveView.fitAll()
+        wait()
+
+    def watch(self, target, name, replacement):
+        patch = mock.patch.object(target, name, replacement)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def tearDown(self):
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        tools.close_all()
+        wait()
+
+    def opened(self, command, module, name):
+        make = getattr(module, name)
+
+        def kept(net):
+            self.panel = make(net)
+            return self.panel
+
+        with mock.patch.object(module, name, kept):
+            FreeCADGui.runCommand(command)
+        wait()
+        return self.panel
+
+    def picture(self, name, width=300, height=200):
+        path = str(tools.SCRATCH / f"{name}.png")
+        FreeCADGui.ActiveDocument.ActiveView.saveImage(path, width, height, "White")
+        image = QtGui.QImage(path)
+        self.assertEqual((image.width(), image.height()), (width, height))
+        return bytes(image.constBits())
+
+
+class TestDisplay(AnalyseCase):
+    def panel_of_display(self):
+        return self.opened("Ortho_Display", display_panel, "DisplayPanel")
+
+    def test_what_is_chosen_is_shown_at_once_and_recorded_once(self):
+        before = self.picture("before")
+        panel = self.panel_of_display()
+        panel.colour_map.widget.setCurrentText("Edge length")
+        panel.overlays["Diagonals"].setChecked(True)
+        self.assertNotEqual(self.picture("chosen"), before)
+        self.assertEqual(self.lines, [])
+        press("Ok")
+        self.assertEqual(self.net.ColourMap, "Edge length")
+        self.assertTrue(self.net.ViewObject.Diagonals)
+        lines = [line for line in self.lines if "show_net" in line]
+        self.assertEqual(len(lines), 1)
+        self.net.ColourMap = "None"
+        self.net.ViewObject.Diagonals = False
+        exec(lines[0], {"freecad_ortho": __import__("freecad_ortho.api"), "FreeCAD": FreeCAD})
+        self.assertEqual(self.net.ColourMap, "Edge length")
+        self.assertTrue(self.net.ViewObject.Diagonals)
+
+    def test_cancel_leaves_nothing_behind(self):
+        steps = self.document.UndoCount
+        before = self.picture("before")
+        panel = self.panel_of_display()
+        panel.colour_map.widget.setCurrentText("Gauss curvature")
+        panel.overlays["Axes"].setChecked(True)
+        panel.overlays["ReflectionLines"].setChecked(True)
+        press("Cancel")
+        self.assertEqual(self.picture("after"), before)
+        self.assertEqual(self.document.UndoCount, steps)
+
+    def test_a_range_can_be_set_and_half_a_range_is_refused(self):
+        panel = self.panel_of_display()
+        panel.colour_map.widget.setCurrentText("Edge length")
+        panel.low.widget.setText("100")
+        press("Ok")
+        self.assertIn("give both numbers", self.errors.pop())
+        panel.high.widget.setText("2500")
+        press("Ok")
+        view = self.net.ViewObject
+        self.assertEqual(
+            (view.AutomaticRange, view.LowestValue, view.HighestValue), (False, 100.0, 2500.0)
+        )
+        api.show_net(self.net, "Planarity", value_range=(-8, -2))
+        self.assertEqual((view.LowestDecade, view.HighestDecade), (-8, -2))
+
+    def test_unknown_names_are_refused_and_nothing_changes(self):
+        before = self.picture("before")
+        for wrong in (
+            {"colour_map": "Beauty"},
+            {"overlays": ["Beauty"]},
+            {"value_range": (2.0, 1.0)},
+        ):
+            with self.assertRaises(InputError):
+                api.show_net(self.net, **wrong)
+        self.assertEqual(self.picture("after"), before)
+
+    def test_every_overlay_shows_and_hides(self):
+        from freecad_ortho.view.net_properties import OVERLAY_NAMES
+
+        plain = self.picture("plain")
+        seen = {plain}
+        shown = [name for name in OVERLAY_NAMES if name != "IrregularVertices"]
+        for name in shown:
+            setattr(self.net.ViewObject, name, True)
+            seen.add(self.picture(name))
+            setattr(self.net.ViewObject, name, False)
+        self.assertEqual(len(seen), len(shown) + 1)
+        self.assertEqual(self.picture("plain again"), plain)
+
+    def test_overlays_follow_the_net_and_survive_a_reload(self):
+        api.show_net(self.net, "None", overlays=["Axes", "Forces"])
+        before = self.picture("before")
+        moved = [point * 1.0 for point in self.net.Vertices]
+        moved[20].z += 1500.0
+        self.net.Vertices = moved
+        after = self.picture("after")
+        self.assertNotEqual(after, before)
+        path = str(tools.SCRATCH / "overlays.FCStd")
+        self.document.saveAs(path)
+        tools.close_all()
+        again = FreeCAD.openDocument(path)
+        wait()
+        view = again.getObject(self.net_name()).ViewObject
+        self.assertTrue(view.Axes and view.Forces)
+        self.assertFalse(view.Diagonals)
+
+    def net_name(self):
+        return "Net"
+
+
+class TestCheck(AnalyseCase):
+    def test_measures_and_advice_are_listed(self):
+        panel = self.opened("Ortho_Check", check_panel, "CheckPanel")
+        names = [panel.measures.item(row, 0).text() for row in range(panel.measures.rowCount())]
+        self.assertEqual(names, list(panel.result["measures"]))
+        self.assertGreater(panel.nets.rowCount(), 5)
+        self.assertIn("optimise for", panel.recommendation.text())
+        row = names.index("orthogonality")
+        panel.measures.cellDoubleClicked.emit(row, 0)
+        self.assertEqual(self.net.ColourMap, "Orthogonality")
+        press("Close")
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+
+class TestPicture(AnalyseCase):
+    def test_saved_at_the_size_asked_for_as_the_view_shows_it(self):
+        path = str(tools.SCRATCH / "saved.png")
+        with mock.patch.object(dialogs, "ask_picture", lambda: (path, 640, 320)):
+            FreeCADGui.runCommand("Ortho_SavePicture")
+        image = QtGui.QImage(path)
+        self.assertEqual((image.width(), image.height()), (640, 320))
+        self.assertEqual(len([line for line in self.lines if "save_picture" in line]), 1)
+
+    def test_an_impossible_size_is_refused(self):
+        with self.assertRaises(InputError):
+            api.save_picture(str(tools.SCRATCH / "no.png"), width=0)
