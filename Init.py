@@ -3,8 +3,13 @@
 import FreeCAD
 
 import freecad_ortho
+from freecad_ortho import packages
 
-freecad_ortho.use_own_packages()
+freecad_ortho.use_own_packages(
+    packages.add_on_folder(
+        FreeCAD.getUserAppDataDir(), tuple(int(part) for part in FreeCAD.Version()[:2])
+    )
+)
 if freecad_ortho.shadowing_module():
     FreeCAD.Console.PrintError(freecad_ortho.shadowing_module() + "\n")
 FreeCAD.addImportType("Quad mesh (*.obj)", "freecad_ortho.commands.open_file")

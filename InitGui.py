@@ -9,9 +9,13 @@ class OrthoWorkbench(FreeCADGui.Workbench):
     def __init__(self):
         from FreeCAD import Qt
 
-        from freecad_ortho.resources import icon
+        from freecad_ortho import resources
 
-        self.__class__.Icon = icon("workbench")
+        FreeCADGui.addLanguagePath(resources.TRANSLATIONS)
+        FreeCADGui.updateLocale()
+        FreeCADGui.addIcon("preferences-ortho", resources.icon("workbench"))
+        FreeCADGui.addPreferencePage(resources.form("preferences"), "Ortho")
+        self.__class__.Icon = resources.icon("workbench")
         self.__class__.MenuText = Qt.translate("Workbench", "Ortho")
         self.__class__.ToolTip = Qt.translate(
             "Workbench", "Turn freeform quad meshes into buildings of flat beams and panels"
@@ -24,10 +28,12 @@ class OrthoWorkbench(FreeCADGui.Workbench):
         from freecad_ortho import commands
         from freecad_ortho.commands import requirements
 
+        menu = Qt.translate("Workbench", "&Ortho")
         try:
             commands.register()
         except ImportError as error:
             requirements.say_unusable(error)
+            self.appendMenu(menu, commands.HELP)
             return
         titles = {
             "Design": Qt.translate("Workbench", "Ortho Design"),
@@ -35,18 +41,19 @@ class OrthoWorkbench(FreeCADGui.Workbench):
             "Analyse": Qt.translate("Workbench", "Ortho Analyse"),
             "Fabricate": Qt.translate("Workbench", "Ortho Fabricate"),
         }
-        menu = Qt.translate("Workbench", "&Ortho")
         for toolbar, title in titles.items():
             names = commands.names(toolbar)
             if names:
                 self.appendToolbar(title, names)
                 self.appendMenu(menu, [*names, "Separator"])
+        self.appendMenu([menu, Qt.translate("Workbench", "&Examples")], commands.examples())
+        self.appendMenu(menu, commands.HELP)
 
     def Activated(self):
-        """Say at once when something that a part of the commands needs is missing."""
+        """Offer at once to install what a part of the commands needs and is missing."""
         from freecad_ortho.commands import requirements
 
-        requirements.say_missing()
+        requirements.offer_missing()
 
     def GetClassName(self):
         """Name the C++ class that carries a workbench written in Python."""

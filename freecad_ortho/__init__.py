@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from abc import ABCMeta
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -12,13 +11,21 @@ __version__ = "0.1.0"
 _HOME = Path(__file__).resolve().parents[1]
 
 
-def use_own_packages() -> None:
+def use_own_packages(add_on_folder: Path | None = None) -> None:
     """Put the packages of the project's own ``.venv`` first on Python's path, if it fits.
 
     ``scripts/setup.sh`` makes that environment for FreeCAD's Python. FreeCAD with a window empties
     PYTHONPATH when it starts, so it has to be found from here.
+
+    Args:
+        add_on_folder: where FreeCAD installs packages for add-ons; takes the place of ``.venv``
+            when cadquery is in there. FreeCAD has it last on the path, behind older packages of
+            the system that newer ones cannot work with.
     """
     packages = packages_in(_HOME / ".venv")
+    if packages is None and add_on_folder is not None and (add_on_folder / "cadquery").is_dir():
+        packages = add_on_folder
+        sys.path[:] = [path for path in sys.path if path != str(packages)]
     if packages is not None and str(packages) not in sys.path:
         sys.path.insert(0, str(packages))
 
@@ -40,17 +47,6 @@ def packages_in(environment: Path) -> Path | None:
         if any(value.startswith(version + ".") for value in values):
             return packages
     return None
-
-
-def mend_class_checks() -> None:
-    """Let ``isinstance`` work again with protocols that have attributes.
-
-    PySide2, when it is loaded, gives everything that ``typing`` imported the module name "typing",
-    among it two methods of ``ABCMeta``. From Python 3.12 on ``typing`` asks for that name to know
-    who is calling, and refuses such checks with a TypeError (FreeCAD 1.0 with Qt 5).
-    """
-    for method in (ABCMeta.__instancecheck__, ABCMeta.__subclasscheck__):
-        method.__module__ = "abc"
 
 
 def shadowing_module() -> str | None:

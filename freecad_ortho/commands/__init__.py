@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from freecad_ortho.commands.command import Command
@@ -16,20 +16,44 @@ TOOLBARS = {
 }
 
 
+# At the end of the menu, and there even where nothing else can be loaded.
+HELP = ["Ortho_InstallPackages"]
+
+
 def names(toolbar: str) -> list[str]:
     """FreeCAD's names of the commands of a toolbar."""
     return [f"Ortho_{name}" for name in TOOLBARS[toolbar]]
 
 
+def examples() -> list[str]:
+    """FreeCAD's names of the commands that open examples."""
+    from freecad_ortho.documents.examples import EXAMPLES
+
+    return [f"Ortho_Example_{name}" for name in EXAMPLES]
+
+
 def register() -> None:
-    """Make the commands known to FreeCAD; doing it again changes nothing."""
+    """Make the commands known to FreeCAD; doing it again changes nothing.
+
+    Raises:
+        ImportError: a Python package is missing; only the commands of ``HELP`` are known then.
+    """
+    from freecad_ortho.commands.install_packages import InstallPackages
+
+    _add("Ortho_InstallPackages", InstallPackages())
+    for command in _commands():
+        _add(f"Ortho_{type(command).__name__}", command)
+    from freecad_ortho.commands.open_example import OpenExample
+
+    for name in examples():
+        _add(name, OpenExample(name.removeprefix("Ortho_Example_")))
+
+
+def _add(name: str, command: Any) -> None:
     import FreeCADGui
 
-    known = set(FreeCADGui.listCommands())
-    for command in _commands():
-        name = f"Ortho_{type(command).__name__}"
-        if name not in known:
-            FreeCADGui.addCommand(name, command)
+    if name not in FreeCADGui.listCommands():
+        FreeCADGui.addCommand(name, command)
 
 
 def _commands() -> list[Command]:

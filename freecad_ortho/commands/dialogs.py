@@ -8,9 +8,9 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-translate = FreeCAD.Qt.translate
+from freecad_ortho import preferences
 
-_PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Ortho"
+translate = FreeCAD.Qt.translate
 
 
 def ask_mesh_file() -> str | None:
@@ -58,12 +58,12 @@ def ask_picture() -> tuple[str, int, int] | None:
 
 
 def _last_folder() -> str:
-    return FreeCAD.ParamGet(_PREFERENCES).GetString("LastFolder", "")
+    return preferences.group().GetString("LastFolder", "")
 
 
 def _remember(path: str) -> str | None:
     if not path:
         return None
     folder = path if os.path.isdir(path) else os.path.dirname(path)
-    FreeCAD.ParamGet(_PREFERENCES).SetString("LastFolder", folder)
+    preferences.group().SetString("LastFolder", folder)
     return path

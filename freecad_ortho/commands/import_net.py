@@ -5,6 +5,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from freecad_ortho import preferences
 from freecad_ortho.commands import context, dialogs, messages
 from freecad_ortho.commands.command import Command
 
@@ -24,5 +25,6 @@ class ImportNet(Command):
         if path is None:
             return
         with messages.errors_shown():
-            context.run("import_net", path)
+            unit = preferences.import_unit()
+            context.run("import_net", path, **({"unit": unit} if unit else {}))
             FreeCADGui.SendMsgToActiveView("ViewFit")

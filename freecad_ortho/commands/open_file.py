@@ -21,10 +21,10 @@ def open(filename: str) -> FreeCAD.Document | None:
 
 def insert(filename: str, document_name: str) -> bool:
     """Import a mesh file into a document as a Net; True when it worked."""
-    from freecad_ortho import documents
+    from freecad_ortho import documents, preferences
 
     try:
-        documents.import_net(filename, document_name)
+        documents.import_net(filename, document_name, preferences.import_unit())
     except OrthoError as error:
         _tell(str(error))
         return False

@@ -6,6 +6,7 @@ as it was.
 """
 
 from freecad_ortho.documents.display import show_net
+from freecad_ortho.documents.examples import open_example
 from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
 from freecad_ortho.documents.pictures import save_picture
 from freecad_ortho.documents.sources import (
@@ -36,6 +37,7 @@ __all__ = [
     "import_net",
     "keep_outcome",
     "net_from_faces",
+    "open_example",
     "optimise_net",
     "quads_from_mesh",
     "save_picture",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import FreeCAD
 
-from freecad_ortho import convert, mend_class_checks
+from freecad_ortho import convert
 from freecad_ortho.documents.common import document_or_new, require_net, transaction
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.units import millimetres_per
@@ -75,7 +75,6 @@ def optimise_net(target: FreeCAD.DocumentObject, /, close_to: Any = None, **sett
     from freecad_ortho import api
 
     require_net(target)
-    mend_class_checks()
     mesh = convert.quad_mesh(target)
     if close_to is not None:
         settings["constraints"] = _close_to(close_to, settings.get("constraints"))

@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from freecad_ortho import convert, documents, mend_class_checks
+from freecad_ortho import convert, documents, preferences
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.structure import is_structure
 from freecad_ortho.panels.fields import ChoiceField, NumberField
@@ -70,7 +70,12 @@ class OptimisePanel:
             "tolerance": self.tolerance.number,
         }
         settings = {name: value for name, value in chosen.items() if value is not None}
-        return {"net": self.net_type.word, "fix": self.fix.word, **settings}
+        return {
+            "net": self.net_type.word,
+            "fix": self.fix.word,
+            **settings,
+            **preferences.solver_settings(),
+        }
 
     def accept(self) -> bool:
         """Keep what has been reached, as one undo step and one line of a macro."""
@@ -114,7 +119,6 @@ class OptimisePanel:
     def _begin(self, settings: dict[str, Any]) -> None:
         from freecad_ortho import api
 
-        mend_class_checks()
         self._settings = settings
         self._mesh = convert.quad_mesh(self.net)
         self.run = Run(api.start_optimisation(self._mesh, **settings), self._stepped, self._ended)

@@ -8,6 +8,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from freecad_ortho import preferences
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.panels.fields import NARROW, ChoiceField, LengthField, offset_words
@@ -66,8 +67,8 @@ class BeamsPanel(_StructurePanel):
 
     def __init__(self, net: FreeCAD.DocumentObject) -> None:
         super().__init__(net, translate("Ortho", "Beams"), "beams")
-        self.height = LengthField(200.0)
-        self.thickness = LengthField(12.0)
+        self.height = LengthField(preferences.length("BeamHeight"))
+        self.thickness = LengthField(preferences.length("BeamThickness"))
         self.offset = ChoiceField(offset_words(), "centre")
         self.fields.addRow(translate("Ortho", "Height"), self.height.widget)
         self.fields.addRow(translate("Ortho", "Thickness"), self.thickness.widget)
@@ -89,8 +90,8 @@ class PanelsPanel(_StructurePanel):
 
     def __init__(self, net: FreeCAD.DocumentObject) -> None:
         super().__init__(net, translate("Ortho", "Panels"), "panels")
-        self.thickness = LengthField(12.0)
-        self.gap = LengthField(10.0)
+        self.thickness = LengthField(preferences.length("PanelThickness"))
+        self.gap = LengthField(preferences.length("PanelGap"))
         self.offset = ChoiceField(offset_words(), "above")
         self._beams = _beams_on(net)
         self.on_beams = QtGui.QComboBox()

@@ -5,8 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 _FOLDER = Path(__file__).resolve().parent
+TRANSLATIONS = str(_FOLDER / "translations")
 
 
 def icon(name: str) -> str:
     """Give the path of the icon ``name`` (without the ending)."""
     return str(_FOLDER / "icons" / f"{name}.svg")
+
+
+def form(name: str) -> str:
+    """Give the path of the Qt form ``name`` (without the ending)."""
+    return str(_FOLDER / f"{name}.ui")

@@ -8,7 +8,7 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_ortho import convert
+from freecad_ortho import convert, preferences
 from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon
 from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
@@ -46,6 +46,7 @@ class NetView(Stateless):
 
     def __init__(self, view_object: Any) -> None:
         ensure(view_object, PROPERTIES)
+        view_object.FaceColor = preferences.colour("NetColour")
         view_object.Proxy = self
         # A selected net keeps the colours of its faces; a frame says that it is selected.
         view_object.SelectionStyle = "BoundBox"

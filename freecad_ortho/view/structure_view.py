@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from freecad_ortho import preferences
 from freecad_ortho.objects.properties import Stateless
 from freecad_ortho.resources import icon
-
-_STEEL = (0.58, 0.63, 0.69)
-_GLASS = (0.62, 0.80, 0.88)
 
 
 class StructureView(Stateless):
@@ -17,7 +15,7 @@ class StructureView(Stateless):
     def __init__(self, view_object: Any) -> None:
         view_object.Proxy = self
         panels = view_object.Object.System == "Panels"
-        view_object.ShapeColor = _GLASS if panels else _STEEL
+        view_object.ShapeColor = preferences.colour("PanelColour" if panels else "BeamColour")
         # What carries the panels stays visible through them, in per cent.
         view_object.Transparency = 40 if panels else 0
         view_object.LineColor = (0.27, 0.31, 0.36)

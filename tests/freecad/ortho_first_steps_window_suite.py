@@ -1,0 +1,269 @@
+"""The first steps of a user: examples, preferences, languages, installing packages. By FreeCAD."""
+
+import sys
+import unittest
+import zipfile
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import ortho_suite_tools as tools
+from ortho_suite_tools import press, wait
+from PySide import QtCore, QtGui
+
+from freecad_ortho import api, commands, packages, preferences, resources
+from freecad_ortho.commands import dialogs, messages, requirements
+from freecad_ortho.documents.examples import EXAMPLES
+from freecad_ortho.objects.net import is_net
+from freecad_ortho.panels import installer
+from solver.errors import InputError
+
+PREFIX = "Ortho_Example_"
+
+
+class FirstStepsCase(unittest.TestCase):
+    def setUp(self):
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        self.errors = []
+        patch = mock.patch.object(messages, "show_error", self.errors.append)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def tearDown(self):
+        self.assertEqual(self.errors, [])
+        tools.close_all()
+        wait()
+
+
+class TestExamples(FirstStepsCase):
+    def test_each_opens_from_the_menu_and_is_recorded(self):
+        self.assertGreaterEqual(len(EXAMPLES), 5)
+        for command in commands.examples():
+            with self.subTest(command):
+                self.assertEqual(
+                    self.recorded(command),
+                    [f"freecad_ortho.api.open_example({command.removeprefix(PREFIX)!r})"],
+                )
+                self.check(FreeCAD.ActiveDocument)
+                tools.close_all()
+
+    def recorded(self, command):
+        lines, run = [], FreeCADGui.doCommand
+
+        def record(line):
+            lines.append(line)
+            run(line)
+
+        with mock.patch.object(FreeCADGui, "doCommand", record):
+            FreeCADGui.runCommand(command)
+        wait()
+        return lines
+
+    def check(self, document):
+        nets = [item for item in document.Objects if is_net(item)]
+        self.assertTrue(nets)
+        self.assertEqual(document.UndoCount, 0)
+        for item in document.Objects:
+            self.assertEqual(item.State, ["Up-to-date"])
+            if hasattr(item, "Shape"):
+                self.assertTrue(all(solid.isValid() for solid in item.Shape.Solids))
+        path = str(tools.SCRATCH / f"example-{document.Name}.png")
+        FreeCADGui.activeDocument().activeView().saveImage(path, 800, 500, "White")
+        self.assertGreater(QtGui.QImage(path).width(), 0)
+
+    def test_an_unknown_one_is_said(self):
+        with self.assertRaisesRegex(InputError, "expected one of Roof"):
+            api.open_example("Castle")
+        self.assertFalse(FreeCAD.listDocuments())
+
+    def test_one_that_fails_leaves_no_document(self):
+        def fail(document):
+            raise InputError("no")
+
+        broken = {"Broken": mock.Mock(title="Broken", tip="", build=fail)}
+        with mock.patch.dict(EXAMPLES, broken), self.assertRaises(InputError):
+            api.open_example("Broken")
+        self.assertFalse(FreeCAD.listDocuments())
+
+
+class TestPreferences(FirstStepsCase):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(self.forget)
+
+    def forget(self):
+        for name in (*preferences.LENGTHS, "ImportUnit", "SparseSolver"):
+            preferences.group().RemFloat(name)
+            preferences.group().RemInt(name)
+        for name in preferences.COLOURS:
+            preferences.group().RemUnsigned(name)
+        preferences.group().RemBool("AskForPackages")
+
+    def page(self):
+        return FreeCADGui.PySideUic.loadUi(resources.form("preferences"))
+
+    def test_the_page_begins_with_the_values_of_the_code(self):
+        page = self.page()
+        for name, value in preferences.LENGTHS.items():
+            self.assertEqual(page.findChild(QtGui.QWidget, name).property("rawValue"), value)
+        for name, value in preferences.COLOURS.items():
+            colour = page.findChild(QtGui.QWidget, name).property("color")
+            for shown, wanted in zip(colour.getRgbF()[:3], value, strict=True):
+                self.assertAlmostEqual(shown, wanted, delta=1 / 255)
+        for name, choices in (
+            ("ImportUnit", preferences.IMPORT_UNITS),
+            ("SparseSolver", preferences.SPARSE_SOLVERS),
+        ):
+            box = page.findChild(QtGui.QComboBox, name)
+            shown = [box.itemText(k) for k in range(box.count())]
+            self.assertEqual(shown[1:], list(choices[1:]))
+        page.deleteLater()
+
+    def test_what_is_chosen_on_the_page_is_what_the_code_reads(self):
+        self.filled = False
+        QtCore.QTimer.singleShot(500, self.fill_page)
+        FreeCADGui.showPreferences("Ortho")
+        self.assertTrue(self.filled)
+        self.assertEqual(preferences.length("BeamHeight"), 333.0)
+        self.assertEqual(preferences.length("PanelGap"), 10.0)
+        self.assertEqual(preferences.import_unit(), "m")
+        self.assertEqual(preferences.solver_settings(), {"backend": "scipy"})
+        for shown, wanted in zip(preferences.colour("NetColour"), (1.0, 0.2, 0.0), strict=True):
+            self.assertAlmostEqual(shown, wanted, places=6)
+        self.assertFalse(preferences.asks_for_packages())
+
+    def fill_page(self):
+        """Fill FreeCAD's preference dialog, which waits for an answer, and press OK."""
+        dialog = QtGui.QApplication.activeModalWidget()
+        try:
+            picture = str(tools.SCRATCH / "preferences.png")
+            dialog.grab().save(picture)
+            dialog.findChild(QtGui.QWidget, "BeamHeight").setProperty("rawValue", 333.0)
+            dialog.findChild(QtGui.QComboBox, "ImportUnit").setCurrentIndex(3)
+            dialog.findChild(QtGui.QComboBox, "SparseSolver").setCurrentIndex(2)
+            red = QtGui.QColor(255, 51, 0)
+            dialog.findChild(QtGui.QWidget, "NetColour").setProperty("color", red)
+            dialog.findChild(QtGui.QCheckBox, "AskForPackages").setChecked(False)
+            self.filled = True
+        finally:
+            buttons = dialog.findChild(QtGui.QDialogButtonBox)
+            buttons.button(QtGui.QDialogButtonBox.Ok).click()
+
+    def test_every_preference_is_used(self):
+        group = preferences.group()
+        for number, name in enumerate(preferences.LENGTHS):
+            group.SetFloat(name, 31.0 + number)
+        group.SetInt("ImportUnit", preferences.IMPORT_UNITS.index("cm"))
+        for name in preferences.COLOURS:
+            group.SetUnsigned(name, 0x336699FF)
+        with mock.patch.object(dialogs, "ask_mesh_file", lambda: tools.wavy_mesh()):
+            FreeCADGui.runCommand("Ortho_ImportNet")
+        document = FreeCAD.ActiveDocument
+        self.assertEqual(document.Net.Unit, "cm")
+        group.SetInt("ImportUnit", 0)
+        document.Net.Vertices = [point * 0.1 for point in document.Net.Vertices]
+        for command in ("Ortho_Beams", "Ortho_Panels"):
+            FreeCADGui.runCommand(command)
+            wait()
+            press("Ok")
+        beams, panels = document.Beams, document.Panels
+        sizes = [beams.Height, beams.Thickness, panels.Thickness, panels.Gap]
+        self.assertEqual([size.Value for size in sizes], [31.0, 32.0, 33.0, 34.0])
+        for view, name in (
+            (document.Net.ViewObject, "FaceColor"),
+            (beams.ViewObject, "ShapeColor"),
+            (panels.ViewObject, "ShapeColor"),
+        ):
+            for shown, wanted in zip(getattr(view, name), (0.2, 0.4, 0.6), strict=False):
+                self.assertAlmostEqual(shown, wanted, places=5)
+
+
+def wheel(folder, name):
+    """Write an installable package that holds one number."""
+    folder.mkdir(parents=True, exist_ok=True)
+    info = f"{name}-1.0.dist-info"
+    with zipfile.ZipFile(folder / f"{name}-1.0-py3-none-any.whl", "w") as archive:
+        archive.writestr(f"{name}.py", "answer = 42\n")
+        archive.writestr(f"{info}/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
+        archive.writestr(f"{info}/WHEEL", "Wheel-Version: 1.0\nTag: py3-none-any\n")
+        archive.writestr(f"{info}/RECORD", "")
+    return folder
+
+
+class TestInstaller(FirstStepsCase):
+    """With packages from a folder of the test's own, in place of an index."""
+
+    def setUp(self):
+        super().setUp()
+        self.source = wheel(tools.SCRATCH / "wheels", "ortho_probe")
+        self.target = tools.SCRATCH / self.id().rpartition(".")[2]
+        settings = {
+            "PIP_NO_INDEX": "1",
+            "PIP_FIND_LINKS": str(self.source),
+            "PIP_CONFIG_FILE": "/dev/null",
+        }
+        patch = mock.patch.dict("os.environ", settings)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def window(self, *names):
+        python = tools.ROOT / ".venv" / "bin" / "python"
+        window = installer.Installer(list(names), self.target, python)
+        self.addCleanup(window.close)
+        window.show()
+        return window
+
+    def test_installs_into_the_folder_and_python_finds_it(self):
+        window = self.window("ortho_probe")
+        self.assertIn("ortho_probe", window.message.text())
+        window.install()
+        self.assertTrue(window.running)
+        self.assertTrue(wait(lambda: not window.running, 60))
+        self.assertTrue((self.target / "ortho_probe.py").is_file(), window.message.text())
+        self.assertIn("Installed", window.message.text())
+
+    def test_says_why_it_failed(self):
+        window = self.window("ortho_no_such_package")
+        window.install()
+        self.assertTrue(wait(lambda: not window.running, 60))
+        self.assertIn("ortho_no_such_package", window.message.text())
+        self.assertFalse(self.target.exists())
+
+    def test_stop_leaves_nothing(self):
+        window = self.window("ortho_probe")
+        window.install()
+        window.reject()
+        self.assertTrue(wait(lambda: not window.running, 10))
+        self.assertIn("Nothing was installed", window.message.text())
+        self.assertTrue(window.isVisible())
+        self.assertFalse(self.target.exists())
+
+    def test_without_python_it_says_what_to_do(self):
+        window = self.window("ortho_probe")
+        window.python = None
+        with mock.patch.object(installer, "own_python", lambda: None):
+            window.install()
+        self.assertIn("Install pip", window.message.text())
+        self.assertFalse(window.running)
+
+    def test_offered_once_and_only_when_something_is_missing(self):
+        shown = []
+        with (
+            mock.patch.object(requirements, "show_installer", shown.append),
+            mock.patch.object(requirements, "_offered", False),
+        ):
+            requirements.offer_missing()
+            self.assertEqual(shown, [])
+            with mock.patch.object(packages, "missing", lambda: ["cadquery"]):
+                requirements.offer_missing()
+                requirements.offer_missing()
+                self.assertEqual(shown, [["cadquery"]])
+                self.assertTrue(FreeCADGui.isCommandActive("Ortho_InstallPackages"))
+        self.assertFalse(FreeCADGui.isCommandActive("Ortho_InstallPackages"))
+
+    def test_packages_go_where_freecad_looks(self):
+        folder = requirements.add_on_folder()
+        self.assertTrue(str(folder).startswith(FreeCAD.getUserAppDataDir()))
+        python = f"py{sys.version_info.major}{sys.version_info.minor}"
+        old = tuple(int(part) for part in FreeCAD.Version()[:2]) < (0, 21)
+        self.assertEqual(folder.name, "AdditionalPythonPackages" if old else python)
