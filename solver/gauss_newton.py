@@ -24,9 +24,11 @@ from solver.damped_step import DAMPING_START, Stepper
 from solver.linear import default_backend, symmetric_solver
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
+from solver.relaxation import Relaxation
 from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
 from solver.terms.base import FollowingTerm, Linearisation, Term, follows
+from solver.terms.pull import Pull
 
 _FADE = 0.3
 _FADE_END = 1e-12
@@ -38,6 +40,9 @@ _PATIENCE = 25
 _WORTH = 0.8
 # Of so many attempts that reached the net, though with short edges or creases, the best is taken.
 _ENOUGH = 2
+# Handles are followed with the guides at this factor, where the mesh is nearly a net, until the
+# largest move is this small: what follows depends on where the handles are, not on the way there.
+_HOLD, _REST, _HOLD_STEPS, _HOLD_DAMPING = 3e-3, 1e-10, 250, 1e-9
 # Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
 _MARGIN = 1e-2
 
@@ -54,6 +59,8 @@ class _State:
     worst_before: float = np.inf
     last_worst: float = 0.0
     idle: int = 0
+    held: int = 0
+    rested: bool = False
 
     @property
     def slow(self) -> bool:
@@ -94,6 +101,7 @@ class Optimisation:
         self._turn, self._attempt, self.attempts = 0, 1, 1
         self._best: Candidate | None = None
         self._solved = 0
+        self.restless = False
         self._prepare()
         self.seconds_setup = time.perf_counter() - begin
         if not self.problem.free.any():
@@ -134,31 +142,21 @@ class Optimisation:
         """
         if self.finished:
             raise RuntimeError("the optimisation has finished; start a new one")
-        record = self.nudge()
-        state = self._state
-        state.fade *= _FADE
-        if state.fade < _FADE_END or record.worst < _NEAR:
-            state.fade = 0.0
-        self._decide(record)
+        record = self.advance()
+        if not self.holding:
+            self._decide(record)
         return record
 
-    def nudge(self, fade: float | None = None) -> StepRecord:
-        """Take one step with the guides at ``fade``, by default where the schedule stands.
-
-        For live editing: the schedule does not move on, and the optimisation never finishes by it.
-        """
+    def advance(self) -> StepRecord:
+        """Take one step without asking whether it was the last: for live editing."""
         begin = time.perf_counter()
         state = self._state
-        used = state.fade if fade is None else fade
-        damping = state.damping
-        step = self._stepper.step(
-            self._terms,
-            state.x,
-            state.linearisations,
-            self._weights(used),
-            damping,
-            bend=state.slow,
-        )
+        used, damping = state.fade, state.damping
+        system = (self._terms, state.x, state.linearisations, self._weights(used), damping)
+        if self.holding and state.held:
+            step = self._relaxation.step(*system)
+        else:
+            step = self._stepper.step(*system, bend=state.slow)
         state.x, state.linearisations, state.damping = step.x, step.linearisations, step.damping
         if step.stuck:
             state.idle = _PATIENCE
@@ -176,7 +174,36 @@ class Optimisation:
         )
         self.history.append(record)
         state.worst_before, state.last_worst = state.last_worst, record.worst
+        self._fade(record)
         return record
+
+    @property
+    def holding(self) -> bool:
+        """Whether the guides stay until handles have arrived and the mesh has come to rest."""
+        waiting = self._pull is not None and self._attempt == 1 and not self._state.rested
+        return waiting and self._state.held < _HOLD_STEPS and len(self.history) < self.max_steps
+
+    def hold(self) -> None:
+        """Go on from the shape reached, with handles that have moved: for live editing."""
+        if self.finished or self._turn or self._attempt > 1:
+            mesh = self.outcome().mesh if self.finished else self.mesh
+            self.restart()
+            problem, state = self.problem, self._state
+            points = (mesh.vertices - problem.centre) / problem.scale
+            state.x[: points.size] = points.ravel()
+            self._follow(state)
+            state.fade = _HOLD
+        state = self._state
+        state.fade, state.held, state.rested = max(state.fade, _HOLD), 0, False
+        state.linearisations = [term.linearise(state.x) for term in self._terms]
+        self._relaxation.forget()
+        self.resume()
+
+    def resume(self) -> None:
+        """Count steps and look for the best shape from here on."""
+        self._best, self.status, self._solved, self.restless = None, None, 0, False
+        self._state.idle, self._state.best_worst = 0, np.inf
+        self.history.clear()
 
     def retarget(self, name: str, term: Term) -> None:
         """Put ``term`` in the place of the guide with that name; its stencil must be the same."""
@@ -191,10 +218,13 @@ class Optimisation:
 
     def restart(self) -> None:
         """Go back to the start and the first attempt; pattern and analysis are kept."""
+        stay = self._turn == 0
         self._turn, self._attempt, self.attempts = 0, 1, 1
-        self._best, self.status, self._solved = None, None, 0
-        self.history.clear()
-        self._restart()
+        if stay:
+            self._restart()
+        else:
+            self._prepare()
+        self.resume()
 
     def stop(self) -> None:
         """End here; the outcome is the best mesh so far."""
@@ -224,6 +254,7 @@ class Optimisation:
         )
         solver = symmetric_solver(self._system.pattern, self.backend)
         self._stepper = Stepper(self._system, solver)
+        self._relaxation = Relaxation(self._system, solver)
         self._restart()
 
     def _restart(self) -> None:
@@ -235,6 +266,29 @@ class Optimisation:
         self._following = [k for k, term in enumerate(self._terms) if follows(term)]
         x = problem.start.copy()
         self._state = _State(x, [term.linearise(x) for term in self._terms])
+        self._relaxation.forget()
+
+    @property
+    def _pull(self) -> Pull | None:
+        """The handles, where there are any."""
+        return next((term for term in self._terms if isinstance(term, Pull)), None)
+
+    def _fade(self, record: StepRecord) -> None:
+        """Move the schedule on: guides fade, but wait for handles and the mesh to come to rest."""
+        state, pull = self._state, self._pull
+        if pull is not None and self.holding and state.fade * _FADE <= _HOLD:
+            if state.fade == _HOLD and pull.arrived:
+                state.held += 1
+                state.rested = record.step_length < _REST
+                if state.rested:
+                    # Nothing but the shape is taken along from the way here.
+                    state.damping, state.worst_before = _HOLD_DAMPING, np.inf
+                self.restless = state.held >= _HOLD_STEPS
+            state.fade = _HOLD
+        if not self.holding or state.fade > _HOLD:
+            state.fade *= _FADE
+            if state.fade < _FADE_END or (record.worst < _NEAR and not self.holding):
+                state.fade = 0.0
 
     def _follow(self, state: _State) -> None:
         """Let terms that depend on where the mesh is (closest points, loads) look again."""
@@ -290,7 +344,9 @@ class Optimisation:
         self._consider(candidate)
         if candidate.valid and not candidate.flattened:
             self._solved += 1
-        enough = candidate.good or self._solved >= _ENOUGH or steps_left <= 0
+        # Whoever drags a mesh may crease it.
+        good = candidate.valid if self._pull is not None else candidate.good
+        enough = good or self._solved >= _ENOUGH or steps_left <= 0
         if enough or not self._next_attempt():
             best = self._best or candidate
             self._conclude(CONVERGED if best.valid else STALLED)

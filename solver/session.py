@@ -14,18 +14,17 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.constraints import Constraints
 from solver.optimise import start_optimisation
 from solver.report import Outcome, StepRecord
-from solver.terms.closeness import Closeness
-
-# While dragging, guides keep this part of their weight: the mesh follows the hand, nearly a net.
-_LIVE = 1e-2
+from solver.terms.pull import Pull
 
 
 class Session:
     """Holds a problem between drags: pattern, symbolic analysis and last shape are kept.
 
     Args:
-        mesh: the start; every settled result is the net nearest to it with the handles where they
-            are, the same that one call of ``solver.optimise`` with these handles finds.
+        mesh: the start. A settled result depends on it and on where the handles are, not on the
+            way that they were dragged: it is what one call of ``solver.optimise`` with these
+            handles finds. Only where several nets fit the same handles, as with a sheet that can
+            buckle to either side, it is the one in sight.
         handles: vertices that may be dragged; they start where they are.
         net: name of the recipe.
         constraints: gliding, symmetry and the like; its handles are replaced.
@@ -55,16 +54,21 @@ class Session:
                     f"{len(mesh.vertices) - 1}"
                 )
         self.targets = {int(vertex): mesh.vertices[vertex].copy() for vertex in handles}
+        self._begin = np.array(list(self.targets.values()))
         wanted = replace(constraints or Constraints(), handles=self.targets)
         self._run = start_optimisation(mesh, net, constraints=wanted, **settings)
 
     @property
     def vertices(self) -> FloatArray:
         """(V, 3) current positions in model units."""
-        return self._run.vertices
+        run = self._run
+        return run.outcome().mesh.vertices if run.finished else run.vertices
 
     def drag(self, targets: Mapping[int, ArrayLike], steps: int = 1) -> StepRecord:
         """Move handles and take a few steps from the last shape.
+
+        While handles move, the mesh follows them, nearly a net. While they rest, each call brings
+        it nearer to the exact net that :meth:`settle` will find.
 
         Args:
             targets: new positions, in model units, of some of the handles.
@@ -76,6 +80,7 @@ class Session:
         Raises:
             InputError: a vertex that is no handle, or a position that is not finite.
         """
+        moved = False
         for vertex, place in targets.items():
             position = np.asarray(place, dtype=np.float64)
             if vertex not in self.targets:
@@ -85,20 +90,24 @@ class Session:
                 )
             if position.shape != (3,) or not np.isfinite(position).all():
                 raise InputError(f"handle: the target of vertex {vertex} is not a point; mend it")
+            moved = moved or not np.array_equal(self.targets[vertex], position)
             self.targets[vertex] = position
-        self._aim()
+        if moved or self._run.finished:
+            self._run.hold()
+            self._aim(np.array(list(self.targets.values())))
         for _ in range(max(1, steps)):
-            record = self._run.nudge(_LIVE)
+            record = self._run.advance()
         return record
 
     def settle(self) -> Outcome:
-        """Find the exact net for the present handles, from the start of the session."""
+        """Find the exact net for the present handles, on from the shape in sight."""
         settling = self.settling()
         while True:
             try:
                 next(settling)
             except StopIteration as end:
-                return end.value
+                outcome: Outcome = end.value
+                return outcome
 
     def settling(self) -> Generator[StepRecord, None, Outcome]:
         """Settle one step at a time, for a caller that has other things to do in between.
@@ -106,18 +115,23 @@ class Session:
         Yields the record of each step; the outcome is the generator's return value. It may be left
         unfinished: the next drag goes on from the shape reached.
         """
-        self._run.restart()
-        self._aim()
-        while not self._run.finished:
-            yield self._run.step()
-        return self._run.outcome()
+        run = self._run
+        if not run.finished:
+            run.resume()
+        while not run.finished:
+            yield run.step()
+        if run.restless:
+            # What was in sight had not come to rest and depends on the way: solve afresh.
+            run.restart()
+            self._aim(self._begin)
+            while not run.finished:
+                yield run.step()
+        return run.outcome()
 
-    def _aim(self) -> None:
+    def _aim(self, begin: FloatArray) -> None:
+        """Draw the handles to their targets, from the (n, 3) points ``begin`` on."""
         problem = self._run.problem
-        places = np.array(list(self.targets.values()))
-        term = Closeness(
-            np.array(list(self.targets), dtype=np.int64),
-            (places - problem.centre) / problem.scale,
-            name="handles",
-        )
-        self._run.retarget("handles", term)
+        goals = np.array(list(self.targets.values()))
+        begin, goals = ((places - problem.centre) / problem.scale for places in (begin, goals))
+        vertices = np.array(list(self.targets), dtype=np.int64)
+        self._run.retarget("handles", Pull(vertices, begin, goals=goals))

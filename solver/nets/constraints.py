@@ -13,8 +13,8 @@ from solver.mesh.closest import Polyline, TriangleSurface
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
-from solver.terms.closeness import Closeness
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
+from solver.terms.pull import Pull
 
 _AXES = "xyz"
 # Boundary vertices nearer than this to a plane or curve, in mean edges, glide on it.
@@ -120,7 +120,8 @@ def _add_handles(problem: Problem, handles: Mapping[int, FloatArray]) -> None:
     if handles:
         targets = _to_solver(problem, np.array(list(handles.values()), dtype=np.float64))
         vertices = np.array(list(handles), dtype=np.int64)
-        problem.guide(Closeness(vertices, targets, name="handles"), _HANDLE_WEIGHT)
+        begin = _to_solver(problem, problem.mesh.vertices[vertices])
+        problem.guide(Pull(vertices, begin, goals=targets), _HANDLE_WEIGHT)
 
 
 def _add_glide(problem: Problem, glide: Glide) -> None:

@@ -1,4 +1,4 @@
-"""Handles, gliding, symmetry, a surface to stay near; and dragging in a session."""
+"""Handles, gliding, symmetry, a surface to stay near."""
 
 from __future__ import annotations
 
@@ -110,46 +110,6 @@ def test_isometric_dragging_by_two_handles_keeps_every_face():
         )
 
 
-def test_a_session_settles_where_a_cold_solve_does():
-    start = optimise(wavy_grid(12, 11)).mesh
-    middle = 60
-    session = Session(start, [middle, 0], "principal")
-    for k in range(1, 6):
-        lift = start.vertices[middle] + [0, 0, 0.2 * k]
-        record = session.drag({middle: lift}, steps=2)
-        assert np.isfinite(session.vertices).all()
-    assert record.worst < 0.1
-    assert np.linalg.norm(session.vertices[middle] - lift) < 0.3
-    settled = session.settle()
-    solved(settled)
-    cold = optimise(start, constraints=Constraints(handles=session.targets))
-    assert np.abs(settled.mesh.vertices - cold.mesh.vertices).max() <= 1e-8
-    # A second drag and settling from the same session is a solve of its own.
-    session.drag({middle: start.vertices[middle]})
-    back = session.settle()
-    assert np.linalg.norm(back.mesh.vertices[middle] - start.vertices[middle]) < 0.05
-
-
-def test_settling_step_by_step_is_settling():
-    start = optimise(wavy_grid(8, 7)).mesh
-    session = Session(start, [24, 0])
-    session.drag({24: start.vertices[24] + [0, 0, 0.5]}, steps=3)
-    settling = session.settling()
-    records = []
-    while True:
-        try:
-            records.append(next(settling))
-        except StopIteration as end:
-            outcome = end.value
-            break
-    assert len(records) == outcome.report.iterations > 1
-    assert outcome.mesh.vertices.tobytes() == session.settle().mesh.vertices.tobytes()
-    # One that is left unfinished does no harm to what comes after.
-    next(session.settling())
-    session.drag({0: start.vertices[0]})
-    assert np.isfinite(session.vertices).all()
-
-
 def test_isometry_as_a_guide_keeps_a_sheet_from_stretching():
     sheet = optimise(bent_sheet(), "geodesic").mesh
     stretched = {}
@@ -177,16 +137,6 @@ def test_contradictions_are_refused_in_one_line(constraints, words):
     with pytest.raises(InputError, match=words) as caught:
         optimise(wavy_grid(6, 5), fix=[0], constraints=Constraints(**constraints))
     assert "\n" not in str(caught.value)
-
-
-def test_session_refuses_strangers():
-    mesh = wavy_grid(6, 5)
-    with pytest.raises(InputError, match="none given"):
-        Session(mesh, [])
-    with pytest.raises(InputError, match="vertex 99 does not exist"):
-        Session(mesh, [99])
-    with pytest.raises(InputError, match="not one of"):
-        Session(mesh, [3]).drag({4: np.zeros(3)})
 
 
 @pytest.mark.parametrize("net", ["asymptotic", "cmc", "geodesic", "conical"])

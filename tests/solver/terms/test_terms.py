@@ -28,6 +28,7 @@ from solver.terms.medial_angle import MedialAngle
 from solver.terms.multi import multi_net
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.planarity import Planarity
+from solver.terms.pull import Pull
 from solver.terms.spherical_star import SphericalStar
 from solver.terms.star_angles import ConicalStar, EqualAngleStar, GeodesicStar
 from tests.conftest import QuadMesh, grid_faces, surface_of_revolution, wavy_grid
@@ -129,6 +130,7 @@ CASES = {
     ),
     "edge guard": Case(lambda m: EdgeGuard(m.connectivity.edges, 1.29), SQUARES),
     "closeness": Case(lambda m: Closeness(ALL, REST.vertices), REST, [], False),
+    "handles": Case(lambda m: Pull(ALL, REST.vertices, goals=REST.vertices + 1.0), REST, [], False),
     "on plane": Case(lambda m: OnPlane(ALL, np.array([0, 0, 1.0]), 0.0), SQUARES, [], False),
     "on surface": Case(following(lambda m: OnSurface(ALL, SHEET)), SQUARES, [], False),
     "on curve": Case(

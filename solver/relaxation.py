@@ -1,0 +1,101 @@
+"""Steps towards the minimum of an energy whose weights stay as they are.
+
+Where constraints and guides pull against each other, Gauss-Newton neglects how the constraints
+curve and comes to rest slowly, or not at all. The gradients of its last steps tell what it
+neglects: the quasi-Newton update of Broyden, Fletcher, Goldfarb and Shanno with limited memory,
+started from the factored Gauss-Newton matrix of each step.
+
+Source: Nocedal, Wright (2006), Numerical Optimization, algorithm 7.4.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+
+import numpy as np
+
+from solver.assembly import NormalEquations
+from solver.damped_step import Step, Stepper, energy_of, linearise
+from solver.linear import SingularSystemError, SymmetricSolver
+from solver.mesh.quadmesh import FloatArray
+from solver.terms.base import Linearisation, Term
+
+# Steps that are remembered.
+_MEMORY = 10
+_DAMPING = 1e-9
+# Shortest part of a step that is tried, and the decrease that it has to bring.
+_SHORTEST, _DECREASE = 1e-3, 2e-4
+# Changes of the energy below this part of it are rounding.
+_ROUNDING = 1e-12
+
+
+class Relaxation:
+    """Takes Gauss-Newton steps with memory for one system of terms.
+
+    Args:
+        system: assembles the normal equations.
+        solver: solves them.
+    """
+
+    def __init__(self, system: NormalEquations, solver: SymmetricSolver) -> None:
+        self._system = system
+        self._solver = solver
+        self._damped = Stepper(system, solver)
+        self._pairs: list[tuple[FloatArray, FloatArray]] = []
+
+    def forget(self) -> None:
+        """Drop the memory: the weights are others from now on."""
+        self._pairs.clear()
+
+    def step(
+        self,
+        terms: Sequence[Term],
+        x: FloatArray,
+        linearisations: list[Linearisation],
+        weights: FloatArray,
+        damping: float,
+    ) -> Step:
+        """Move ``x`` by one step that lowers the energy; a damped step where memory misleads."""
+        system = self._system
+        gradient = system.gradient(linearisations, weights)
+        energy = energy_of(linearisations, weights)
+        begin = time.perf_counter()
+        move = self._direction(linearisations, weights, gradient)
+        solve_seconds = time.perf_counter() - begin
+        slope, part = float(move @ gradient), 1.0
+        while slope < 0 and part >= _SHORTEST:
+            there = x.copy()
+            there[system.pattern.unknowns] += part * move
+            ahead = linearise(terms, there, linearisations, weights)
+            after = energy_of(ahead, weights)
+            if after <= energy * (1 + _ROUNDING) + _DECREASE * part * slope:
+                self._remember(part * move, system.gradient(ahead, weights) - gradient)
+                length = part * float(np.abs(move).max(initial=0.0))
+                return Step(there, ahead, after, length, damping, solve_seconds, False)
+            part *= 0.5
+        self.forget()
+        return self._damped.step(terms, x, linearisations, weights, damping, bend=False)
+
+    def _direction(
+        self, linearisations: list[Linearisation], weights: FloatArray, gradient: FloatArray
+    ) -> FloatArray:
+        """Minus the gradient through the inverse of the matrix as memory corrects it."""
+        matrix = self._system.matrix(linearisations, weights)
+        matrix[self._system.pattern.indptr[:-1]] += _DAMPING
+        try:
+            solve = self._solver.factor(matrix)
+        except SingularSystemError:
+            return np.zeros_like(gradient)
+        left, parts = gradient.copy(), []
+        for move, change in reversed(self._pairs):
+            parts.append(move @ left / (move @ change))
+            left -= parts[-1] * change
+        direction = solve(left)
+        for (move, change), part in zip(self._pairs, reversed(parts), strict=True):
+            direction += move * (part - change @ direction / (move @ change))
+        return -direction if np.isfinite(direction).all() else np.zeros_like(gradient)
+
+    def _remember(self, move: FloatArray, change: FloatArray) -> None:
+        if move @ change > 1e-14 * np.linalg.norm(move) * np.linalg.norm(change):
+            self._pairs = [*self._pairs[1 - _MEMORY :], (move, change)]

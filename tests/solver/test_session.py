@@ -1,0 +1,96 @@
+"""Dragging: the mesh follows the hand, and ends as the net that a cold solve finds."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver import Constraints, InputError, Session, optimise
+from tests.conftest import wavy_grid
+from tests.meshes import bent_sheet, scherk, unduloid
+
+
+def solved(outcome):
+    assert outcome.report.status == "converged", outcome.report.message
+    return outcome.mesh
+
+
+def dragged(start, net, handles, wobble):
+    """A session whose handles went a way of 30 frames, and the targets at its end."""
+    session = Session(start, list(handles), net)
+    ends = {vertex: start.vertices[vertex] + move for vertex, move in handles.items()}
+    for part in np.linspace(0, 1, 31)[1:]:
+        aside = wobble * np.sin(np.pi * part)
+        session.drag({v: (1 - part) * start.vertices[v] + part * ends[v] + aside for v in handles})
+        assert np.isfinite(session.vertices).all()
+    return session, ends
+
+
+@pytest.mark.parametrize(
+    ("net", "build"),
+    [
+        ("principal", lambda: wavy_grid(12, 11)),
+        ("isometric", bent_sheet),
+        ("geodesic", bent_sheet),
+        ("asymptotic", scherk),
+        ("cmc", unduloid),
+    ],
+)
+def test_a_session_settles_where_a_cold_solve_does_and_without_a_jump(net, build):
+    start = solved(optimise(build(), net))
+    edge = start.mean_edge
+    middle = int(np.argmin(np.linalg.norm(start.vertices - start.vertices.mean(axis=0), axis=1)))
+    handles = {middle: edge * np.array([0.3, 0.2, 1.0]), 0: edge * np.array([0.2, 0.0, -0.5])}
+    session, ends = dragged(start, net, handles, wobble=edge * np.array([0.5, -0.3, 0.0]))
+    record = session.drag(ends)
+    assert record.worst < 0.1
+    assert np.linalg.norm(session.vertices[middle] - ends[middle]) < 0.3 * edge
+    # The mouse rests for a second and a half: the mesh creeps to the net, without a jump.
+    for _ in range(45):
+        before = session.vertices
+        session.drag(ends)
+        assert np.linalg.norm(session.vertices - before, axis=1).max() < 0.15 * edge
+    before = session.vertices
+    settled = session.settle()
+    mesh = solved(settled)
+    assert np.linalg.norm(mesh.vertices - before, axis=1).max() < 0.05 * edge
+    cold = solved(optimise(start, net, constraints=Constraints(handles=ends)))
+    assert np.abs(mesh.vertices - cold.vertices).max() <= 1e-8 * edge
+    assert session.settle().mesh.vertices.tobytes() == mesh.vertices.tobytes()
+    # A second drag goes on from the shape in sight, and its end forgets the first.
+    session.drag({0: start.vertices[0]})
+    assert np.linalg.norm(session.vertices - mesh.vertices, axis=1).max() < 0.8 * edge
+    session.drag({middle: start.vertices[middle]})
+    back = solved(session.settle())
+    assert np.linalg.norm(back.vertices - start.vertices, axis=1).max() < 0.05 * edge
+
+
+def test_settling_step_by_step_is_settling():
+    start = optimise(wavy_grid(8, 7)).mesh
+    session = Session(start, [24, 0])
+    session.drag({24: start.vertices[24] + [0, 0, 0.5]}, steps=3)
+    settling = session.settling()
+    records = []
+    while True:
+        try:
+            records.append(next(settling))
+        except StopIteration as end:
+            outcome = end.value
+            break
+    assert len(records) == outcome.report.iterations > 1
+    assert outcome.mesh.vertices.tobytes() == session.settle().mesh.vertices.tobytes()
+    # One that is left unfinished does no harm to what comes after.
+    session.drag({0: start.vertices[0] + [0, 0, 0.1]})
+    next(session.settling())
+    session.drag({0: start.vertices[0]})
+    assert np.isfinite(session.vertices).all()
+
+
+def test_session_refuses_strangers():
+    mesh = wavy_grid(6, 5)
+    with pytest.raises(InputError, match="none given"):
+        Session(mesh, [])
+    with pytest.raises(InputError, match="vertex 99 does not exist"):
+        Session(mesh, [99])
+    with pytest.raises(InputError, match="not one of"):
+        Session(mesh, [3]).drag({4: np.zeros(3)})
