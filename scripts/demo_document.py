@@ -12,8 +12,8 @@ import Part
 from pivy import coin
 
 from freecad_ortho import api, convert
-from freecad_ortho.view.colours import colours
-from solver.analysis import measures
+from freecad_ortho.view.colour_scale import ColourScale
+from solver.analysis.fields import field
 from solver.errors import OrthoError
 from solver.mesh.quadmesh import FloatArray
 
@@ -109,7 +109,7 @@ def picture_after(model: dict[str, Any], path: str, decades: tuple[int, int]) ->
     across = middles @ right
     clad = np.flatnonzero(across <= np.quantile(across, CLAD))
     solids = model["panels"].Shape.Solids
-    shades = colours(measures.planarity(mesh), *decades)
+    shades = ColourScale.of_decades(*decades).colours(field(mesh, "Planarity"))
     shown = model["panels"].Document.addObject("Part::Feature", "Shown")
     shown.Shape = Part.makeCompound([solids[k] for k in clad])
     # Six faces a panel, one colour each.

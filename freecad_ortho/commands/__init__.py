@@ -12,7 +12,7 @@ TOOLBARS = {
     "Design": ("ImportNet",),
     "Optimise": ("Optimise",),
     "Analyse": ("Display", "Check", "SavePicture"),
-    "Fabricate": ("Beams", "Panels", "ExportFabrication"),
+    "Fabricate": ("Beams", "Panels", "UpdateStructures", "ExportFabrication", "Bake"),
 }
 
 
@@ -61,7 +61,7 @@ def _commands() -> list[Command]:
     from freecad_ortho.commands.export_fabrication import ExportFabrication
     from freecad_ortho.commands.import_net import ImportNet
     from freecad_ortho.commands.optimise import Optimise
-    from freecad_ortho.commands.structures import Beams, Panels
+    from freecad_ortho.commands.structures import Bake, Beams, Panels, UpdateStructures
 
     return [
         ImportNet(),
@@ -71,5 +71,7 @@ def _commands() -> list[Command]:
         SavePicture(),
         Beams(),
         Panels(),
+        UpdateStructures(),
         ExportFabrication(),
+        Bake(),
     ]

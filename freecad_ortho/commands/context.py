@@ -32,7 +32,21 @@ def current_structures() -> list[FreeCAD.DocumentObject]:
     if FreeCAD.ActiveDocument is None:
         return []
     selected = [item for item in FreeCADGui.Selection.getSelection() if is_structure(item)]
-    return selected or [item for item in FreeCAD.ActiveDocument.Objects if is_structure(item)]
+    return selected or all_structures()
+
+
+def all_structures() -> list[FreeCAD.DocumentObject]:
+    """Give all structures of the active document."""
+    if FreeCAD.ActiveDocument is None:
+        return []
+    return [item for item in FreeCAD.ActiveDocument.Objects if is_structure(item)]
+
+
+def selected_nets_and_structures() -> list[FreeCAD.DocumentObject]:
+    """Give the nets and structures that are selected."""
+    return [
+        item for item in FreeCADGui.Selection.getSelection() if is_net(item) or is_structure(item)
+    ]
 
 
 def run(function: str, *arguments: Any, **settings: Any) -> None:

@@ -1,18 +1,29 @@
-"""The commands Beams and Panels."""
+"""The commands that build on a net: one a system of fabrication."""
 
 from __future__ import annotations
 
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands import context
-from freecad_ortho.commands.command import NetCommand
+from freecad_ortho.commands import context, messages
+from freecad_ortho.commands.command import Command, NetCommand
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class Beams(NetCommand):
-    """Open the panel that puts a beam on every edge of a net."""
+class StructureCommand(NetCommand):
+    """Opens the panel that asks for the sizes of a system; the icon is named like the system."""
+
+    def Activated(self) -> None:
+        """Open the task panel."""
+        from freecad_ortho.panels.structure_panel import StructurePanel
+
+        title = FreeCAD.Qt.translate(f"Ortho_{type(self).__name__}", self.text)
+        FreeCADGui.Control.showDialog(StructurePanel(context.current_net(), self.icon, title))
+
+
+class Beams(StructureCommand):
+    """Beams on the edges or along the parameter lines of a net."""
 
     icon = "beams"
     text = QT_TRANSLATE_NOOP("Ortho_Beams", "Beams")
@@ -20,22 +31,50 @@ class Beams(NetCommand):
         "Ortho_Beams", "Put a torsion-free beam on every edge of the selected net"
     )
 
-    def Activated(self) -> None:
-        """Open the task panel."""
-        from freecad_ortho.panels.structure_panel import BeamsPanel
 
-        FreeCADGui.Control.showDialog(BeamsPanel(context.current_net()))
-
-
-class Panels(NetCommand):
-    """Open the panel that puts a flat plate in every face of a net."""
+class Panels(StructureCommand):
+    """A flat plate in every face of a net."""
 
     icon = "panels"
     text = QT_TRANSLATE_NOOP("Ortho_Panels", "Panels")
     tip = QT_TRANSLATE_NOOP("Ortho_Panels", "Put a flat panel in every face of the selected net")
 
-    def Activated(self) -> None:
-        """Open the task panel."""
-        from freecad_ortho.panels.structure_panel import PanelsPanel
 
-        FreeCADGui.Control.showDialog(PanelsPanel(context.current_net()))
+class UpdateStructures(Command):
+    """Build anew the structures that wait for it."""
+
+    icon = "update"
+    text = QT_TRANSLATE_NOOP("Ortho_UpdateStructures", "Update structures")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_UpdateStructures",
+        "Build those structures anew that do not follow their nets automatically",
+    )
+
+    def IsActive(self) -> bool:
+        """Where a structure waits."""
+        return super().IsActive() and any(item.Outdated for item in context.all_structures())
+
+    def Activated(self) -> None:
+        """Build them."""
+        with messages.errors_shown():
+            context.run("update_structures")
+
+
+class Bake(Command):
+    """Plain Part features and meshes out of what is selected."""
+
+    icon = "bake"
+    text = QT_TRANSLATE_NOOP("Ortho_Bake", "Bake to plain features")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Bake",
+        "Copy the selected nets and structures as Part features and meshes that need no add-on",
+    )
+
+    def IsActive(self) -> bool:
+        """Where a net or a structure is selected."""
+        return super().IsActive() and bool(context.selected_nets_and_structures())
+
+    def Activated(self) -> None:
+        """Copy them."""
+        with messages.errors_shown():
+            context.run("bake", context.selected_nets_and_structures())

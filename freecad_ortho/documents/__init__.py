@@ -5,6 +5,7 @@ Each one is undone in one step. Lengths are numbers of mm, FreeCAD quantities, o
 as it was.
 """
 
+from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.examples import open_example
 from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
@@ -21,7 +22,13 @@ from freecad_ortho.documents.sources import (
     quads_from_mesh,
     weld_nets,
 )
-from freecad_ortho.documents.structures import add_beams, add_panels, export_fabrication
+from freecad_ortho.documents.structures import (
+    add_beams,
+    add_panels,
+    add_structure,
+    export_fabrication,
+    update_structures,
+)
 
 __all__ = [
     "add_beams",
@@ -30,6 +37,8 @@ __all__ = [
     "add_panels",
     "add_primitive",
     "add_source",
+    "add_structure",
+    "bake",
     "change_net",
     "change_source",
     "export_fabrication",
@@ -42,5 +51,6 @@ __all__ = [
     "quads_from_mesh",
     "save_picture",
     "show_net",
+    "update_structures",
     "weld_nets",
 ]

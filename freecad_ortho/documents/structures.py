@@ -10,14 +10,77 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.documents.common import progress, require_net, transaction
-from freecad_ortho.fabrication import Beams, Panels
+from freecad_ortho.documents.common import open_document, progress, require_net, transaction
+from freecad_ortho.fabrication import SYSTEMS, Selection
+from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build
 from freecad_ortho.objects import structure as structure_object
+from freecad_ortho.objects.system_properties import choices, is_length, options_of, property_name
+from solver.errors import InputError
 
 if TYPE_CHECKING:
     Length = float | str | FreeCAD.Units.Quantity
+
+
+def add_structure(
+    net: FreeCAD.DocumentObject,
+    system: str,
+    *,
+    beams: FreeCAD.DocumentObject | None = None,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+    **sizes: Any,
+) -> FreeCAD.DocumentObject:
+    """Add a Structure of one system on a Net.
+
+    Args:
+        net: the Net.
+        system: name of the system, as on the command line: ``"beams"``, ``"panels"`` ...
+        beams: a Structure of beams on the same Net that panels lie on and nodes join.
+        family: parameter lines that are built on: ``"u"``, ``"v"`` or ``"both"``.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+        sizes: settings of the system by name (``height="0.2 m"``), lengths as numbers of mm,
+            quantities or texts; those that are not given take their defaults.
+
+    Raises:
+        InputError: an unknown system or setting, or sizes that do not fit the mesh; the document is
+            unchanged.
+    """
+    require_net(net)
+    if system not in SYSTEMS:
+        raise InputError(f"system: expected one of {', '.join(SYSTEMS)}, got '{system}'")
+    Selection(family, tuple(lines) or None)
+    known_material(material, density or None)
+    properties = _option_properties(system, sizes)
+    title = next(title for title, name in structure_object.TITLES.items() if name == system)
+    document = net.Document
+    with transaction(document, FreeCAD.Qt.translate("Ortho", title)):
+        feature = structure_object.create(
+            document,
+            title,
+            Net=net,
+            OnBeams=beams,
+            Family=family.capitalize(),
+            Lines=list(lines),
+            Material=material.capitalize(),
+            Density=density,
+            **properties,
+        )
+        try:
+            structure_object.rebuild(feature)
+        except BaseException:
+            # Aborting takes it away too, but only where the document records undo steps.
+            document.removeObject(feature.Name)
+            raise
+        feature.purgeTouched()
+        # As Part does with what a shape is made of: otherwise both are drawn into each other.
+        net.Visibility = False
+    return feature
 
 
 def add_beams(
@@ -26,31 +89,12 @@ def add_beams(
     thickness: Length = 12.0,
     offset: str = "centre",
 ) -> FreeCAD.DocumentObject:
-    """Add a Structure with a beam on every edge of a Net.
-
-    Args:
-        net: the Net.
-        height: height of the beams.
-        thickness: thickness of the plates.
-        offset: ``above``, ``centre`` or ``below`` the net.
+    """Add a Structure with a beam on every edge of a Net; short for :func:`add_structure`.
 
     Raises:
         InputError: sizes that do not fit the mesh; the document is unchanged.
     """
-    require_net(net)
-    settings = Beams(
-        height=convert.millimetres(height, "height"),
-        thickness=convert.millimetres(thickness, "thickness"),
-        offset=offset,
-    )
-    return _add_structure(
-        net,
-        structure_object.BEAMS,
-        FreeCAD.Qt.translate("Ortho", "Beams"),
-        Height=settings.height,
-        Thickness=settings.thickness,
-        Offset=settings.offset.capitalize(),
-    )
+    return add_structure(net, "beams", height=height, thickness=thickness, offset=offset)
 
 
 def add_panels(
@@ -60,33 +104,32 @@ def add_panels(
     offset: str = "above",
     beams: FreeCAD.DocumentObject | None = None,
 ) -> FreeCAD.DocumentObject:
-    """Add a Structure with a panel in every face of a Net.
-
-    Args:
-        net: the Net.
-        thickness: thickness of the panels.
-        gap: width of the joint between neighbours.
-        offset: ``above``, ``centre`` or ``below`` the net; on beams they lie on top of these.
-        beams: a Structure of beams on the same Net that the panels lie on.
+    """Add a Structure with a panel in every face of a Net; short for :func:`add_structure`.
 
     Raises:
         InputError: sizes that do not fit the mesh; the document is unchanged.
     """
-    require_net(net)
-    settings = Panels(
-        thickness=convert.millimetres(thickness, "thickness"),
-        gap=convert.millimetres(gap, "gap"),
-        offset=offset,
-    )
-    return _add_structure(
-        net,
-        structure_object.PANELS,
-        FreeCAD.Qt.translate("Ortho", "Panels"),
-        Thickness=settings.thickness,
-        Gap=settings.gap,
-        Offset=settings.offset.capitalize(),
-        OnBeams=beams,
-    )
+    return add_structure(net, "panels", beams=beams, thickness=thickness, gap=gap, offset=offset)
+
+
+def update_structures(document: FreeCAD.Document | None = None) -> list[FreeCAD.DocumentObject]:
+    """Build those structures anew that wait for it because they do not follow automatically.
+
+    Returns:
+        The structures that were built.
+
+    Raises:
+        InputError: no document is open, or sizes that no longer fit; the document is unchanged.
+    """
+    target = open_document(document)
+    waiting = [
+        item for item in target.Objects if structure_object.is_structure(item) and item.Outdated
+    ]
+    with transaction(target, FreeCAD.Qt.translate("Ortho", "Update structures")):
+        for feature in waiting:
+            structure_object.rebuild(feature)
+            feature.purgeTouched()
+    return waiting
 
 
 def export_fabrication(
@@ -119,19 +162,21 @@ def export_fabrication(
     return sorted(path for path in Path(folder).iterdir() if path.is_file())
 
 
-def _add_structure(
-    net: FreeCAD.DocumentObject, system: str, title: str, **properties: Any
-) -> FreeCAD.DocumentObject:
-    document = net.Document
-    with transaction(document, title):
-        feature = structure_object.create(document, system, Net=net, **properties)
-        try:
-            structure_object.rebuild(feature)
-        except BaseException:
-            # Aborting takes it away too, but only where the document records undo steps.
-            document.removeObject(feature.Name)
-            raise
-        feature.purgeTouched()
-        # As Part does with what a shape is made of: otherwise both are drawn into each other.
-        net.Visibility = False
-    return feature
+def _option_properties(system: str, sizes: dict[str, Any]) -> dict[str, Any]:
+    """Values of the properties of a system's options, checked as far as the net does not matter."""
+    options = {option.name: option for option in options_of(system)}
+    for name in sizes:
+        if name not in options:
+            raise InputError(
+                f"{name}: {system} have no such setting; there are {', '.join(options)}"
+            )
+    given = {
+        name: convert.millimetres(value, name) if is_length(options[name]) else value
+        for name, value in sizes.items()
+    }
+    defaults = {option.name: option.default for option in SYSTEMS[system].options}
+    SYSTEMS[system].of(defaults | given)
+    return {
+        property_name(options[name]): value.capitalize() if choices(options[name]) else value
+        for name, value in given.items()
+    }

@@ -2,54 +2,97 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from freecad_ortho import convert
-from freecad_ortho.fabrication import Beams, Panels, Structure, System, build, material
+from freecad_ortho.fabrication import SYSTEMS, Selection, Structure, build, material
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.net import is_net
+from freecad_ortho.objects.system_properties import system_of
 from solver.errors import InputError
 
 if TYPE_CHECKING:
     import FreeCAD
 
-_REMEDY = "select one structure of beams, one of panels on them, or one of each on the same net"
+_REMEDY = "select structures of different systems on the same net"
 
 
 def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
     """Build the parts of structures that stand on one net.
 
     Args:
-        features: one structure of beams, one of panels, or both.
+        features: structures of different systems.
 
     Raises:
         InputError: not structures, structures that do not go together, or sizes that do not fit.
     """
     net = _common_net(features)
-    beams = _only(features, structure_object.BEAMS)
-    panels = _only(features, structure_object.PANELS)
-    below = None if panels is None else panels.OnBeams
-    if beams is not None and panels is not None and below is not beams:
-        raise InputError(
-            f"{panels.Label}: does not lie on {beams.Label}; export them one after the other or "
-            "set 'OnBeams'"
-        )
-    carrier = beams if panels is None else below
-    _check_carrier(carrier, net)
-    systems: list[System] = [] if carrier is None else [_beams(carrier)]
-    if panels is not None:
-        systems.append(_panels(panels))
-    whole = build(convert.quad_mesh(net), systems, material=material(density=features[0].Density))
-    return whole.only(Panels.name) if beams is None and carrier is not None else whole
+    by_system = _by_system(features)
+    carrier = _carrier(by_system, net)
+    wanted = list(by_system)
+    if carrier is not None:
+        by_system["beams"] = carrier
+    ordered = [name for name in SYSTEMS if name in by_system]
+    lines = _agreed(features, "lines", lambda feature: (feature.Family, tuple(feature.Lines)))
+    of_what = _agreed(features, "material", lambda feature: (feature.Material, feature.Density))
+    whole = build(
+        convert.quad_mesh(net),
+        [system_of(by_system[name], name) for name in ordered],
+        material=material(of_what[0].lower(), of_what[1] or None),
+        selection=Selection(lines[0].lower(), lines[1] or None),
+    )
+    return whole.only(*(name for name in ordered if name in wanted))
 
 
-def _beams(feature: FreeCAD.DocumentObject) -> Beams:
-    return Beams(feature.Height.Value, feature.Thickness.Value, feature.Offset.lower())
+def _by_system(features: Sequence[FreeCAD.DocumentObject]) -> dict[str, FreeCAD.DocumentObject]:
+    found: dict[str, FreeCAD.DocumentObject] = {}
+    for feature in features:
+        system = structure_object.TITLES[feature.System]
+        if system in found:
+            raise InputError(
+                f"structures: {found[system].Label} and {feature.Label} are both {system}; "
+                f"{_REMEDY}"
+            )
+        found[system] = feature
+    return found
 
 
-def _panels(feature: FreeCAD.DocumentObject) -> Panels:
-    return Panels(feature.Thickness.Value, feature.Gap.Value, feature.Offset.lower())
+def _carrier(
+    by_system: dict[str, FreeCAD.DocumentObject], net: FreeCAD.DocumentObject
+) -> FreeCAD.DocumentObject | None:
+    """The beams that the others lie on, None where they lie on the net."""
+    beams = by_system.get("beams")
+    carriers = [by_system[name].OnBeams for name in structure_object.ON_BEAMS if name in by_system]
+    if beams is not None:
+        for name in structure_object.ON_BEAMS:
+            if name in by_system and by_system[name].OnBeams is not beams:
+                raise InputError(
+                    f"{by_system[name].Label}: does not lie on {beams.Label}; export them one "
+                    "after the other or set 'OnBeams'"
+                )
+        return None
+    found = [carrier for carrier in carriers if carrier is not None]
+    if any(carrier is not found[0] for carrier in carriers if found):
+        raise InputError("structures: lie on different beams; export them one after the other")
+    _check_carrier(found[0] if found else None, net)
+    return found[0] if found else None
+
+
+def _agreed(
+    features: Sequence[FreeCAD.DocumentObject],
+    name: str,
+    read: Callable[[FreeCAD.DocumentObject], Any],
+) -> Any:
+    """What all structures have in common."""
+    values = [read(feature) for feature in features]
+    for feature, value in zip(features, values, strict=True):
+        if value != values[0]:
+            raise InputError(
+                f"structures: {features[0].Label} and {feature.Label} differ in their {name}; "
+                "set the same or export them one after the other"
+            )
+    return values[0]
 
 
 def _common_net(features: Sequence[FreeCAD.DocumentObject]) -> FreeCAD.DocumentObject:
@@ -75,14 +118,6 @@ def _common_net(features: Sequence[FreeCAD.DocumentObject]) -> FreeCAD.DocumentO
     return net
 
 
-def _only(features: Sequence[FreeCAD.DocumentObject], system: str) -> FreeCAD.DocumentObject | None:
-    chosen = [feature for feature in features if system == feature.System]
-    if len(chosen) > 1:
-        labels = " and ".join(feature.Label for feature in chosen)
-        raise InputError(f"structures: {labels} are both {system.lower()}; {_REMEDY}")
-    return chosen[0] if chosen else None
-
-
 def _check_carrier(carrier: FreeCAD.DocumentObject | None, net: FreeCAD.DocumentObject) -> None:
     """Refuse panels on something other than beams on the same net."""
     if carrier is None:
@@ -90,6 +125,6 @@ def _check_carrier(carrier: FreeCAD.DocumentObject | None, net: FreeCAD.Document
     beams = structure_object.is_structure(carrier) and carrier.System == structure_object.BEAMS
     if not beams or carrier.Net is not net:
         raise InputError(
-            f"panels: '{carrier.Label}' is not a structure of beams on {net.Label}; "
+            f"structures: '{carrier.Label}' is not a structure of beams on {net.Label}; "
             "choose another for 'OnBeams' or leave it empty"
         )

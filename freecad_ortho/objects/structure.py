@@ -1,19 +1,26 @@
-"""The Structure: beams or panels of a net as a Part shape that follows the net."""
+"""The Structure: the parts of one system on a net as a Part shape that follows the net."""
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import FreeCAD
 
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
+from freecad_ortho.fabrication import MATERIALS, SYSTEMS
+from freecad_ortho.objects import outdated
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property, ensure
+from freecad_ortho.objects.system_properties import options_of, system_property
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-VERSION = 1
+VERSION = 2
 BEAMS, PANELS = "Beams", "Panels"
-OFFSETS = ("Above", "Centre", "Below")
-STEEL_DENSITY = 7850.0
+# The title of a system in documents -> its name in fabrication.
+TITLES = {name.capitalize(): name for name in SYSTEMS}
+# Systems whose parts may lie on beams that are a structure of their own.
+ON_BEAMS = ("panels", "nodes")
+FAMILIES = ("Both", "U", "V")
 
 _PROPERTIES = (
     Property(
@@ -26,49 +33,60 @@ _PROPERTIES = (
         "App::PropertyEnumeration",
         "System",
         "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Beams along the edges or panels in the faces"),
-        choices=(BEAMS, PANELS),
-    ),
-    Property(
-        "App::PropertyLength",
-        "Height",
-        "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Height of the beams, along the axes"),
-        default=200.0,
-    ),
-    Property(
-        "App::PropertyLength",
-        "Thickness",
-        "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Thickness of the plates"),
-        default=12.0,
-    ),
-    Property(
-        "App::PropertyLength",
-        "Gap",
-        "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Width of the joint between neighbouring panels"),
-        default=10.0,
-    ),
-    Property(
-        "App::PropertyEnumeration",
-        "Offset",
-        "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Where the plates lie: above the net, centred, below"),
-        choices=OFFSETS,
+        QT_TRANSLATE_NOOP("App::Property", "What the net is built with"),
+        choices=tuple(TITLES),
     ),
     Property(
         "App::PropertyLink",
         "OnBeams",
         "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Beams that the panels lie on; empty: on the net"),
+        QT_TRANSLATE_NOOP("App::Property", "Beams that the parts lie on or join; empty: the net"),
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "Family",
+        "Structure",
+        QT_TRANSLATE_NOOP("App::Property", "Parameter lines that are built on: u, v or both"),
+        choices=FAMILIES,
+    ),
+    Property(
+        "App::PropertyIntegerList",
+        "Lines",
+        "Structure",
+        QT_TRANSLATE_NOOP("App::Property", "Numbers of these parameter lines; empty: all"),
+    ),
+    Property(
+        "App::PropertyBool",
+        "AutomaticUpdate",
+        "Structure",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Follow each change of the net; else only when asked to update"
+        ),
+        default=True,
+        flags=OUTPUT,
+    ),
+    Property(
+        "App::PropertyBool",
+        "Outdated",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "The shape waits to be built anew"),
+        default=False,
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "Material",
+        "Material",
+        QT_TRANSLATE_NOOP("App::Property", "Material of all parts"),
+        choices=tuple(name.capitalize() for name in MATERIALS),
+        flags=OUTPUT,
     ),
     Property(
         "App::PropertyFloat",
         "Density",
-        "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Density of the material in kg/m3"),
-        default=STEEL_DENSITY,
+        "Material",
+        QT_TRANSLATE_NOOP("App::Property", "Density in kg/m3; 0: that of the material"),
+        default=0.0,
         flags=OUTPUT,
     ),
     Property(
@@ -77,6 +95,20 @@ _PROPERTIES = (
         "Result",
         QT_TRANSLATE_NOOP("App::Property", "Names of the parts, in the order of the solids"),
         flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyStringList",
+        "Verdicts",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "What each part exceeds, 'ok' if nothing"),
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyString",
+        "Report",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Counts, accuracy and masses, as JSON"),
+        flags=OUTPUT | READ_ONLY | HIDDEN,
     ),
     Property(
         "App::PropertyInteger",
@@ -95,14 +127,25 @@ class Structure(Persistent):
     properties = _PROPERTIES
     version = VERSION
 
+    def onDocumentRestored(self, feature: FreeCAD.DocumentObject) -> None:
+        """Give a structure from an older document the properties that came later."""
+        super().onDocumentRestored(feature)
+        ensure_options(feature)
+        outdated.watch()
+
     def execute(self, feature: FreeCAD.DocumentObject) -> None:
         """Build the solids anew; on an error the last good shape stays.
+
+        Without automatic update the shape stays too, and the object keeps its mark.
 
         Raises:
             OrthoError: what is wrong and what to do; FreeCAD shows it and marks the object.
         """
         from solver.errors import OrthoError
 
+        if not feature.AutomaticUpdate and not feature.Shape.isNull():
+            feature.Outdated = True
+            return
         try:
             rebuild(feature)
         except OrthoError as error:
@@ -110,22 +153,23 @@ class Structure(Persistent):
             raise type(error)(str(error)) from None
 
 
-def create(document: FreeCAD.Document, system: str, **properties: Any) -> FreeCAD.DocumentObject:
+def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD.DocumentObject:
     """Add a structure to a document without building its solids yet.
 
     Args:
         document: where to.
-        system: BEAMS or PANELS.
+        title: of the system, one of ``TITLES``.
         properties: values of the structure's properties, by name.
     """
-    feature = document.addObject("Part::FeaturePython", system)
+    feature = document.addObject("Part::FeaturePython", title.replace("-", ""))
+    feature.Label = title
     Structure(feature)
-    feature.System = system
+    outdated.watch()
+    feature.System = title
+    feature.setPropertyStatus("System", "ReadOnly")
+    ensure_options(feature)
     for name, value in properties.items():
         setattr(feature, name, value)
-    unused = ("Gap", "OnBeams") if system == BEAMS else ("Height",)
-    for name in unused:
-        feature.setPropertyStatus(name, "Hidden")
     if FreeCAD.GuiUp:
         from freecad_ortho.view.structure_view import StructureView
 
@@ -133,8 +177,16 @@ def create(document: FreeCAD.Document, system: str, **properties: Any) -> FreeCA
     return feature
 
 
+def ensure_options(feature: FreeCAD.DocumentObject) -> None:
+    """Give a structure the properties that its system's options need."""
+    system = TITLES[feature.System]
+    ensure(feature, [system_property(option) for option in options_of(system)])
+    status = "Hidden" if system not in ON_BEAMS else "-Hidden"
+    feature.setPropertyStatus("OnBeams", status)
+
+
 def rebuild(feature: FreeCAD.DocumentObject) -> None:
-    """Set the shape and the part names from the properties.
+    """Set the shape and what is known of the parts from the properties.
 
     Raises:
         OrthoError: the properties or the net do not make a structure; nothing was changed.
@@ -146,9 +198,11 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     structure = build.structure([feature])
     with missing_package_named():
         shape = convert.part_shape(structure.compound())
-    names = [part.name for part in structure.parts]
     feature.Shape = shape
-    feature.PartNames = names
+    feature.Outdated = False
+    feature.PartNames = [part.name for part in structure.parts]
+    feature.Verdicts = list(structure.verdicts)
+    feature.Report = json.dumps(structure.report())
 
 
 def is_structure(feature: object) -> bool:

@@ -12,9 +12,10 @@ NARROW = 80
 
 
 class LengthField:
-    """A field for a length that speaks the user's unit system."""
+    """A field for a length that speaks the user's unit system; an optional one may stay 0."""
 
-    def __init__(self, millimetres: float) -> None:
+    def __init__(self, millimetres: float, optional: bool = False) -> None:
+        self._optional = optional
         self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.widget.setProperty("unit", "mm")
         self.widget.setProperty("minimum", 0.0)
@@ -26,6 +27,11 @@ class LengthField:
     def millimetres(self) -> float:
         """The length in mm."""
         return float(self.widget.property("rawValue"))
+
+    @property
+    def length(self) -> float | None:
+        """The length in mm, None where an optional one is not given."""
+        return None if self._optional and self.millimetres == 0.0 else self.millimetres
 
     @millimetres.setter
     def millimetres(self, value: float) -> None:
@@ -56,8 +62,8 @@ class ChoiceField:
 class NumberField:
     """A number that may be left empty, as in "let the solver choose"."""
 
-    def __init__(self, name: str, value: float | None = None) -> None:
-        self._name = name
+    def __init__(self, name: str, value: float | None = None, whole: bool = False) -> None:
+        self._name, self._whole = name, whole
         self.widget = QtGui.QLineEdit("" if value is None else f"{value:g}")
         if value is None:
             self.widget.setPlaceholderText(FreeCAD.Qt.translate("Ortho", "automatic"))
@@ -73,15 +79,31 @@ class NumberField:
         if not text:
             return None
         try:
-            return float(text)
+            return int(text) if self._whole else float(text)
         except ValueError:
             raise InputError(f"{self._name}: '{text}' is not a number; give one like 0.1") from None
 
 
-def offset_words() -> dict[str, str]:
-    """Where plates can lie, in the user's language."""
-    return {
-        "above": FreeCAD.Qt.translate("Ortho", "above"),
-        "centre": FreeCAD.Qt.translate("Ortho", "centre"),
-        "below": FreeCAD.Qt.translate("Ortho", "below"),
-    }
+class SwitchField:
+    """On or off."""
+
+    def __init__(self, checked: bool) -> None:
+        self.widget = QtGui.QCheckBox()
+        self.widget.setChecked(checked)
+
+    @property
+    def checked(self) -> bool:
+        """Whether it is on."""
+        return bool(self.widget.isChecked())
+
+
+class TextField:
+    """A line of text."""
+
+    def __init__(self, text: str = "") -> None:
+        self.widget = QtGui.QLineEdit(text)
+
+    @property
+    def text(self) -> str:
+        """What was typed, without blanks around it."""
+        return self.widget.text().strip()

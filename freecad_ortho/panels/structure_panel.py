@@ -1,4 +1,4 @@
-"""Task panels that ask for the sizes of beams and panels."""
+"""Task panel that asks for the sizes of a structure."""
 
 from __future__ import annotations
 
@@ -10,24 +10,53 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.commands import context, messages
+from freecad_ortho.fabrication import MATERIALS, Option
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.panels.fields import NARROW, ChoiceField, LengthField, offset_words
+from freecad_ortho.objects.system_properties import choices, is_length, label, options_of
+from freecad_ortho.panels.fields import (
+    NARROW,
+    ChoiceField,
+    LengthField,
+    NumberField,
+    SwitchField,
+    TextField,
+)
 from freecad_ortho.resources import icon
-from solver.errors import OrthoError
+from solver.errors import InputError, OrthoError
 
 translate = FreeCAD.Qt.translate
 
+# Sizes that the preference page sets for new structures.
+_PREFERRED = {
+    ("beams", "height"): "BeamHeight",
+    ("beams", "thickness"): "BeamThickness",
+    ("panels", "thickness"): "PanelThickness",
+    ("panels", "gap"): "PanelGap",
+}
 
-class _StructurePanel:
-    """What both panels share: a form, OK makes the structure, an error keeps the panel open."""
+Field = LengthField | ChoiceField | NumberField | SwitchField | TextField
 
-    def __init__(self, net: FreeCAD.DocumentObject, title: str, icon_name: str) -> None:
-        self._document, self._net = net.Document.Name, net.Name
+
+class StructurePanel:
+    """One field an option of the system; OK makes the structure, an error keeps the panel open.
+
+    Attributes:
+        fields: by the option's name.
+    """
+
+    def __init__(self, net: FreeCAD.DocumentObject, system: str, title: str) -> None:
+        self._document, self._net, self._system = net.Document.Name, net.Name, system
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title)
-        self.form.setWindowIcon(QtGui.QIcon(icon(icon_name)))
-        self.fields = QtGui.QFormLayout(self.form)
-        self.fields.addRow(translate("Ortho", "Net"), QtGui.QLabel(net.Label))
+        self.form.setWindowIcon(QtGui.QIcon(icon(system)))
+        self._rows = QtGui.QFormLayout(self.form)
+        self._rows.addRow(translate("Ortho", "Net"), QtGui.QLabel(net.Label))
+        self.fields = {option.name: _field(system, option) for option in options_of(system)}
+        for option in options_of(system):
+            widget = self.fields[option.name].widget
+            widget.setToolTip(translate("Ortho", option.help))
+            self._rows.addRow(translate("Ortho", label(option)), widget)
+        self._add_common_fields(net)
 
     @property
     def net(self) -> FreeCAD.DocumentObject | None:
@@ -43,7 +72,7 @@ class _StructurePanel:
             return True
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
-            self.make()
+            context.run("add_structure", self.net, self._system, **self.settings())
         except OrthoError as error:
             QtGui.QApplication.restoreOverrideCursor()
             messages.show_error(str(error))
@@ -57,63 +86,82 @@ class _StructurePanel:
         FreeCADGui.Control.closeDialog()
         return True
 
-    def make(self) -> None:
-        """Run and record the document function."""
-        raise NotImplementedError
+    def settings(self) -> dict[str, Any]:
+        """What was chosen, as ``freecad_ortho.api.add_structure`` takes it; no defaults.
 
-
-class BeamsPanel(_StructurePanel):
-    """Sizes of the beams on the edges of a net."""
-
-    def __init__(self, net: FreeCAD.DocumentObject) -> None:
-        super().__init__(net, translate("Ortho", "Beams"), "beams")
-        self.height = LengthField(preferences.length("BeamHeight"))
-        self.thickness = LengthField(preferences.length("BeamThickness"))
-        self.offset = ChoiceField(offset_words(), "centre")
-        self.fields.addRow(translate("Ortho", "Height"), self.height.widget)
-        self.fields.addRow(translate("Ortho", "Thickness"), self.thickness.widget)
-        self.fields.addRow(translate("Ortho", "Position"), self.offset.widget)
-
-    def make(self) -> None:
-        """Add the beams."""
-        context.run(
-            "add_beams",
-            self.net,
-            height=self.height.millimetres,
-            thickness=self.thickness.millimetres,
-            offset=self.offset.word,
-        )
-
-
-class PanelsPanel(_StructurePanel):
-    """Sizes of the panels in the faces of a net."""
-
-    def __init__(self, net: FreeCAD.DocumentObject) -> None:
-        super().__init__(net, translate("Ortho", "Panels"), "panels")
-        self.thickness = LengthField(preferences.length("PanelThickness"))
-        self.gap = LengthField(preferences.length("PanelGap"))
-        self.offset = ChoiceField(offset_words(), "above")
-        self._beams = _beams_on(net)
-        self.on_beams = QtGui.QComboBox()
-        self.on_beams.addItem(translate("Ortho", "nothing (on the net itself)"))
-        self.on_beams.addItems([beams.Label for beams in self._beams])
-        self.on_beams.setMinimumWidth(NARROW)
-        self.on_beams.setCurrentIndex(min(1, len(self._beams)))
-        self.fields.addRow(translate("Ortho", "Thickness"), self.thickness.widget)
-        self.fields.addRow(translate("Ortho", "Gap"), self.gap.widget)
-        self.fields.addRow(translate("Ortho", "Position"), self.offset.widget)
-        self.fields.addRow(translate("Ortho", "Lie on"), self.on_beams)
-
-    def make(self) -> None:
-        """Add the panels."""
-        settings: dict[str, Any] = {
-            "thickness": self.thickness.millimetres,
-            "gap": self.gap.millimetres,
-            "offset": self.offset.word,
-        }
-        if self.on_beams.currentIndex() > 0:
+        Raises:
+            InputError: a field does not hold a number.
+        """
+        settings: dict[str, Any] = {}
+        for option in options_of(self._system):
+            value = _value(self.fields[option.name])
+            if value != option.default:
+                settings[option.name] = value
+        if self.on_beams is not None and self.on_beams.currentIndex() > 0:
             settings["beams"] = self._beams[self.on_beams.currentIndex() - 1]
-        context.run("add_panels", self.net, **settings)
+        if self.family.word != "both":
+            settings["family"] = self.family.word
+        if self.lines.text:
+            settings["lines"] = _numbers(self.lines.text)
+        if self.material.word != "steel":
+            settings["material"] = self.material.word
+        return settings
+
+    def _add_common_fields(self, net: FreeCAD.DocumentObject) -> None:
+        self.on_beams = None
+        if self._system in structure_object.ON_BEAMS:
+            self._beams = _beams_on(net)
+            self.on_beams = QtGui.QComboBox()
+            self.on_beams.addItem(translate("Ortho", "nothing (on the net itself)"))
+            self.on_beams.addItems([beams.Label for beams in self._beams])
+            self.on_beams.setMinimumWidth(NARROW)
+            self.on_beams.setCurrentIndex(min(1, len(self._beams)))
+            self._rows.addRow(translate("Ortho", "Lie on"), self.on_beams)
+        families = {
+            "both": translate("Ortho", "both families"),
+            "u": translate("Ortho", "u lines"),
+            "v": translate("Ortho", "v lines"),
+        }
+        self.family = ChoiceField(families, "both")
+        self.lines = TextField()
+        self.lines.widget.setPlaceholderText(translate("Ortho", "all"))
+        self.lines.widget.setToolTip(translate("Ortho", "Numbers of parameter lines, such as 0, 3"))
+        self.material = ChoiceField({name: translate("Ortho", name) for name in MATERIALS}, "steel")
+        self._rows.addRow(translate("Ortho", "Along"), self.family.widget)
+        self._rows.addRow(translate("Ortho", "Lines"), self.lines.widget)
+        self._rows.addRow(translate("Ortho", "Material"), self.material.widget)
+
+
+def _field(system: str, option: Option) -> Field:
+    words = choices(option)
+    if words:
+        return ChoiceField({word: translate("Ortho", word) for word in words}, option.default)
+    if is_length(option):
+        preferred = _PREFERRED.get((system, option.name))
+        first = preferences.length(preferred) if preferred else option.default or 0.0
+        return LengthField(first, optional=option.default is None)
+    if option.kind is bool:
+        return SwitchField(option.default)
+    if option.kind in (int, float):
+        return NumberField(label(option), option.default, whole=option.kind is int)
+    return TextField(option.default or "")
+
+
+def _value(field: Field) -> Any:
+    if isinstance(field, LengthField):
+        return field.length
+    if isinstance(field, ChoiceField):
+        return field.word
+    if isinstance(field, NumberField):
+        return field.number
+    return field.checked if isinstance(field, SwitchField) else field.text or None
+
+
+def _numbers(text: str) -> list[int]:
+    words = text.replace(",", " ").split()
+    if not all(word.isdecimal() for word in words):
+        raise InputError(f"lines: expected numbers such as 0, 3, got '{text}'")
+    return [int(word) for word in words]
 
 
 def _beams_on(net: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
