@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 # Toolbar -> names of its commands, in their order; a name is "Ortho_" and the class's name.
 TOOLBARS = {
-    "Design": ("ImportNet",),
+    "Design": ("ImportNet", "MultiNet", "NewNet", "ChangeNet"),
     "Optimise": ("Optimise",),
     "Analyse": ("Display", "Check", "SavePicture"),
     "Fabricate": ("Beams", "Panels", "UpdateStructures", "ExportFabrication", "Bake"),
@@ -59,12 +59,37 @@ def _add(name: str, command: Any) -> None:
 def _commands() -> list[Command]:
     from freecad_ortho.commands.display import Check, Display, SavePicture
     from freecad_ortho.commands.export_fabrication import ExportFabrication
+    from freecad_ortho.commands.groups import ChangeNet, NewNet
     from freecad_ortho.commands.import_net import ImportNet
     from freecad_ortho.commands.optimise import Optimise
+    from freecad_ortho.commands.remesh import QuadsFromMesh
+    from freecad_ortho.commands.sources import (
+        Derived,
+        EllipticNet,
+        FaceNet,
+        FormNet,
+        MultiNet,
+        Primitive,
+        Refine,
+        Transform,
+        Weld,
+    )
     from freecad_ortho.commands.structures import Bake, Beams, Panels, UpdateStructures
 
     return [
         ImportNet(),
+        MultiNet(),
+        Primitive(),
+        EllipticNet(),
+        FaceNet(),
+        QuadsFromMesh(),
+        FormNet(),
+        Derived(),
+        Refine(),
+        Transform(),
+        Weld(),
+        NewNet(),
+        ChangeNet(),
         Optimise(),
         Display(),
         Check(),

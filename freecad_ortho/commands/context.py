@@ -73,6 +73,8 @@ def _source(value: Any) -> str:
     """Write a value as Python source."""
     if isinstance(value, list):
         return "[" + ", ".join(map(_source, value)) + "]"
+    if isinstance(value, tuple):
+        return "(" + "".join(_source(item) + ", " for item in value).rstrip(" ") + ")"
     if isinstance(value, FreeCAD.DocumentObject):
         return f"FreeCAD.getDocument({value.Document.Name!r}).getObject({value.Name!r})"
     return repr(value)

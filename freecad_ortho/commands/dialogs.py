@@ -14,12 +14,23 @@ translate = FreeCAD.Qt.translate
 
 
 def ask_mesh_file() -> str | None:
-    """Ask for an OBJ file; None when the user cancels."""
+    """Ask for a file of quads; None when the user cancels."""
     path, _ = QtGui.QFileDialog.getOpenFileName(
         FreeCADGui.getMainWindow(),
         translate("Ortho", "Import quad mesh"),
         _last_folder(),
-        translate("Ortho", "Quad mesh (*.obj)"),
+        translate("Ortho", "Quad mesh (*.obj *.ply *.off *.json)"),
+    )
+    return _remember(path)
+
+
+def ask_triangle_file() -> str | None:
+    """Ask for a file with triangles; None when the user cancels."""
+    path, _ = QtGui.QFileDialog.getOpenFileName(
+        FreeCADGui.getMainWindow(),
+        translate("Ortho", "Quads from triangles"),
+        _last_folder(),
+        translate("Ortho", "Triangle mesh (*.stl *.obj *.ply *.off *.glb)"),
     )
     return _remember(path)
 

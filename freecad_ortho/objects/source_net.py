@@ -128,7 +128,7 @@ def create(
     Raises:
         InputError: values that make no net.
     """
-    made = source(kind).make(values, **_inputs(nets, faces))
+    made = source(kind).make(values, **inputs(nets, faces))
     name = "MultiNet" if kind == "multi-net" else "Net"
     feature = document.addObject("App::FeaturePython", name)
     SourceNet(feature, kind)
@@ -140,9 +140,9 @@ def create(
     set_values(feature, values)
     _store(feature, made)
     if FreeCAD.GuiUp:
-        from freecad_ortho.view.net_view import NetView
+        from freecad_ortho.view.source_net_view import SourceNetView
 
-        NetView(feature.ViewObject)
+        SourceNetView(feature.ViewObject)
     return feature
 
 
@@ -159,7 +159,7 @@ def remake(feature: FreeCAD.DocumentObject) -> None:
     """
     nets = feature.Nets if "Nets" in feature.PropertiesList else ()
     faces = cad_faces.faces_of(feature.CadFaces) if "CadFaces" in feature.PropertiesList else ()
-    made = source(feature.MadeBy).make(values_of(feature), **_inputs(nets, faces))
+    made = source(feature.MadeBy).make(values_of(feature), **inputs(nets, faces))
     _store(feature, made)
 
 
@@ -178,16 +178,16 @@ def set_values(feature: FreeCAD.DocumentObject, values: Mapping[str, Any]) -> No
             setattr(feature, part, _to_property(option, item))
 
 
-def _inputs(
+def inputs(
     nets: Sequence[FreeCAD.DocumentObject], faces: Sequence[tuple[FreeCAD.DocumentObject, str]]
 ) -> dict[str, Any]:
     """What a source takes besides its options: meshes of nets, patches of faces."""
-    inputs: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     if nets:
-        inputs["meshes"] = [convert.quad_mesh(net) for net in nets]
+        result["meshes"] = [convert.quad_mesh(net) for net in nets]
     if faces:
-        inputs["patches"] = [cad_faces.surface_patch(*face) for face in faces]
-    return inputs
+        result["patches"] = [cad_faces.surface_patch(*face) for face in faces]
+    return result
 
 
 def _store(feature: FreeCAD.DocumentObject, made: Made) -> None:

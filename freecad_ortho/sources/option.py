@@ -114,6 +114,9 @@ class Source:
         for option in self.options:
             if option.kind == "points":
                 values[option.name] = np.asarray(values[option.name], dtype=float).reshape(-1, 3)
+            elif option.kind == "placement":
+                rotation, origin = (np.asarray(x, dtype=float) for x in values[option.name])
+                values[option.name] = (rotation, origin)
         return self.build(**values, **inputs)
 
     def _check(self, option: Option, value: Any) -> None:

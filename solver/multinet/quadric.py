@@ -161,6 +161,28 @@ class Quadric:
             )
         return self.from_frame(self.to_frame(points) / np.sqrt(value)[..., None])
 
+    def hits(self, origin: ArrayLike, direction: ArrayLike) -> FloatArray:
+        """(k, 3) points where a line meets the quadric, k up to two, in the line's direction.
+
+        Args:
+            origin: (3,) a point of the line, in the model's unit.
+            direction: (3,) its direction, any length.
+        """
+        start = self.to_frame(np.asarray(origin, dtype=np.float64))
+        along = np.asarray(direction, dtype=np.float64) @ self.rotation
+        # c + 2 b k + a k^2 = 0 for the places k on the line.
+        a = float(self.curvatures @ along**2)
+        b = float(self.curvatures @ (start * along))
+        c = float(self.curvatures @ start**2) - 1.0
+        root = b * b - a * c
+        if root < 0 or (a == 0 and b == 0):
+            return np.zeros((0, 3))
+        # The sum that does not cancel, and the other place from the product of both.
+        q = -(b + np.copysign(np.sqrt(root), b))
+        places = [q / a] if a else []
+        places += [c / q] if q else []
+        return self.from_frame(start + np.sort(places)[:, None] * along)
+
     def project(self, points: ArrayLike) -> FloatArray:
         """(..., 3) nearest points of the quadric.
 

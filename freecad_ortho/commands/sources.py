@@ -1,0 +1,204 @@
+"""The commands that make nets: from numbers, from CAD faces, from triangles and from other nets."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from freecad_ortho.commands import context, messages
+from freecad_ortho.commands.command import Command
+from freecad_ortho.objects.net import is_net
+from freecad_ortho.sources import GROUPS, source
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+
+class SourceCommand(Command):
+    """A command that opens the panel of a group of sources.
+
+    Attributes:
+        group: of sources.
+    """
+
+    group: str
+
+    def IsActive(self) -> bool:
+        """Where there is what the sources need."""
+        needs = source(GROUPS[self.group][0]).needs
+        nets, faces = selected_nets(), selected_faces()
+        enough = {"": True, "net": len(nets) == 1, "nets": len(nets) > 1, "faces": bool(faces)}
+        return super().IsActive() and enough[needs]
+
+    def Activated(self) -> None:
+        """Open the task panel."""
+        with messages.errors_shown():
+            FreeCADGui.Control.showDialog(self.panel())
+
+    def panel(self) -> Any:
+        """The task panel, on what is selected."""
+        from freecad_ortho.panels.source_panel import SourcePanel
+
+        needs = source(GROUPS[self.group][0]).needs
+        nets = selected_nets() if needs in ("net", "nets") else []
+        faces = selected_faces() if needs == "faces" else []
+        owners = [*nets, *(face[0] for face in faces)]
+        document = owners[0].Document if owners else _document()
+        title = FreeCAD.Qt.translate(f"Ortho_{type(self).__name__}", self.text)
+        return SourcePanel(title, self.icon, self.group, document, nets, faces)
+
+
+class Primitive(SourceCommand):
+    """Choose a net that is known exactly."""
+
+    group = "primitive"
+    icon = "primitive"
+    text = QT_TRANSLATE_NOOP("Ortho_Primitive", "Primitive")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Primitive", "A net that is known exactly: sphere, catenoid, helicoid and others"
+    )
+
+
+class MultiNet(SourceCommand):
+    """Draw a polyline on a quadric."""
+
+    group = "multi-net"
+    icon = "multi_net"
+    text = QT_TRANSLATE_NOOP("Ortho_MultiNet", "Multi-net")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_MultiNet",
+        "Draw a polyline on a quadric; the orthogonal multi-net that it determines follows at once",
+    )
+
+    def panel(self) -> Any:
+        """The task panel with which one draws."""
+        from freecad_ortho.panels.multi_net_panel import MultiNetPanel
+
+        title = FreeCAD.Qt.translate("Ortho_MultiNet", "Multi-net")
+        return MultiNetPanel(title, self.icon, _document())
+
+
+class EllipticNet(SourceCommand):
+    """Choose a multi-net in elliptic coordinates."""
+
+    group = "elliptic multi-net"
+    icon = "elliptic_net"
+    text = QT_TRANSLATE_NOOP("Ortho_EllipticNet", "Multi-net in elliptic coordinates")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_EllipticNet", "An orthogonal multi-net from a curve in elliptic coordinates"
+    )
+
+
+class FaceNet(SourceCommand):
+    """Sample CAD faces."""
+
+    group = "faces"
+    icon = "face_net"
+    text = QT_TRANSLATE_NOOP("Ortho_FaceNet", "Net on faces")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_FaceNet",
+        "Sample the selected CAD faces along their parameter lines, joined where they meet",
+    )
+
+
+class FormNet(SourceCommand):
+    """Find a form in equilibrium."""
+
+    group = "form-finding"
+    icon = "form_net"
+    text = QT_TRANSLATE_NOOP("Ortho_FormNet", "Form-finding")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_FormNet", "A membrane or cable net in equilibrium that starts from the selected net"
+    )
+
+
+class Derived(SourceCommand):
+    """Make the diagonal, medial or checkerboard mesh."""
+
+    group = "derived"
+    icon = "derived"
+    text = QT_TRANSLATE_NOOP("Ortho_Derived", "Derived mesh")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Derived", "The diagonal, medial or checkerboard mesh of the selected net"
+    )
+
+
+class Refine(SourceCommand):
+    """Subdivide, coarsen or trim."""
+
+    group = "refine"
+    icon = "refine"
+    text = QT_TRANSLATE_NOOP("Ortho_Refine", "Subdivide, coarsen, trim")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Refine", "More or fewer parameter lines of the selected net, or rows cut off"
+    )
+
+
+class Transform(SourceCommand):
+    """Move, mirror, bend or turn over."""
+
+    group = "transform"
+    icon = "transform"
+    text = QT_TRANSLATE_NOOP("Ortho_Transform", "Transform net")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Transform",
+        "Move, turn, scale, mirror, turn over or bend the selected net (Moebius transformation)",
+    )
+
+
+class Weld(SourceCommand):
+    """Join nets."""
+
+    group = "weld"
+    icon = "weld"
+    text = QT_TRANSLATE_NOOP("Ortho_Weld", "Weld nets")
+    tip = QT_TRANSLATE_NOOP("Ortho_Weld", "Join the selected nets into one where borders meet")
+
+
+def edit_source(net: FreeCAD.DocumentObject) -> None:
+    """Open the panel with the options of a net that follows a source."""
+    if FreeCADGui.Control.activeDialog():
+        return
+    from freecad_ortho.objects import cad_faces
+    from freecad_ortho.panels.multi_net_panel import MultiNetPanel
+    from freecad_ortho.panels.source_panel import SourcePanel
+
+    group = next(name for name, members in GROUPS.items() if net.MadeBy in members)
+    with messages.errors_shown():
+        if group == "multi-net":
+            panel = MultiNetPanel(net.Label, "multi_net", net.Document, net)
+        else:
+            faces = cad_faces.faces_of(getattr(net, "CadFaces", []))
+            nets = getattr(net, "Nets", [])
+            panel = SourcePanel(net.Label, "net", group, net.Document, nets, faces, net)
+        FreeCADGui.Control.showDialog(panel)
+
+
+def selected_nets() -> list[FreeCAD.DocumentObject]:
+    """The selected nets, or the one that is meant."""
+    nets = [item for item in FreeCADGui.Selection.getSelection() if is_net(item)]
+    if not nets and (net := context.current_net()) is not None:
+        nets = [net]
+    return nets
+
+
+def selected_faces() -> list[tuple[FreeCAD.DocumentObject, str]]:
+    """The selected faces of shapes; a shape that is selected whole stands for all its faces."""
+    faces = []
+    for picked in FreeCADGui.Selection.getSelectionEx():
+        shape = getattr(picked.Object, "Shape", None)
+        if shape is None or not getattr(shape, "Faces", None):
+            continue
+        names = [name for name in picked.SubElementNames if name.startswith("Face")]
+        if not picked.SubElementNames:
+            names = [f"Face{k + 1}" for k in range(len(shape.Faces))]
+        faces += [(picked.Object, name) for name in names]
+    return faces
+
+
+def _document() -> FreeCAD.Document:
+    """The active document, or a new one."""
+    if FreeCAD.ActiveDocument is None:
+        FreeCADGui.doCommand('FreeCAD.newDocument("Net")')
+    return FreeCAD.ActiveDocument

@@ -1,0 +1,118 @@
+"""Input fields made from the options of a source."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from freecad_ortho.panels.fields import NARROW, ChoiceField
+from freecad_ortho.sources import Option
+
+translate = FreeCAD.Qt.translate
+
+_UNITS = {"length": "mm", "distance": "mm", "area": "mm^2", "angle": "deg"}
+_MOST = 1e12
+
+
+class OptionField:
+    """One row of a form for one option; options without a widget keep the value they have.
+
+    Attributes:
+        widget: what stands in the row, None for what is not asked for in a form.
+    """
+
+    def __init__(self, option: Option, value: Any) -> None:
+        self.option = option
+        self._value = value
+        self._parts: list[Any] = []
+        self.widget = self._build(value)
+        if self.widget is not None:
+            self.widget.setToolTip(translate("Ortho", option.meaning))
+
+    @property
+    def value(self) -> Any:
+        """The value, plain, in mm and degrees."""
+        values = tuple(self._read(part) for part in self._parts)
+        if not values:
+            return self._value
+        return values if len(self.option.parts) > 1 else values[0]
+
+    @value.setter
+    def value(self, value: Any) -> None:
+        self._value = value
+        parts = value if len(self.option.parts) > 1 else (value,)
+        for part, item in zip(self._parts, parts, strict=False):
+            self._write(part, item)
+
+    def _build(self, value: Any) -> QtGui.QWidget | None:
+        if self.option.kind in ("points", "placement"):
+            return None
+        parts = value if len(self.option.parts) > 1 else (value,)
+        for item in parts:
+            part = self._part()
+            self._parts.append(part)
+            self._write(part, item)
+        widgets = [getattr(part, "widget", part) for part in self._parts]
+        if len(widgets) == 1:
+            return widgets[0]
+        group = QtGui.QWidget()
+        # Lengths and areas need the room: one below the other.
+        box = QtGui.QVBoxLayout if self.option.kind in ("length", "area") else QtGui.QHBoxLayout
+        line = box(group)
+        line.setContentsMargins(0, 0, 0, 0)
+        for widget in widgets:
+            line.addWidget(widget)
+        return group
+
+    def _part(self) -> Any:
+        kind = self.option.kind
+        if kind in _UNITS:
+            widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+            widget.setProperty("unit", _UNITS[kind])
+            widget.setProperty("minimum", 0.0 if kind == "length" else -_MOST)
+            widget.setProperty("maximum", _MOST)
+        elif kind == "number":
+            widget = QtGui.QDoubleSpinBox()
+            widget.setDecimals(6)
+            widget.setRange(-_MOST, _MOST)
+            widget.setSingleStep(0.1)
+        elif kind == "count":
+            widget = QtGui.QSpinBox()
+            widget.setRange(0, 100_000)
+        elif kind == "choice":
+            words = {word: translate("Ortho", word) for word in self.option.choices}
+            return ChoiceField(words, self.option.choices[0])
+        elif kind == "flag":
+            return QtGui.QCheckBox()
+        else:
+            widget = QtGui.QLineEdit()
+        widget.setMinimumWidth(NARROW // 2)
+        return widget
+
+    def _read(self, part: Any) -> Any:
+        kind = self.option.kind
+        if kind in _UNITS:
+            return float(part.property("rawValue"))
+        if kind in ("number", "count"):
+            return part.value()
+        if kind == "choice":
+            return part.word
+        return part.isChecked() if kind == "flag" else part.text()
+
+    def _write(self, part: Any, value: Any) -> None:
+        kind = self.option.kind
+        if kind in _UNITS:
+            part.setProperty("rawValue", float(value))
+        elif kind == "number":
+            part.setValue(float(value))
+        elif kind == "count":
+            part.setValue(int(value))
+        elif kind == "choice":
+            part.widget.setCurrentIndex(self.option.choices.index(value))
+        elif kind == "flag":
+            part.setChecked(bool(value))
+        else:
+            part.setText(value)

@@ -1,0 +1,39 @@
+"""View provider of a net that follows a source: a double click opens its options again."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+from PySide import QtGui
+
+from freecad_ortho.resources import icon
+from freecad_ortho.view.net_view import NetView
+
+_ICONS = {"multi-net": "multi_net", "elliptic multi-net": "elliptic_net", "faces": "face_net"}
+
+
+class SourceNetView(NetView):
+    """Proxy of the view provider of a net that follows a source."""
+
+    def getIcon(self) -> str:
+        """Icon in the tree: that of the command that made it."""
+        made_by = getattr(getattr(self, "Object", None), "MadeBy", "")
+        return icon(_ICONS.get(made_by, "net"))
+
+    def claimChildren(self) -> list[Any]:
+        """What the net is made of stands below it in the tree."""
+        return list(getattr(self.Object, "Nets", []))
+
+    def doubleClicked(self, view_object: Any) -> bool:
+        """Open the options of the source."""
+        from freecad_ortho.commands.sources import edit_source
+
+        edit_source(view_object.Object)
+        return True
+
+    def setupContextMenu(self, view_object: Any, menu: Any) -> None:
+        """Offer the options of the source in the tree."""
+        action = QtGui.QAction(FreeCAD.Qt.translate("Ortho", "Edit source"), menu)
+        action.triggered.connect(lambda: self.doubleClicked(view_object))
+        menu.addAction(action)
