@@ -36,17 +36,18 @@ class NormalEquations:
     Args:
         terms: the terms, in the order in which weights and linearisations are given later.
         free: (N,) true for unknowns that may move; the others are eliminated.
-        vertex_count: V; the first 3 V unknowns are coordinates, the others shared scalars.
+        points: (V, 3) where the vertices are about, to number the unknowns by; the first 3 V
+            unknowns are coordinates, the others shared scalars.
         reorder: number the unknowns so that a factorisation fills in little.
     """
 
     def __init__(
-        self, terms: Sequence[Term], free: BoolArray, vertex_count: int, reorder: bool = True
+        self, terms: Sequence[Term], free: BoolArray, points: FloatArray, reorder: bool = True
     ) -> None:
         self.terms = tuple(terms)
         members = _alike(self.terms)
         stencils = [self.terms[group[0]].unknowns for group in members]
-        layout = Layout(stencils, free, vertex_count, reorder)
+        layout = Layout(stencils, free, points, reorder)
         self.pattern: Pattern = layout.pattern
         self._groups = [
             _group(group, unknowns, layout)

@@ -17,7 +17,8 @@ from typing import NamedTuple
 import numpy as np
 
 from solver.assembly import NormalEquations
-from solver.linear import SingularSystemError, SymmetricSolver
+from solver.errors import SingularSystemError
+from solver.linear import SymmetricSolver
 from solver.mesh.quadmesh import FloatArray
 from solver.terms.base import Linearisation, Term
 

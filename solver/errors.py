@@ -14,3 +14,7 @@ class InputError(OrthoError, ValueError):
 
 class OutputError(OrthoError, OSError):
     """A result could not be written; nothing half-written is left behind."""
+
+
+class SingularSystemError(OrthoError):
+    """A linear system could not be solved; the solver answers with more damping."""

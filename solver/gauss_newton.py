@@ -95,7 +95,7 @@ class Optimisation:
         self._problems = [problems] if isinstance(problems, Problem) else list(problems)
         self.tolerance = tolerance
         self.max_steps = max_steps
-        self.backend = backend or default_backend()
+        self.backend = backend or default_backend(int(self._problems[0].free.sum()))
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self._turn, self._attempt, self.attempts = 0, 1, 1
@@ -248,7 +248,7 @@ class Optimisation:
         self._system = NormalEquations(
             terms,
             problem.free,
-            problem.mesh.connectivity.vertex_count,
+            problem.mesh.vertices,
             # rslab orders the unknowns itself.
             reorder=self.backend == "scipy",
         )

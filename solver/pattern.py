@@ -13,8 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import coo_array, csc_array
 
-from solver.linear import fill_reducing_order
+from solver.dissection import dissect
 from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.quadmesh import FloatArray
 
 
 @dataclass(frozen=True)
@@ -25,11 +26,14 @@ class Pattern:
         indptr: (n + 1,) start of each column.
         indices: (nnz,) row numbers, ascending in each column, the diagonal first.
         unknowns: (n,) position in the flat vector of each row of the matrix.
+        parts: (p + 1,) where the parts of a nested dissection begin, and n; one part where the
+            unknowns were left in their own order.
     """
 
     indptr: IntArray
     indices: IntArray
     unknowns: IntArray
+    parts: IntArray
 
     @property
     def size(self) -> int:
@@ -43,26 +47,31 @@ class Layout:
     Args:
         stencils: arrays (n, k) of unknowns that meet in elements.
         free: (N,) true for unknowns that may move.
-        vertex_count: V; unknown 3 v + c is coordinate c of vertex v, from 3 V on come scalars.
+        points: (V, 3) where the vertices are about; unknown 3 v + c is coordinate c of vertex v,
+            from 3 V on come scalars.
         reorder: order the nodes so that a factorisation fills in little.
     """
 
     def __init__(
-        self, stencils: Sequence[IntArray], free: BoolArray, vertex_count: int, reorder: bool
+        self, stencils: Sequence[IntArray], free: BoolArray, points: FloatArray, reorder: bool
     ) -> None:
         unknown = np.arange(len(free))
+        vertex_count = len(points)
         coordinates = 3 * vertex_count
         self._node = np.where(
             unknown < coordinates, unknown // 3, unknown - coordinates + vertex_count
         )
         count = vertex_count + len(free) - coordinates
         graph = _meeting([self._node[stencil] for stencil in stencils], count)
-        order = fill_reducing_order(graph) if reorder else np.arange(count)
+        order, begins = np.arange(count), np.array([0, count])
+        if reorder:
+            weights = np.bincount(self._node, free, count).astype(np.int64)
+            order, begins = dissect(graph, _places(graph, points), weights)
         self._rank = np.empty(count, dtype=np.int64)
         self._rank[order] = np.arange(count)
         self._free = free
         self._number_unknowns(free)
-        self._lay_out(graph)
+        self._lay_out(graph, np.unique(self._first[begins]))
 
     def rows(self, unknowns: IntArray) -> IntArray:
         """Row of the matrix of each unknown; the number of rows for those that are fixed."""
@@ -109,7 +118,7 @@ class Layout:
         self._local[kept] = np.arange(len(kept)) - self._first[rank]
         self._kept = kept
 
-    def _lay_out(self, graph: csc_array) -> None:
+    def _lay_out(self, graph: csc_array, parts: IntArray) -> None:
         """Expand the blocks of the lower triangle into entries, column by column."""
         count = len(self._rank)
         column = self._rank[np.repeat(np.arange(count), np.diff(graph.indptr))]
@@ -126,9 +135,9 @@ class Layout:
         width = self._size
         per_node = width * self._height - width * (width - 1) // 2
         self._base = np.cumsum(per_node) - per_node
-        self.pattern = self._pattern(node_column, node_row)
+        self.pattern = self._pattern(node_column, node_row, parts)
 
-    def _pattern(self, node_column: IntArray, node_row: IntArray) -> Pattern:
+    def _pattern(self, node_column: IntArray, node_row: IntArray, parts: IntArray) -> Pattern:
         size = len(self._kept)
         node = self._rank[self._node[self._kept]]
         local = self._local[self._kept]
@@ -143,7 +152,7 @@ class Layout:
                 has &= (node_row > node_column) | (r >= c)
                 j, i = node_column[has], node_row[has]
                 indices[self._column_start(j, c) + self._offset[has] + r - c] = self._first[i] + r
-        return Pattern(indptr, indices, self._kept)
+        return Pattern(indptr, indices, self._kept, parts)
 
     def _column_start(self, node: IntArray, local: IntArray | int) -> IntArray:
         """First entry of column ``local`` of a node; each column is one entry shorter."""
@@ -174,3 +183,11 @@ def _meeting(stencils: Sequence[IntArray], count: int) -> csc_array:
         total = total + meets
     total.sort_indices()
     return total
+
+
+def _places(graph: csc_array, points: FloatArray) -> FloatArray:
+    """(n, 3) a place for every node; scalars are put amid the vertices that they meet."""
+    count = len(points)
+    meets = graph[:count, count:] != 0
+    met = np.maximum(meets.sum(axis=0), 1)
+    return np.concatenate([points, (meets.T @ points) / met[:, None]])
