@@ -136,6 +136,7 @@ def overlay_words() -> dict[str, str]:
         "Diagonals": translate("Ortho", "Diagonals"),
         "MedialLines": translate("Ortho", "Medial lines"),
         "Axes": translate("Ortho", "Node axes"),
+        "Rulings": translate("Ortho", "Rulings of strips"),
         "StarSpheres": translate("Ortho", "Spheres of vertex stars"),
         "IrregularVertices": translate("Ortho", "Irregular vertices"),
         "Supports": translate("Ortho", "Supports"),

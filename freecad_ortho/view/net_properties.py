@@ -109,6 +109,13 @@ PROPERTIES = (
     ),
     Property(
         "App::PropertyBool",
+        "Rulings",
+        "Overlays",
+        QT_TRANSLATE_NOOP("App::Property", "Show the rulings of strips along the parameter lines"),
+        default=False,
+    ),
+    Property(
+        "App::PropertyBool",
         "StarSpheres",
         "Overlays",
         QT_TRANSLATE_NOOP("App::Property", "Show spheres through some of the vertex stars"),

@@ -10,8 +10,10 @@ import numpy as np
 from freecad_ortho.view.colours import palette
 from solver.analysis.forces import edge_forces
 from solver.analysis.spheres import star_curvatures
+from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 from solver.offset.axes import torsion_free_axes
+from solver.unroll.planes import developable_strip
 
 Colour = tuple[float, float, float]
 
@@ -22,7 +24,7 @@ _PURPLE: Colour = (0.48, 0.20, 0.58)
 _ORANGE: Colour = (0.94, 0.58, 0.17)
 _GREEN: Colour = (0.10, 0.52, 0.30)
 # Lengths in mean edges.
-_AXIS, _ARROW, _HEAD = 0.6, 0.6, 0.18
+_AXIS, _ARROW, _HEAD, _RULING = 0.6, 0.6, 0.18, 0.7
 _CAPS, _CAP_SEGMENTS = 200, 32
 _WIDTH_CLASSES = 6
 _WIDEST = 9.0
@@ -59,14 +61,32 @@ Shape = Lines | Points | Balls
 
 
 def parameter_lines(mesh: QuadMesh) -> list[Shape]:
-    """The edges, one colour a family: the first two red and blue, all others grey."""
-    families = mesh.connectivity.edge_families
+    """The edges of u lines red, of v lines blue; grey where families cannot be told apart."""
+    family = ParameterLines(mesh.connectivity).edge_family
     ends = mesh.vertices[mesh.connectivity.edges]
-    found: list[Shape] = []
-    for number in np.unique(families).tolist():
-        colour = (_FIRST, _SECOND)[number] if number < 2 else _OTHERS
-        found.append(Lines(ends[families == number], colour, 2.5))
-    return found
+    colours = {0: _FIRST, 1: _SECOND, -1: _OTHERS}
+    return [
+        Lines(ends[family == number], colour, 2.5)
+        for number, colour in colours.items()
+        if (family == number).any()
+    ]
+
+
+def rulings(mesh: QuadMesh) -> list[Shape]:
+    """The rulings of developable strips that stand along the parameter lines."""
+    half = 0.5 * _RULING * mesh.mean_edge
+    ends: dict[str, list[FloatArray]] = {}
+    for line in ParameterLines(mesh.connectivity).all:
+        vertices = np.append(line.vertices, line.vertices[:1]) if line.closed else line.vertices
+        points = mesh.vertices[vertices]
+        strip = developable_strip(points, mesh.vertex_normals[vertices], closed=line.closed)
+        reach = half * strip.rulings
+        ends.setdefault(line.family, []).append(np.stack([points - reach, points + reach], axis=1))
+    colours = {"u": _FIRST, "v": _SECOND}
+    return [
+        Lines(np.concatenate(found), colours.get(family, _OTHERS), 2.0)
+        for family, found in ends.items()
+    ]
 
 
 def diagonals(mesh: QuadMesh) -> list[Shape]:
@@ -190,6 +210,7 @@ OVERLAYS: dict[str, tuple[Callable[[QuadMesh], list[Shape]], bool]] = {
     "Diagonals": (diagonals, True),
     "MedialLines": (medial_lines, True),
     "Axes": (axes, False),
+    "Rulings": (rulings, False),
     "StarSpheres": (star_spheres, False),
     "IrregularVertices": (irregular_vertices, True),
     "Supports": (supports, True),

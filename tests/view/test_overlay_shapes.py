@@ -6,6 +6,7 @@ import pytest
 from freecad_ortho.view import overlay_shapes
 from freecad_ortho.view.overlay_shapes import OVERLAYS, Balls, Lines, Points
 from solver.analysis.spheres import star_curvatures
+from solver.mesh.lines import ParameterLines
 from tests.conftest import surface_of_revolution, wavy_grid
 
 
@@ -30,12 +31,21 @@ def test_diagonals_are_equal_and_medial_lines_perpendicular_on_an_orthogonal_net
 
 def test_parameter_lines_are_all_edges_in_two_colours():
     mesh = wavy_grid(5, 4)
-    lines = overlay_shapes.parameter_lines(mesh)
-    assert [len(one.ends) for one in lines] == [15, 16] or [len(one.ends) for one in lines] == [
-        16,
-        15,
-    ]
-    assert lines[0].colour != lines[1].colour
+    one, two = overlay_shapes.parameter_lines(mesh)
+    assert {len(one.ends), len(two.ends)} == {15, 16}
+    assert one.colour != two.colour
+
+
+def test_rulings_of_neighbours_lie_in_a_plane_with_their_edge():
+    mesh = wavy_grid(6, 5)
+    first, _ = overlay_shapes.rulings(mesh)
+    of_u = ParameterLines(mesh.connectivity).of_family("u")
+    line = first.ends[: len(of_u[0].vertices)]
+    np.testing.assert_allclose(line.mean(axis=1), mesh.vertices[of_u[0].vertices], atol=1e-12)
+    along = np.diff(line.mean(axis=1), axis=0)
+    direction = line[:, 1] - line[:, 0]
+    volume = np.einsum("ij,ij->i", np.cross(direction[:-1], direction[1:]), along)
+    np.testing.assert_allclose(volume, 0.0, atol=1e-10)
 
 
 def test_caps_lie_on_the_spheres_of_their_stars():
