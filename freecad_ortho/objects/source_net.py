@@ -159,8 +159,10 @@ def remake(feature: FreeCAD.DocumentObject) -> None:
     """
     nets = feature.Nets if "Nets" in feature.PropertiesList else ()
     faces = cad_faces.faces_of(feature.CadFaces) if "CadFaces" in feature.PropertiesList else ()
-    made = source(feature.MadeBy).make(values_of(feature), **inputs(nets, faces))
-    _store(feature, made)
+    entry = source(feature.MadeBy)
+    # What it was made of may have been deleted since.
+    require_inputs(entry, nets, faces)
+    _store(feature, entry.make(values_of(feature), **inputs(nets, faces)))
 
 
 def values_of(feature: FreeCAD.DocumentObject) -> dict[str, Any]:

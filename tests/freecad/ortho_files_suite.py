@@ -1,0 +1,88 @@
+"""Documents that earlier versions of the workbench saved. Run by FreeCAD.
+
+They are in ``fixtures``, by version, made by ``scripts/document_fixture.py``.
+"""
+
+import json
+import shutil
+import unittest
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+import ortho_suite_tools as tools
+
+from freecad_ortho import api
+from freecad_ortho.objects.net import VERSION, is_net
+from freecad_ortho.objects.structure import is_structure
+
+FIXTURES = Path(__file__).resolve().parent / "fixtures"
+VERSIONS = sorted(path.stem for path in FIXTURES.glob("*.FCStd"))
+
+
+class TestEarlierVersions(unittest.TestCase):
+    def tearDown(self):
+        tools.close_all()
+
+    def each(self):
+        """Open each document, as a copy, together with what it held when it was saved."""
+        for version in VERSIONS:
+            with self.subTest(version):
+                path = tools.SCRATCH / f"{version}.FCStd"
+                shutil.copy(FIXTURES / path.name, path)
+                held = json.loads((FIXTURES / f"{version}.json").read_text(encoding="utf-8"))
+                yield FreeCAD.openDocument(str(path)), held
+                tools.close_all()
+
+    def assertHolds(self, document, held, tolerance):
+        net = document.Net
+        np.testing.assert_array_equal(tools.vertices(net), held["vertices"])
+        self.assertEqual(list(net.Faces), held["faces"])
+        self.assertEqual(json.loads(net.LastReport), held["report"])
+        self.assertEqual(net.ColourMap, "Orthogonality")
+        for name, expected in held["structures"].items():
+            item = document.getObject(name)
+            self.assertEqual(item.Label, expected["label"])
+            self.assertEqual(list(item.PartNames), expected["parts"])
+            volumes = [solid.Volume for solid in item.Shape.Solids]
+            np.testing.assert_allclose(volumes, expected["volumes"], rtol=tolerance)
+            centre = list(item.Shape.CenterOfGravity)
+            np.testing.assert_allclose(centre, expected["centre"], rtol=tolerance, atol=1e-6)
+
+    def test_there_is_one_of_every_version(self):
+        changes = (tools.ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+        released = [line.split()[1] for line in changes.splitlines() if line.startswith("## ")]
+        self.assertEqual(sorted(released), VERSIONS)
+
+    def test_open_as_they_were_saved(self):
+        for document, held in self.each():
+            self.assertHolds(document, held, 1e-12)
+            self.assertEqual([item.State for item in document.Objects], [["Up-to-date"]] * 3)
+            self.assertTrue(is_net(document.Net))
+            self.assertEqual(document.Net.Version, VERSION)
+            self.assertTrue(all(map(is_structure, (document.Beams, document.Panels))))
+
+    def test_recompute_to_the_same_shapes(self):
+        for document, held in self.each():
+            for item in document.Objects:
+                item.touch()
+            document.recompute()
+            self.assertEqual([item.State for item in document.Objects], [["Up-to-date"]] * 3)
+            self.assertHolds(document, held, 1e-9)
+
+    def test_can_be_worked_on_and_saved_anew(self):
+        for document, held in self.each():
+            document.UndoMode = 1
+            document.Beams.Height = 2 * 180.0
+            document.recompute()
+            volume = sum(held["structures"]["Beams"]["volumes"])
+            self.assertAlmostEqual(document.Beams.Shape.Volume / volume, 2.0, delta=0.02)
+            document.Net.ColourMap = "Gauss curvature"
+            api.optimise_net(document.Net, net="principal")
+            volume = document.Panels.Shape.Volume
+            path = str(tools.SCRATCH / "anew.FCStd")
+            document.saveAs(path)
+            FreeCAD.closeDocument(document.Name)
+            again = FreeCAD.openDocument(path)
+            self.assertLess(abs(again.Panels.Shape.Volume / volume - 1), 1e-12)
+            self.assertEqual(again.Net.ColourMap, "Gauss curvature")

@@ -1,0 +1,301 @@
+"""What a user may do to a document, each thing with random numbers, and what must survive it."""
+
+import random
+from functools import partial
+
+import FreeCAD
+import numpy as np
+import ortho_suite_tools as tools
+import Part
+
+from freecad_ortho import api
+from freecad_ortho.objects.net import COLOUR_MAPS, is_net
+from freecad_ortho.objects.structure import is_structure
+from solver.errors import InputError
+
+LENGTH = 10
+OFFSETS = ("above", "centre", "below")
+
+
+class Sequence:
+    """One document and the random things that are done to it."""
+
+    def __init__(self, seed):
+        self.dice = random.Random(seed)
+        self.seed, self.done = seed, []
+        self.document = FreeCAD.newDocument("Random")
+        self.document.UndoMode = 1
+
+    def run(self):
+        self.import_net()
+        while len(self.done) < LENGTH:
+            action = self.dice.choice(ACTIONS)
+            if action(self) is not False:
+                self.done.append(action.__name__)
+
+    def nets(self):
+        return [item for item in self.document.Objects if is_net(item)]
+
+    def structures(self, system=None):
+        found = [item for item in self.document.Objects if is_structure(item)]
+        return [item for item in found if system in (None, item.System)]
+
+    def any_net(self):
+        return self.dice.choice(self.nets()) if self.nets() else None
+
+    def import_net(self):
+        if self.crowded():
+            return False
+        rows, columns = self.dice.choice([(3, 3), (3, 4), (4, 3)])
+        path = tools.wavy_mesh(f"random{rows}{columns}", rows, columns)
+        api.import_net(path, self.document, self.dice.choice([None, "mm"]))
+
+    def optimise_net(self):
+        net = self.any_net()
+        if net is None:
+            return False
+        kind = self.dice.choice(["principal", "orthogonal", "circular", "geodesic"])
+        steps = self.dice.randint(1, 4)
+        self.allowed_to_fail(partial(api.optimise_net, net=kind, max_steps=steps), net)
+
+    def add_beams(self):
+        net = self.any_net()
+        if net is None or len(self.structures()) > 3:
+            return False
+        height, thickness = self.dice.uniform(50, 300), self.dice.uniform(4, 20)
+        self.allowed_to_fail(api.add_beams, net, height, thickness, self.dice.choice(OFFSETS))
+
+    def add_panels(self):
+        net = self.any_net()
+        if net is None or len(self.structures()) > 3:
+            return False
+        beams = [item for item in self.structures("Beams") if item.Net is net]
+        below = self.dice.choice([None, *beams])
+        gap = self.dice.uniform(5, 30)
+        self.allowed_to_fail(api.add_panels, net, 12.0, gap, self.dice.choice(OFFSETS), below)
+
+    def allowed_to_fail(self, function, *arguments, **options):
+        """A net in the middle of its optimisation may not carry what is asked for."""
+        before = snapshot(self.document)
+        try:
+            function(*arguments, **options)
+        except InputError:
+            assert_same(before, snapshot(self.document), 0.0)
+
+    def add_primitive(self):
+        if self.crowded():
+            return False
+        name = self.dice.choice(["sphere", "catenoid", "rectangle", "helicoid"])
+        self.allowed_to_fail(
+            api.add_primitive, name, sampling=self.sampling(), document=self.document
+        )
+
+    def add_elliptic_net(self):
+        if self.crowded():
+            return False
+        curve, moving = self.dice.choice([("arch", "mu"), ("loop", "mu"), ("arch", "nu")])
+        self.allowed_to_fail(
+            api.add_elliptic_net,
+            moving,
+            curve=curve,
+            sampling=self.sampling(),
+            document=self.document,
+        )
+
+    def add_multi_net(self):
+        if self.crowded():
+            return False
+        api.add_multi_net(sampling=self.sampling(), document=self.document)
+
+    def net_from_faces(self):
+        if self.crowded():
+            return False
+        box = self.document.getObject("Dome") or self.document.addObject("Part::Feature", "Dome")
+        self.document.openTransaction("Dome")
+        box.Shape = Part.makeSphere(self.dice.uniform(2000, 5000)).Faces[0]
+        self.document.recompute()
+        self.document.commitTransaction()
+        size = self.sampling()
+        self.allowed_to_fail(api.net_from_faces, (box, "Face1"), sampling=size, v_part=(0.1, 0.9))
+
+    def form_net(self):
+        net = self.any_net()
+        if net is None or self.crowded():
+            return False
+        self.allowed_to_fail(partial(api.form_net, supports="corners"), net)
+
+    def change_net(self):
+        net = self.any_net()
+        if net is None or self.crowded():
+            return False
+        change = self.dice.choice(["subdivide", "diagonal mesh", "mirror", "orient", "transform"])
+        if len(net.Faces) > 300:
+            change = "transform"
+        self.allowed_to_fail(api.change_net, net, change)
+
+    def weld_nets(self):
+        if len(self.nets()) < 2 or self.crowded():
+            return False
+        self.allowed_to_fail(api.weld_nets, self.nets()[:2])
+
+    def change_source(self):
+        nets = [net for net in self.nets() if "SamplingU" in net.PropertiesList]
+        if not nets:
+            return False
+        net = self.dice.choice(nets)
+        self.allowed_to_fail(partial(api.change_source, sampling=self.sampling()), net)
+
+    def show_net(self):
+        net = self.any_net()
+        if net is None:
+            return False
+        api.show_net(net, colour_map=self.dice.choice(COLOUR_MAPS))
+
+    def crowded(self):
+        return len(self.nets()) > 3
+
+    def sampling(self):
+        return self.dice.randint(3, 5), self.dice.randint(3, 5)
+
+    def update_structures(self):
+        self.allowed_to_fail(api.update_structures, self.document)
+
+    def bake(self):
+        if not self.document.Objects or self.document.getObject("Baked"):
+            return False
+        self.allowed_to_fail(api.bake, self.dice.choice(self.document.Objects))
+
+    def export_fabrication(self):
+        if not self.structures() or self.dice.random() < 0.7:
+            return False
+        chosen = self.dice.choice(self.structures())
+        if "Invalid" in chosen.State:
+            return False
+        self.allowed_to_fail(api.export_fabrication, chosen, tools.SCRATCH / "random-files")
+
+    def change_a_size(self):
+        if not self.structures():
+            return False
+        chosen = self.dice.choice(self.structures())
+        self.document.openTransaction("Size")
+        chosen.Thickness = self.dice.uniform(5, 15)
+        chosen.Offset = self.dice.choice(OFFSETS).capitalize()
+        self.document.recompute()
+        self.document.commitTransaction()
+
+    def move_a_vertex(self):
+        net = self.any_net()
+        if net is None:
+            return False
+        self.document.openTransaction("Move")
+        points = net.Vertices
+        number = self.dice.randrange(len(points))
+        points[number] = points[number] + FreeCAD.Vector(0, 0, self.dice.uniform(-40, 40))
+        net.Vertices = points
+        self.document.recompute()
+        self.document.commitTransaction()
+
+    def delete(self):
+        if not self.document.Objects:
+            return False
+        self.document.openTransaction("Delete")
+        self.document.removeObject(self.dice.choice(self.document.Objects).Name)
+        self.document.recompute()
+        self.document.commitTransaction()
+
+    def undo(self):
+        if not self.document.UndoCount:
+            return False
+        self.document.undo()
+
+    def redo(self):
+        if not self.document.RedoCount:
+            return False
+        self.document.redo()
+
+    def undo_all_and_redo_all(self):
+        self.document.recompute()
+        before, steps = snapshot(self.document), self.document.UndoCount
+        for _ in range(steps):
+            self.document.undo()
+        for _ in range(steps):
+            self.document.redo()
+        assert_same(before, snapshot(self.document), 1e-12)
+
+    def recompute(self):
+        self.document.recompute()
+
+    def reopen(self):
+        before = snapshot(self.document)
+        path = str(tools.SCRATCH / "random.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.document.UndoMode = 1
+        # FreeCAD writes shapes with fifteen digits.
+        assert_same(before, snapshot(self.document), 1e-12)
+
+    def nonsense(self):
+        before = snapshot(self.document)
+        net = self.any_net()
+        attempts = (
+            lambda: api.add_beams(net, height=-1),
+            lambda: api.add_panels(net, gap="wide"),
+            lambda: api.optimise_net(net, net="fishing"),
+            lambda: api.import_net(tools.write("empty.obj", ""), self.document),
+        )
+        try:
+            self.dice.choice(attempts)()
+        except InputError:
+            assert_same(before, snapshot(self.document), 0.0)
+            return
+        raise AssertionError("nonsense was accepted")
+
+
+HELPERS = (
+    "allowed_to_fail",
+    "any_net",
+    "crowded",
+    "nets",
+    "run",
+    "sampling",
+    "structures",
+)
+ACTIONS = [
+    value
+    for name, value in vars(Sequence).items()
+    if not name.startswith("_") and name not in HELPERS
+]
+
+
+def snapshot(document):
+    """What must not change: positions, faces, settings, parts and their volumes, by object."""
+    found = {}
+    for item in document.Objects:
+        if is_net(item):
+            found[item.Name] = (tools.vertices(item).tobytes(), tuple(item.Faces)), []
+        elif is_structure(item):
+            solids = item.Shape.Solids
+            numbers = [solid.Volume for solid in solids]
+            numbers += list(item.Shape.BoundBox.Center) if solids else []
+            numbers += [float(value) for value in values(item, "Length", "Distance", "Float")]
+            links = [getattr(link, "Name", None) for link in values(item, "Link")]
+            words = values(item, "Enumeration", "Integer")
+            found[item.Name] = (tuple(item.PartNames), *links, *words), numbers
+    return found
+
+
+def values(item, *kinds):
+    wanted = [f"App::Property{kind}" for kind in kinds]
+    names = [n for n in item.PropertiesList if item.getTypeIdOfProperty(n) in wanted]
+    return [getattr(item, name) for name in names]
+
+
+def assert_same(one, two, tolerance):
+    assert one.keys() == two.keys(), f"{sorted(one)} became {sorted(two)}"
+    for name in one:
+        assert one[name][0] == two[name][0], f"{name} changed"
+        assert len(one[name][1]) == len(two[name][1]), f"{name} has other solids"
+        np.testing.assert_allclose(
+            one[name][1], two[name][1], rtol=tolerance, atol=1e3 * tolerance, err_msg=name
+        )
