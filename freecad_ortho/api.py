@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho.units import millimetres_per
@@ -132,15 +134,35 @@ def write_fabrication(
     structure: Structure,
     folder: str | os.PathLike[str],
     progress: Callable[[float, str], None] | None = None,
-) -> None:
-    """Write structure.step, flat.dxf, parts.csv and report.json, all or none.
+    *,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    **workshop: Any,
+) -> list[Path]:
+    """Write solids, flat patterns, lists and reports, all or none.
+
+    Args:
+        structure: from ``fabricate``.
+        folder: made when missing; other files in it stay.
+        progress: called with a fraction and words; whatever it raises stops the writing.
+        workers: processes on this machine to share the work on parts.
+        executor: any ``concurrent.futures`` executor to do so instead, e.g. that of a cluster.
+        workshop: settings of ``fabrication.Workshop`` (``sheet="3000x1500", kerf=0.2``), mm.
+
+    Returns:
+        The files.
 
     Raises:
+        InputError: settings that cannot be used, a part that does not fit sheet or stock.
         OutputError: the folder cannot be written.
     """
-    from freecad_ortho.fabrication import write
+    from freecad_ortho import fabrication
 
-    write(structure, folder, progress)
+    chosen = fabrication.Workshop.of(workshop)
+    with fabrication.local_pool(None if executor else workers) as pool:
+        return fabrication.write(
+            structure, folder, progress, workshop=chosen, executor=executor or pool
+        )
 
 
 def __getattr__(name: str) -> Any:

@@ -15,7 +15,8 @@ flat panels, and writes into OUT_DIR (default: ./out/demo):
   structure.step  every beam and panel as a named solid     parts.csv    the parts list
   flat.dxf        their outlines for cutting                report.json  what was reached
   model.FCStd     the model for FreeCAD                     preview.png  a picture of it
-  principal.obj   the optimised mesh
+  principal.obj   the optimised mesh                       nodes.csv    angles at the nodes
+  stock.csv       bars to saw beams from                   report.html  verdict, pictures, plots
 
   --mesh       a quad mesh of your own (default: examples/data/demo_roof.obj)
   --unit       its unit (default: as its file says, else guessed from its edges and said)

@@ -164,8 +164,11 @@ install_python_packages() {
   say "installing Python packages into .venv (a few minutes on a new machine)"
   pip_install "${arguments[@]}" ||
     fail "pip could not install the packages (see above); check the network and pip's own settings, then run this again"
-  pip_install -r "$root/requirements-fast.txt" >"$scratch/log" 2>&1 ||
-    say "the faster sparse solver (requirements-fast.txt) does not install here; scipy's takes its place, only slower"
+  # One by one: what does not install here must not keep the others away.
+  while read -r package; do
+    pip_install "$package" >"$scratch/log" 2>&1 ||
+      say "$package (requirements-fast.txt) does not install here; something slower or simpler takes its place"
+  done < <(grep -v '^#' "$root/requirements-fast.txt")
 }
 
 write_stamp() {

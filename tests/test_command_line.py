@@ -13,6 +13,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.__main__ import main
+from freecad_ortho.fabrication import FILES
 from tests.conftest import ROOT, wavy_grid
 
 
@@ -127,12 +128,7 @@ def test_fabricate_writes_all_files(mesh_file, tmp_path, capsys):
     net, out = tmp_path / "net.obj", tmp_path / "out"
     assert main(["optimise", str(mesh_file), "-o", str(net)]) == 0
     assert main(["fabricate", str(net), "-o", str(out), "--system", "beams+panels"]) == 0
-    assert {path.name for path in out.iterdir()} == {
-        "structure.step",
-        "flat.dxf",
-        "parts.csv",
-        "report.json",
-    }
+    assert {path.name for path in out.iterdir()} == set(FILES)
     assert "127 beams, 56 panels" in capsys.readouterr().out
 
 

@@ -4,15 +4,22 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Iterable
+from dataclasses import fields
+from typing import Any
 
 from freecad_ortho import api
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_OK, kept_whole
+from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS, Option
+from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
+
+_LIMITS = {field.name: field.default for field in fields(Limits)}
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -26,6 +33,12 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--lines", metavar="I,J,...", help="these parameter lines only, from 0")
     parser.add_argument("--material", default="steel", metavar="|".join(MATERIALS))
     parser.add_argument("--density", type=float, metavar="KG/M3", help="default: the material's")
+    _add_limits(parser)
+    shop = parser.add_argument_group("workshop", "what parts are cut from and with")
+    for option in Workshop.options:
+        if option.name not in _options():
+            _add_option(shop, option)
+    parser.add_argument("--workers", type=int, metavar="N", help="processes that share the work")
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
     parser.set_defaults(run=run)
@@ -34,7 +47,8 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Build the structure and write its files."""
     loaded = reporting.load(options)
-    given = {name: getattr(options, name) for name in _options()}
+    workshop = _given(options, [option.name for option in Workshop.options])
+    Workshop.of(workshop)
     structure = api.fabricate(
         loaded.mesh,
         options.system,
@@ -43,15 +57,39 @@ def run(options: argparse.Namespace) -> int:
         material=options.material,
         density=options.density,
         unit=loaded.unit,
-        **{name: value for name, value in given.items() if value is not None},
+        limits=Limits(**_given(options, _LIMITS, "limit_")),
+        **_given(options, _options()),
     )
     with kept_whole(), missing_package_named():
         import cadquery  # noqa: F401
         import ezdxf  # noqa: F401
     with reporting.Progress(options.verbose) as progress:
-        api.write_fabrication(structure, options.output, progress)
+        api.write_fabrication(
+            structure, options.output, progress, workers=options.workers, **workshop
+        )
     sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")
     return EXIT_OK
+
+
+def _given(options: argparse.Namespace, names: Iterable[str], prefix: str = "") -> dict[str, Any]:
+    """Values of those options that the user gave."""
+    values = {name: getattr(options, prefix + name) for name in names}
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def _add_limits(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("limits", "a part that exceeds one is named in the reports")
+    for name, default in _LIMITS.items():
+        words, _, unit = name.rpartition("_")
+        flag = f"--limit-{words.replace('_', '-')}"
+        shown = "none" if default is None else f"{default:g}"
+        group.add_argument(
+            flag,
+            type=float,
+            dest=f"limit_{name}",
+            metavar="DEGREES" if unit == "deg" else unit.upper(),
+            help=f"largest {words.replace('_', ' ')} (default: {shown})",
+        )
 
 
 def _options() -> dict[str, Option]:
@@ -66,7 +104,7 @@ def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
         for name, system in SYSTEMS.items()
         if option.name in (each.name for each in system.options)
     ]
-    words = f"{', '.join(users)}: {option.help}"
+    words = f"{', '.join(users)}: {option.help}" if users else option.help
     if option.kind is bool:
         group.add_argument(flag, action="store_true", default=None, help=words)
         return

@@ -55,7 +55,9 @@ def fabrication_line(structure: Structure, folder: str) -> str:
     report = structure.report()
     numbers = Counter(part.kind for part in structure.parts)
     counts = [f"{number} {kind}{'s' * (number > 1)}" for kind, number in numbers.items()]
-    return f"{', '.join(counts)}, {report['mass_kg']:.1f} kg; files are in {folder}"
+    failed = len(report["verdict"]["failed"])
+    words = f", {failed} beyond the limits" if failed else ""
+    return f"{', '.join(counts)}, {report['mass_kg']:.1f} kg{words}; files are in {folder}"
 
 
 def check_table(result: dict[str, Any]) -> str:

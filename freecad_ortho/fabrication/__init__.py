@@ -18,6 +18,8 @@ from freecad_ortho.fabrication.systems import (
     SystemParts,
     systems_of,
 )
+from freecad_ortho.fabrication.workers import local_pool
+from freecad_ortho.fabrication.workshop import Workshop
 
 __all__ = [
     "FILES",
@@ -40,8 +42,10 @@ __all__ = [
     "Structure",
     "System",
     "SystemParts",
+    "Workshop",
     "brep_text",
     "build",
+    "local_pool",
     "material",
     "stage_seconds",
     "systems_of",

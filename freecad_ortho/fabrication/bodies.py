@@ -18,6 +18,11 @@ if TYPE_CHECKING:
     import cadquery
 
 Loops = tuple[tuple[int, ...], ...]
+# Corners of a box, lower ring then upper ring, true where the upper bound is meant; its sides.
+_BOX = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]) == 1
+_BOX_SIDES: Loops = ((4, 5, 6, 7), (3, 2, 1, 0)) + tuple(
+    (k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4) for k in range(4)
+)
 
 
 class Body(ABC):
@@ -36,6 +41,14 @@ class Body(ABC):
     @abstractmethod
     def solid(self) -> cadquery.Solid:
         """Build the closed solid."""
+
+    def pieces(self) -> tuple[Polyhedron, ...]:
+        """Convex polyhedra that together contain the body; the closer, the faster the clash check.
+
+        By default its box in its own coordinates.
+        """
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        return (Polyhedron(np.where(_BOX, high, low), _BOX_SIDES),)
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,3 +83,7 @@ class Polyhedron(Body):
         from freecad_ortho.fabrication.solids import polyhedron_solid
 
         return polyhedron_solid(self.corners, self.loops)
+
+    def pieces(self) -> tuple[Polyhedron, ...]:
+        """The body itself, or what its convex hull contains of it."""
+        return (self,)

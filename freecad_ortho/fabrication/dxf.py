@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
     from ezdxf.layouts import BlockLayout
+
+    from freecad_ortho.fabrication.nesting import Sheet
 
 SPACING = 30.0
 # Name and colour, in the order in which a workshop looks at them.
@@ -26,8 +27,8 @@ _STYLE, _FONT = "SINGLE_STROKE", "txt.shx"
 _MILLIMETRES = 4
 
 
-def write_dxf(path: Path, parts: Sequence[Part]) -> None:
-    """Write the flat patterns in mm.
+def write_dxf(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
+    """Write flat patterns in rows, in mm.
 
     Layers: CUT the closed outlines and cutouts, HOLE circles, AXIS the unrolled parameter line,
     BEND bend lines, ENGRAVE lines and texts (dashed: on the far side of the plate), LABEL the
@@ -35,19 +36,37 @@ def write_dxf(path: Path, parts: Sequence[Part]) -> None:
 
     Args:
         path: file to write.
-        parts: each that has a flat pattern becomes a block of its name and one insert of it.
+        patterns: by the parts' names; each becomes a block of that name and one insert of it.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    places = row_layout(list(patterns.values()))
+    with _fixed_meta_data():
+        drawing = _empty_drawing()
+        space = drawing.modelspace()
+        for (name, pattern), place in zip(patterns.items(), places, strict=True):
+            _fill_block(drawing.blocks.new(name), name, pattern)
+            space.add_blockref(name, place.tolist())
+        drawing.saveas(path)
+
+
+def write_sheet(path: Path, sheet: Sheet) -> None:
+    """Write one nested sheet in mm, its rim on layer SHEET, a turned block a part.
 
     Raises:
         OSError: the file cannot be written.
     """
     with _fixed_meta_data():
         drawing = _empty_drawing()
+        drawing.layers.add("SHEET", color=8)
         space = drawing.modelspace()
-        patterns = {part.name: part.pattern for part in parts if part.pattern is not None}
-        places = row_layout(list(patterns.values()))
-        for (name, pattern), place in zip(patterns.items(), places, strict=True):
-            _fill_block(drawing.blocks.new(name), name, pattern)
-            space.add_blockref(name, place.tolist())
+        rim = [(0, 0), (sheet.width, 0), (sheet.width, sheet.height), (0, sheet.height)]
+        space.add_lwpolyline(rim, close=True, dxfattribs={"layer": "SHEET"})
+        for placement in sheet.placements:
+            _fill_block(drawing.blocks.new(placement.name), placement.name, placement.pattern)
+            turn = {"rotation": placement.angle_deg}
+            space.add_blockref(placement.name, placement.shift.tolist(), dxfattribs=turn)
         drawing.saveas(path)
 
 

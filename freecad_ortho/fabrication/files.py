@@ -5,62 +5,109 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from freecad_ortho.fabrication.dxf import write_dxf
+from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
+from freecad_ortho.fabrication.production import Production, produce
+from freecad_ortho.fabrication.report import overview, report_page
 from freecad_ortho.fabrication.step import write_step
 from freecad_ortho.fabrication.structure import Progress, Structure, build
 from freecad_ortho.fabrication.systems.system import System
-from freecad_ortho.fabrication.tables import write_parts, write_report
+from freecad_ortho.fabrication.tables import write_nodes, write_parts, write_report, write_stock
+from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import OutputError
 from solver.io.atomic import staged_folder
 from solver.mesh.quadmesh import QuadMesh
 
-FILES = ("structure.step", "flat.dxf", "parts.csv", "report.json")
+FILES = (
+    "structure.step",
+    "flat.dxf",
+    "parts.csv",
+    "nodes.csv",
+    "stock.csv",
+    "report.json",
+    "report.html",
+)
+SHEETS = "sheets"
 
 
 def write(
-    structure: Structure, folder: str | os.PathLike[str], progress: Progress | None = None
+    structure: Structure,
+    folder: str | os.PathLike[str],
+    progress: Progress | None = None,
+    *,
+    workshop: Workshop | None = None,
+    executor: Executor | None = None,
 ) -> list[Path]:
-    """Write structure.step, flat.dxf, parts.csv and report.json.
+    """Write solids, flat patterns, lists and reports; with a sheet size the folder ``sheets`` too.
 
     Args:
         structure: what to write.
         folder: made when missing; other files in it stay.
         progress: called with a fraction and words; whatever it raises stops the writing, and then
             the folder is as it was before.
+        workshop: sizes of sheets and bars, width of the cut.
+        executor: for work on parts; the files are the same with any and without.
 
     Returns:
-        The files, in the order above.
+        The files, in the order above, then those of the sheets.
 
     Raises:
+        InputError: a part that does not fit the workshop's sizes.
         OutputError: the folder cannot be made or written.
         OrthoError: a solid cannot be translated.
     """
     say = progress or (lambda fraction, words: None)
     target = Path(folder)
     _refuse_folders_in_the_way(target)
+    production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
     with _no_new_folders_on_failure(target), staged_folder(target) as staging:
-        structure.solids(lambda fraction, words: say(0.2 * fraction, words))
-        say(0.2, "structure.step")
+        structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words))
+        say(0.4, "structure.step")
         write_step(staging / "structure.step", structure.parts)
         say(0.8, "flat.dxf")
-        write_dxf(staging / "flat.dxf", structure.parts)
-        say(0.97, "parts.csv")
-        write_parts(staging / "parts.csv", structure.parts, structure.verdicts)
-        write_report(staging / "report.json", structure.report())
+        write_dxf(staging / "flat.dxf", production.named_patterns)
+        if production.sheets:
+            say(0.9, SHEETS)
+            _write_sheets(staging / SHEETS, production)
+        say(0.95, "lists and reports")
+        write_lists(staging, production)
+        written = sorted(path.name for path in (staging / SHEETS).glob("*"))
         say(1.0, "written")
-    return [target / name for name in FILES]
+    return [target / name for name in FILES] + [target / SHEETS / name for name in written]
+
+
+def write_lists(folder: Path, production: Production) -> None:
+    """Write the lists and reports into a folder.
+
+    Raises:
+        OSError: a file cannot be written.
+    """
+    equal_to = production.families.equal_to
+    parts = production.structure.parts
+    write_parts(folder / "parts.csv", parts, production.verdicts, equal_to)
+    write_nodes(folder / "nodes.csv", production.nodes, equal_to)
+    write_stock(folder / "stock.csv", production.bars)
+    write_report(folder / "report.json", production.report())
+    (folder / "report.html").write_text(report_page(production), encoding="utf-8")
+
+
+def _write_sheets(folder: Path, production: Production) -> None:
+    folder.mkdir()
+    for sheet in production.sheets:
+        write_sheet(folder / f"{sheet.name}.dxf", sheet)
+    (folder / "overview.svg").write_text(overview(production.sheets), encoding="utf-8")
 
 
 def stage_seconds(mesh_mm: QuadMesh, systems: Sequence[System]) -> dict[str, float]:
     """Time the stages of building and writing once, for benchmarks.
 
     Returns:
-        Seconds of ``build``, ``solids``, ``step`` (the STEP writer's own time), ``dxf``, ``tables``
-        and ``total``.
+        Seconds of ``build``, ``checks`` (all that needs no solids), ``solids``, ``step`` (the STEP
+        writer's own time), ``dxf``, ``tables`` and ``total``.
     """
     seconds: dict[str, float] = {}
 
@@ -75,13 +122,15 @@ def stage_seconds(mesh_mm: QuadMesh, systems: Sequence[System]) -> dict[str, flo
     structures: list[Structure] = []
     timed("build", lambda: structures.append(build(mesh_mm, systems)))
     structure = structures[0]
+    productions: list[Production] = []
+    timed("checks", lambda: productions.append(produce(structure)))
+    production = productions[0]
     timed("solids", structure.solids)
     with TemporaryDirectory() as name:
         folder = Path(name)
         timed("step", lambda: write_step(folder / FILES[0], structure.parts))
-        timed("dxf", lambda: write_dxf(folder / FILES[1], structure.parts))
-        verdicts = structure.verdicts
-        timed("tables", lambda: write_parts(folder / FILES[2], structure.parts, verdicts))
+        timed("dxf", lambda: write_dxf(folder / FILES[1], production.named_patterns))
+        timed("tables", lambda: write_lists(folder, production))
     seconds["total"] = sum(seconds.values())
     return seconds
 
@@ -90,6 +139,8 @@ def _refuse_folders_in_the_way(target: Path) -> None:
     for name in FILES:
         if (target / name).is_dir():
             raise OutputError(f"{target / name}: is a folder; remove it or choose another place")
+    if (target / SHEETS).is_file():
+        raise OutputError(f"{target / SHEETS}: is a file; remove it or choose another place")
 
 
 @contextmanager

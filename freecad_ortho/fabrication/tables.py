@@ -1,14 +1,16 @@
-"""The parts list and the report as text files."""
+"""The lists of parts, nodes and stock, and the report, as text files."""
 
 from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from freecad_ortho.fabrication.nodes import Node
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.stock import Bar
 
 # The height is the width under the name that readers of the first beams and panels know.
 _SIZES = ("length", "width", "width", "thickness", "area", "volume", "mass")
@@ -38,37 +40,95 @@ COLUMNS = (
     *_MEASURES,
     "vertices",
     "face",
+    "equal_to",
     "verdict",
+)
+NODE_COLUMNS = (
+    *("name", "vertex", "x_mm", "y_mm", "z_mm", "axis_x", "axis_y", "axis_z"),
+    *("parts", "neighbours", "angles_deg", "slopes_deg", "equal_to"),
+)
+STOCK_COLUMNS = (
+    *("name", "kind", "width_mm", "thickness_mm", "length_mm", "parts", "used_mm", "left_mm"),
 )
 
 
-def write_parts(path: Path, parts: Sequence[Part], verdicts: Sequence[str]) -> None:
+def write_parts(
+    path: Path, parts: Sequence[Part], verdicts: Sequence[str], equal_to: Mapping[str, str]
+) -> None:
     """Write one row a part.
 
     Length and width are those of the flat pattern's box (a beam: of its plate), the area is one
     face of the plate. Vertices, faces and lines are counted from 0 in the order of the mesh file;
     vertices are separated by spaces; what has no meaning for a part is empty.
 
+    Args:
+        path: file to write.
+        parts: in the order of the rows.
+        verdicts: one a part.
+        equal_to: the first of the parts that are cut alike, by the names of the parts.
+
     Raises:
         OSError: the file cannot be written.
     """
-    with path.open("w", encoding="utf-8", newline="") as stream:
-        table = csv.writer(stream, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for part, verdict in zip(parts, verdicts, strict=True):
-            table.writerow(
-                [
-                    part.name,
-                    part.kind,
-                    part.family,
-                    "" if part.line is None else part.line,
-                    *(f"{getattr(part, size):.6f}" for size in _SIZES),
-                    *(_number(getattr(part.measures, name)) for name in _MEASURES),
-                    " ".join(map(str, part.vertices)),
-                    "" if part.face is None else part.face,
-                    verdict,
-                ]
-            )
+    rows = (
+        [
+            part.name,
+            part.kind,
+            part.family,
+            "" if part.line is None else part.line,
+            *(f"{getattr(part, size):.6f}" for size in _SIZES),
+            *(_number(getattr(part.measures, name)) for name in _MEASURES),
+            " ".join(map(str, part.vertices)),
+            "" if part.face is None else part.face,
+            equal_to.get(part.name, ""),
+            verdict,
+        ]
+        for part, verdict in zip(parts, verdicts, strict=True)
+    )
+    _write(path, COLUMNS, rows)
+
+
+def write_nodes(path: Path, nodes: Sequence[Node], equal_to: Mapping[str, str]) -> None:
+    """Write one row a node: place in mm, axis, parts, angles and slopes of its edges in degrees.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    rows = (
+        [
+            node.name,
+            node.vertex,
+            *(f"{value:.6f}" for value in node.point),
+            *(f"{value:.9f}" for value in node.axis),
+            " ".join(node.parts),
+            " ".join(map(str, node.neighbours)),
+            " ".join(f"{angle:.4f}" for angle in node.angles_deg),
+            " ".join(f"{slope:.4f}" for slope in node.slopes_deg),
+            equal_to.get(node.name, ""),
+        ]
+        for node in nodes
+    )
+    _write(path, NODE_COLUMNS, rows)
+
+
+def write_stock(path: Path, bars: Sequence[Bar]) -> None:
+    """Write one row a bar: its section and length, the parts sawn from it, what is left over; mm.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    rows = (
+        [
+            bar.name,
+            bar.kind,
+            *(f"{size:.6f}" for size in (bar.width, bar.thickness, bar.length)),
+            " ".join(bar.parts),
+            f"{bar.used:.6f}",
+            f"{bar.length - bar.used:.6f}",
+        ]
+        for bar in bars
+    )
+    _write(path, STOCK_COLUMNS, rows)
 
 
 def write_report(path: Path, report: dict[str, Any]) -> None:
@@ -78,6 +138,13 @@ def write_report(path: Path, report: dict[str, Any]) -> None:
         OSError: the file cannot be written.
     """
     path.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
+
+
+def _write(path: Path, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as stream:
+        table = csv.writer(stream, lineterminator="\n")
+        table.writerow(columns)
+        table.writerows(rows)
 
 
 def _number(value: float | None) -> str:

@@ -68,7 +68,7 @@ def staged_folder(target: str | os.PathLike[str]) -> Iterator[Path]:
 
 
 def _move_all(paths: list[Path], folder: Path) -> None:
-    """Move files into a folder; where one cannot be moved, put back what stood there before."""
+    """Move files and folders into a folder; where one cannot be moved, put all back as it was."""
     kept: list[tuple[Path, Path | None]] = []
     try:
         for path in paths:
@@ -82,8 +82,12 @@ def _move_all(paths: list[Path], folder: Path) -> None:
     except OSError:
         for target, old in reversed(kept):
             if old is not None:
+                if target.is_dir():
+                    shutil.rmtree(target)
                 os.replace(old, target)
-            elif target.is_file():
+            elif target.is_dir():
+                shutil.rmtree(target)
+            elif target.exists():
                 target.unlink()
         raise
 

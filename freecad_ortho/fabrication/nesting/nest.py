@@ -1,0 +1,161 @@
+"""Parts onto sheets: by their boxes, or by their outlines with an optional library."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_ortho.fabrication.nesting import library
+from freecad_ortho.fabrication.nesting.sheet import Placement, Sheet, turned
+from freecad_ortho.fabrication.nesting.skyline import Skyline
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.workshop import Workshop
+from solver.errors import InputError, OrthoError
+
+# Sheets that still take parts while more are begun: enough for the small ones to fill gaps.
+_OPEN = 12
+Progress = Callable[[float, str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class _Item:
+    """A part with its pattern turned so that its box is small."""
+
+    part: Part
+    pattern: FlatPattern
+    angle_deg: float
+    width: float
+    height: float
+
+
+def nest(
+    parts: Sequence[Part],
+    workshop: Workshop,
+    patterns: Sequence[FlatPattern] | None = None,
+    progress: Progress | None = None,
+) -> tuple[Sheet, ...]:
+    """Lay the flat patterns of parts onto sheets, each thickness on sheets of its own.
+
+    Args:
+        parts: those without a flat pattern are left out.
+        workshop: with a sheet size.
+        patterns: one a part, to nest instead of the parts' own, e.g. compensated ones.
+        progress: called with a fraction and words; may raise to stop.
+
+    Raises:
+        InputError: no sheet size, or a part that is larger than a sheet.
+    """
+    if workshop.sheet is None:
+        raise InputError("sheet: no size given; say WxH in mm, e.g. 3000x1500")
+    chosen = [part.pattern for part in parts] if patterns is None else patterns
+    items = [
+        _item(part, pattern, workshop)
+        for part, pattern in zip(parts, chosen, strict=True)
+        if pattern is not None
+    ]
+    say = progress or (lambda fraction, words: None)
+    sheets: list[Sheet] = []
+    for thickness in sorted({item.part.thickness for item in items}, reverse=True):
+        group = [item for item in items if item.part.thickness == thickness]
+        placed = _placed(group, workshop, lambda f, words: say(f, f"nesting {words}"))
+        for placements in placed:
+            name = f"sheet-{len(sheets) + 1:03d}"
+            sheets.append(Sheet(name, *workshop.sheet, thickness, placements))
+    _nothing_lost([item.part.name for item in items], sheets)
+    return tuple(sheets)
+
+
+def _placed(items: list[_Item], workshop: Workshop, say: Progress) -> list[tuple[Placement, ...]]:
+    boxes = _by_boxes(items, workshop)
+    if workshop.nesting == "boxes" or not library.is_there():
+        return boxes
+    rest = {item.part.name: item for item in items}
+    result: list[tuple[Placement, ...]] = []
+    while rest:
+        # Whatever the library finds, a sheet is never filled less than by boxes.
+        fallback = _by_boxes(list(rest.values()), workshop)[0]
+        found = library.one_sheet([_as_placement(item) for item in rest.values()], workshop)
+        best = max(fallback, found, key=_covered)
+        result.append(best)
+        for placement in best:
+            del rest[placement.name]
+        say(1 - len(rest) / len(items), f"sheet {len(result)}")
+    return min(boxes, result, key=len)
+
+
+def _by_boxes(items: list[_Item], workshop: Workshop) -> list[tuple[Placement, ...]]:
+    """First fit, the tallest first."""
+    width, height = workshop.sheet or (0.0, 0.0)
+    spacing = workshop.spacing
+    sheets: list[tuple[Skyline, list[Placement]]] = []
+    for item in sorted(items, key=lambda item: (-max(item.width, item.height), item.part.name)):
+        sizes = [(item.width + spacing, item.height + spacing)]
+        if workshop.grain == "none":
+            sizes.append((item.height + spacing, item.width + spacing))
+        for skyline, placements in sheets[-_OPEN:]:  # noqa: B007
+            if (found := skyline.place(*sizes)) is not None:
+                break
+        else:
+            skyline, placements = Skyline(width - spacing, height - spacing), []
+            sheets.append((skyline, placements))
+            found = skyline.place(*sizes)
+        assert found is not None, "the size was checked before"
+        number, x, y = found
+        placements.append(_placement(item, 90.0 * number, x + spacing, y + spacing))
+    return [tuple(placements) for _, placements in sheets]
+
+
+def _placement(item: _Item, quarter: float, x: float, y: float) -> Placement:
+    """Put the lower left corner of the turned pattern's box at (x, y)."""
+    angle = (item.angle_deg + quarter) % 360
+    low = turned(item.pattern.outline, angle).min(axis=0)
+    return Placement(item.part.name, item.pattern, angle, np.array([x, y]) - low)
+
+
+def _as_placement(item: _Item) -> Placement:
+    return _placement(item, 0.0, 0.0, 0.0)
+
+
+def _item(part: Part, pattern: FlatPattern, workshop: Workshop) -> _Item:
+    """Turn a part so that it fits, in a box as small as can be.
+
+    Raises:
+        InputError: it does not fit.
+    """
+    angles = [0.0]
+    if workshop.grain == "none":
+        side = np.roll(pattern.outline, -1, axis=0) - pattern.outline
+        turns = np.round(-np.degrees(np.arctan2(side[:, 1], side[:, 0])), 9) % 90
+        angles += np.unique(turns).tolist()
+    width, height = workshop.sheet or (0.0, 0.0)
+    room = np.array([width, height]) - 2 * workshop.spacing
+    best: tuple[float, _Item] | None = None
+    for angle in angles:
+        box = np.ptp(turned(pattern.outline, angle), axis=0)
+        fits = (box <= room * (1 + 1e-9)).all()
+        fits |= workshop.grain == "none" and (box[::-1] <= room * (1 + 1e-9)).all()
+        area = float(box.prod())
+        if fits and (best is None or area < best[0] * (1 - 1e-9)):
+            best = area, _Item(part, pattern, angle, float(box[0]), float(box[1]))
+    if best is None:
+        size = " x ".join(f"{math.ceil(length)}" for length in pattern.size)
+        raise InputError(
+            f"sheet: {part.name} is {size} mm and does not fit on {width:g} x {height:g} mm with "
+            f"{workshop.spacing:g} mm around; take larger sheets, less spacing or smaller parts"
+        )
+    return best[1]
+
+
+def _covered(placements: Sequence[Placement]) -> float:
+    return sum(placement.pattern.area for placement in placements)
+
+
+def _nothing_lost(names: list[str], sheets: Sequence[Sheet]) -> None:
+    placed = [placement.name for sheet in sheets for placement in sheet.placements]
+    if sorted(placed) != sorted(names):
+        wrong = sorted(set(placed) ^ set(names)) or ["one twice"]
+        raise OrthoError(f"nesting: {', '.join(wrong[:5])} lost or doubled; please report this")

@@ -1,0 +1,75 @@
+"""A sheet and what lies on it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_ortho.fabrication.pattern import FlatPattern, polygon_area
+from solver.mesh.quadmesh import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """A flat pattern on a sheet: turned about its origin, then moved.
+
+    Attributes:
+        name: of the part.
+        pattern: in its own coordinates, mm.
+        angle_deg: counter-clockwise.
+        shift: (2,) mm.
+    """
+
+    name: str
+    pattern: FlatPattern
+    angle_deg: float
+    shift: FloatArray
+
+    @property
+    def outline(self) -> FloatArray:
+        """(N, 2) the outline on the sheet, mm."""
+        return self.on_sheet(self.pattern.outline)
+
+    def on_sheet(self, points: FloatArray) -> FloatArray:
+        """Bring points (N, 2) of the pattern onto the sheet."""
+        return turned(points, self.angle_deg) + self.shift
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """One sheet, its lower left corner at the origin.
+
+    Attributes:
+        name: ``sheet-001``; its file bears this name.
+        width: mm.
+        height: mm.
+        thickness: of the plates on it, mm.
+        placements: what is cut from it.
+    """
+
+    name: str
+    width: float
+    height: float
+    thickness: float
+    placements: tuple[Placement, ...]
+
+    @property
+    def used(self) -> float:
+        """Area inside the outlines, mm2."""
+        return sum(polygon_area(placement.pattern.outline) for placement in self.placements)
+
+    @property
+    def waste(self) -> float:
+        """Part of the sheet outside of the outlines, 0 to 1."""
+        return 1 - self.used / (self.width * self.height)
+
+
+def turned(points: FloatArray, angle_deg: float) -> FloatArray:
+    """Points (N, 2) turned about the origin; quarter turns are exact."""
+    quarter, rest = divmod(angle_deg, 90.0)
+    cosine, sine = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(quarter) % 4]
+    if rest:
+        cosine, sine = math.cos(math.radians(angle_deg)), math.sin(math.radians(angle_deg))
+    return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]], dtype=float))

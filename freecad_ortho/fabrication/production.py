@@ -1,0 +1,151 @@
+"""All that a workshop needs to know about a structure: sheets, bars, nodes, families, clashes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from typing import Any
+
+from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
+from freecad_ortho.fabrication.families import Families, families
+from freecad_ortho.fabrication.kerf import compensated
+from freecad_ortho.fabrication.limits import OK
+from freecad_ortho.fabrication.nesting import Sheet, nest
+from freecad_ortho.fabrication.nodes import Node, nodes
+from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.stock import Bar, stock_list
+from freecad_ortho.fabrication.structure import Structure
+from freecad_ortho.fabrication.workshop import Workshop
+
+Progress = Callable[[float, str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Production:
+    """A structure on its way to the workshop.
+
+    Attributes:
+        structure: its parts.
+        workshop: what they are cut from and with.
+        patterns: flat pattern of each part, compensated for the kerf; None where it has none.
+        nodes: vertices at which parts meet.
+        families: equal parts and nodes.
+        sheets: nested patterns, empty without a sheet size.
+        bars: stock that long parts are sawn from.
+        clashes: what the clash check found.
+    """
+
+    structure: Structure
+    workshop: Workshop
+    patterns: tuple[FlatPattern | None, ...]
+    nodes: tuple[Node, ...]
+    families: Families
+    sheets: tuple[Sheet, ...]
+    bars: tuple[Bar, ...]
+    clashes: ClashCheck
+
+    @property
+    def named_patterns(self) -> dict[str, FlatPattern]:
+        """The flat patterns by the names of their parts."""
+        pairs = zip(self.structure.parts, self.patterns, strict=True)
+        return {part.name: pattern for part, pattern in pairs if pattern is not None}
+
+    @property
+    def verdicts(self) -> tuple[str, ...]:
+        """For each part "ok", or what exceeds which limit and what it cuts into."""
+        cuts: dict[str, list[str]] = {}
+        for clash in self.clashes.clashes:
+            for name, other in ((clash.first, clash.second), (clash.second, clash.first)):
+                cuts.setdefault(name, []).append(f"cuts {other} by {clash.volume:.3g} mm3")
+        verdicts = []
+        for part, words in zip(self.structure.parts, self.structure.verdicts, strict=True):
+            all_words = ([] if words == OK else [words]) + cuts.get(part.name, [])
+            verdicts.append("; ".join(all_words) or OK)
+        return tuple(verdicts)
+
+    def report(self) -> dict[str, Any]:
+        """The structure's report with what production adds, ready for JSON; lengths in mm."""
+        parts, verdicts = self.structure.parts, self.verdicts
+        pairs = zip(parts, verdicts, strict=True)
+        failed = {part.name: words for part, words in pairs if words != OK}
+        return {
+            **self.structure.report(),
+            "verdict": {"passed": len(parts) - len(failed), "failed": failed},
+            "families": self.families.report(),
+            "clash_check": self.clashes.report(),
+            "stock": _stock_report(self.bars),
+            "sheets": self._sheet_report(),
+            "kerf_mm": self.workshop.kerf,
+        }
+
+    def _sheet_report(self) -> dict[str, Any] | None:
+        if self.workshop.sheet is None:
+            return None
+        width, height = self.workshop.sheet
+        used = sum(sheet.used for sheet in self.sheets)
+        return {
+            "width_mm": width,
+            "height_mm": height,
+            "spacing_mm": self.workshop.spacing,
+            "count": len(self.sheets),
+            "parts": sum(len(sheet.placements) for sheet in self.sheets),
+            "waste": 1 - used / (width * height * max(len(self.sheets), 1)),
+            "sheets": [
+                {
+                    "name": sheet.name,
+                    "thickness_mm": sheet.thickness,
+                    "waste": sheet.waste,
+                    "parts": [placement.name for placement in sheet.placements],
+                }
+                for sheet in self.sheets
+            ],
+        }
+
+
+def produce(
+    structure: Structure,
+    workshop: Workshop | None = None,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+) -> Production:
+    """Work out everything that does not need solids.
+
+    Args:
+        structure: what is built.
+        workshop: sizes of sheets and bars, width of the cut.
+        executor: for work on parts; without one it is done here.
+        progress: called with a fraction and words; may raise to stop.
+
+    Raises:
+        InputError: a part that is larger than the sheet or longer than the stock, a kerf that
+            closes a slot.
+    """
+    chosen = workshop or Workshop()
+    say = progress or (lambda fraction, words: None)
+    parts = structure.parts
+    say(0.0, "flat patterns")
+    patterns = tuple(
+        None if part.pattern is None else compensated(part.name, part.pattern, chosen.kerf)
+        for part in parts
+    )
+    bars = stock_list(parts, chosen)
+    sheets: tuple[Sheet, ...] = ()
+    if chosen.sheet is not None:
+        sheets = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
+    say(0.5, "nodes and families")
+    joints = nodes(structure.site, parts)
+    equal = families(parts, joints)
+    say(0.6, "clash check")
+    clashes = check_clashes(parts, executor, lambda done: say(0.6 + 0.4 * done, "clash check"))
+    say(1.0, "clash check")
+    return Production(structure, chosen, patterns, joints, equal, sheets, bars, clashes)
+
+
+def _stock_report(bars: tuple[Bar, ...]) -> dict[str, Any]:
+    length, used = sum(bar.length for bar in bars), sum(bar.used for bar in bars)
+    return {
+        "bars": len(bars),
+        "length_mm": bars[0].length if bars else None,
+        "waste": 1 - used / length if bars else None,
+    }

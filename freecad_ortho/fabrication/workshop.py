@@ -1,0 +1,95 @@
+"""What the workshop cuts from and with: sheets, bars, the width of the cut."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from freecad_ortho.fabrication.sizes import positive
+from freecad_ortho.fabrication.systems.system import Option
+from solver.errors import InputError
+
+GRAINS = ("none", "along")
+NESTINGS = ("boxes", "outlines")
+
+
+@dataclass(frozen=True)
+class Workshop:
+    """Sizes of the material and of the cut, mm.
+
+    Args:
+        sheet: width and height of the sheets that plates are cut from, None for no nesting.
+        spacing: clear distance between parts on a sheet, and from its rim.
+        grain: "none" lets parts turn, "along" keeps their length along the sheet's width.
+        nesting: "boxes" packs the parts' boxes: fast, and always the same; "outlines" packs their
+            outlines with an optional library, which searches for some seconds a sheet.
+        seed: of that search.
+        stock: length of bars and strips, None for 6 m or as many metres as the longest part needs.
+        saw: width of a saw cut between two parts of a bar.
+        kerf: width of the cut that flat patterns are compensated for, 0 for true outlines.
+
+    Raises:
+        InputError: a size that cannot be used, an unknown word.
+    """
+
+    sheet: tuple[float, float] | None = None
+    spacing: float = 10.0
+    grain: str = "none"
+    nesting: str = "boxes"
+    seed: int = 0
+    stock: float | None = None
+    saw: float = 3.0
+    kerf: float = 0.0
+
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("sheet", None, "size of the sheets to nest on", str, "WxH"),
+        Option("spacing", 10.0, "between parts on a sheet and from its rim"),
+        Option("grain", "none", "may parts turn on the sheet", str, "|".join(GRAINS)),
+        Option("nesting", "boxes", "what is packed: fast or dense", str, "|".join(NESTINGS)),
+        Option("seed", 0, "of the search for a dense nesting", int, "N"),
+        Option("stock", None, "length of bars and strips"),
+        Option("saw", 3.0, "width of a saw cut between parts of a bar"),
+        Option("kerf", 0.0, "width of the cut to compensate flat patterns for"),
+    )
+
+    def __post_init__(self) -> None:
+        for side in self.sheet or ():
+            positive("sheet", side, "mm")
+        if self.stock is not None:
+            positive("stock", self.stock, "mm")
+        for name in ("spacing", "saw", "kerf"):
+            value = getattr(self, name)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and value >= 0):
+                raise InputError(f"{name}: expected 0 mm or more, got {value}; give a size")
+        for name, words in (("grain", GRAINS), ("nesting", NESTINGS)):
+            if getattr(self, name) not in words:
+                raise InputError(
+                    f"{name}: expected {' or '.join(words)}, got '{getattr(self, name)}'"
+                )
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> Workshop:
+        """Make the settings from values of some of ``options``; a sheet may be a text ``WxH``.
+
+        Raises:
+            InputError: a value that cannot be used.
+        """
+        given = dict(values)
+        if isinstance(given.get("sheet"), str):
+            given["sheet"] = sheet_size(given["sheet"])
+        return cls(**given)
+
+
+def sheet_size(text: str) -> tuple[float, float]:
+    """Width and height of ``3000x1500``, mm.
+
+    Raises:
+        InputError: not two numbers.
+    """
+    match = re.fullmatch(r"\s*(\d+\.?\d*)\s*[xX]\s*(\d+\.?\d*)\s*", text)
+    if match is None:
+        raise InputError(f"sheet: expected WxH in mm, e.g. 3000x1500, got '{text[:40]}'")
+    return float(match[1]), float(match[2])

@@ -1,0 +1,262 @@
+"""Lists of nodes and stock, families, kerf, clashes and the readable report."""
+
+import csv
+import json
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from freecad_ortho.fabrication import Beams, FlatPattern, Hole, Panels, Workshop, build, write
+from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.families import congruent, families
+from freecad_ortho.fabrication.kerf import compensated
+from freecad_ortho.fabrication.nesting.sheet import turned
+from freecad_ortho.fabrication.nodes import nodes
+from freecad_ortho.fabrication.pattern import polygon_area
+from freecad_ortho.fabrication.production import produce
+from freecad_ortho.fabrication.stock import stock_list
+from solver.errors import InputError
+from solver.mesh.grid import grid_faces
+from solver.mesh.quadmesh import QuadMesh
+
+
+@pytest.fixture(scope="module")
+def plane():
+    """Square faces of 1 m in a plane."""
+    x, y = np.meshgrid(np.arange(5.0), np.arange(4.0), indexing="ij")
+    points = 1000 * np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
+    return QuadMesh.from_arrays(points, grid_faces(5, 4))
+
+
+def table(path):
+    with path.open(newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def test_nodes_of_a_plane_grid(plane):
+    structure = build(plane, [Beams(200, 12), Panels(20, 15)])
+    found = nodes(structure.site, structure.parts)
+    assert [node.vertex for node in found] == list(range(20))
+    for node in found:
+        edges = (plane.connectivity.edges == node.vertex).any(axis=1).sum()
+        assert len(node.neighbours) == len(node.angles_deg) == edges
+        assert sum(node.angles_deg) == pytest.approx(360)
+        assert np.allclose(np.mod(node.angles_deg, 90), 0, atol=1e-6)
+        assert np.allclose(node.slopes_deg, 0, atol=1e-9)
+        assert np.allclose(node.point, plane.vertices[node.vertex])
+        assert np.allclose(node.axis, [0, 0, 1])
+        expected = [part.name for part in structure.parts if node.vertex in part.vertices]
+        assert list(node.parts) == expected
+    inside = next(node for node in found if node.vertex == 5)
+    assert inside.neighbours == (1, 4, 9, 6)
+    assert families(structure.parts, found).report()["nodes"]["different"] == 3
+
+
+def test_angles_of_nodes_are_those_between_the_edges(roof):
+    structure = build(roof, [Beams(200, 12)])
+    for node in nodes(structure.site, structure.parts)[::7]:
+        arms = roof.vertices[list(node.neighbours)] - roof.vertices[node.vertex]
+        arms /= np.linalg.norm(arms, axis=1)[:, None]
+        assert np.degrees(np.arcsin(arms @ node.axis)) == pytest.approx(node.slopes_deg)
+        flat = arms - np.outer(arms @ node.axis, node.axis)
+        flat /= np.linalg.norm(flat, axis=1)[:, None]
+        cosines = (flat * np.roll(flat, -1, axis=0)).sum(axis=1)
+        assert np.cos(np.radians(node.angles_deg)) == pytest.approx(cosines, abs=1e-9)
+
+
+def test_families_of_a_plane_grid(plane):
+    structure = build(plane, [Beams(200, 12), Panels(20, 15)])
+    equal = families(structure.parts, nodes(structure.site, structure.parts))
+    assert [len(group) for group in equal.lengths["beam"]] == [31]
+    assert [len(group) for group in equal.shapes["panel"]] == [12]
+    assert set(equal.equal_to[part.name] for part in structure.parts) == {"B0001", "P0001"}
+
+
+def test_no_member_of_a_family_is_beyond_the_tolerance(roof):
+    structure = build(roof, [Beams(200, 12), Panels(20, 15)])
+    parts = {part.name: part for part in structure.parts}
+    equal = families(structure.parts, nodes(structure.site, structure.parts))
+    for groups in equal.lengths.values():
+        assert sorted(name for group in groups for name in group) == sorted(
+            name for name in parts if name[0] == groups[0][0][0]
+        )
+        for group in groups:
+            assert all(abs(parts[n].length - parts[group[0]].length) <= 1 for n in group)
+    for groups in equal.shapes.values():
+        leaders = [parts[group[0]].pattern for group in groups]
+        for k, leader in enumerate(leaders):
+            assert not any(congruent(other, leader) for other in leaders[:k])
+        for group in groups:
+            assert all(congruent(parts[group[0]].pattern, parts[n].pattern) for n in group)
+    # A surface of revolution: in each of six rows all panels are alike but those at both ends.
+    assert len(equal.shapes["panel"]) == 12
+
+
+def plate(outline, **more):
+    return FlatPattern(np.array(outline, float), (), np.zeros(2), 1.0, **more)
+
+
+def test_congruent_turns_but_does_not_flip_and_minds_the_holes():
+    outline = np.array([[0, 0], [100, 0], [80, 40], [0, 60]], float)
+    one = plate(outline, holes=(Hole(np.array([20.0, 20.0]), 8.0),))
+    same = plate(
+        np.roll(turned(outline, 73.0), 2, axis=0) + 5,
+        holes=(Hole(turned(np.array([[20.0, 20.0]]), 73.0)[0] + 5, 8.0),),
+    )
+    assert congruent(one, same)
+    assert not congruent(one, replace(same, holes=(Hole(same.holes[0].centre + 3, 8.0),)))
+    assert not congruent(one, replace(same, holes=()))
+    assert not congruent(plate(outline), plate(outline[::-1] * [-1, 1]))
+    assert not congruent(plate(outline), plate(outline * 1.03))
+
+
+def test_stock_holds_every_beam_once_and_nothing_longer_than_the_bar(roof):
+    parts = build(roof, [Beams(200, 12), Panels(20, 15)]).parts
+    bars = stock_list(parts, Workshop(stock=4000, saw=5))
+    beams = {part.name: part.length for part in parts if part.kind == "beam"}
+    assert sorted(name for bar in bars for name in bar.parts) == sorted(beams)
+    for bar in bars:
+        used = sum(beams[name] for name in bar.parts) + 5 * (len(bar.parts) - 1)
+        assert bar.used == pytest.approx(used)
+        assert bar.used <= bar.length == 4000
+    # First fit decreasing needs at most 11/9 of the best there is, which the sum bounds.
+    assert len(bars) <= 11 / 9 * (sum(beams.values()) / 4000) + 1 + len(beams) * 5 / 4000
+    assert stock_list(parts, Workshop())[0].length == 6000
+
+
+def test_part_longer_than_the_stock_is_named(roof):
+    with pytest.raises(InputError, match=r"stock: B\d{4} is 1\d{3}\.\d mm long and the stock 900"):
+        produce(build(roof, [Beams(200, 12)]), Workshop(stock=900))
+
+
+def test_kerf_moves_every_cut_by_half_of_it():
+    hole = Hole(np.array([50.0, 50.0]), 10.0)
+    square = [[0, 0], [200, 0], [200, 100], [0, 100]]
+    cutout = np.array([[120, 30], [160, 30], [160, 70], [120, 70]], float)
+    wider = compensated("X", plate(square, cutouts=(cutout,), holes=(hole,)), 2.0)
+    assert polygon_area(wider.outline) == pytest.approx(202 * 102)
+    assert wider.outline.min(axis=0) == pytest.approx([-1, -1])
+    assert abs(polygon_area(wider.cutouts[0])) == pytest.approx(38 * 38)
+    assert wider.holes[0].diameter == 8.0
+    assert compensated("X", plate(square), 0.0).outline.tolist() == square
+
+
+def test_kerf_that_closes_something_is_refused():
+    slotted = [[0, 0], [49, 0], [49, 60], [51, 60], [51, 0], [100, 0], [100, 100], [0, 100]]
+    with pytest.raises(InputError, match="kerf: 3 mm closes a slot of B0007"):
+        compensated("B0007", plate(slotted), 3.0)
+    with pytest.raises(InputError, match="kerf: 3 mm closes a hole of 2 mm in B0007"):
+        compensated("B0007", plate(slotted, holes=(Hole(np.ones(2), 2.0),)), 3.0)
+
+
+@pytest.mark.parametrize("name", ["roof", "skewed", "dodecahedron"])
+def test_parts_that_touch_do_not_clash(meshes, name):
+    parts = build(meshes[name], [Beams(200, 12), Panels(20, 15)]).parts
+    check = check_clashes(parts)
+    assert check.near > len(parts)
+    assert not check.clashes
+
+
+def test_twisted_beams_cut_into_each_other_a_little(twisted):
+    """Their mitre planes are not one plane; what the kernel finds is well below a part's volume."""
+    parts = {part.name: part for part in build(twisted, [Beams(200, 12)]).parts}
+    clashes = check_clashes(list(parts.values())).clashes
+    assert clashes
+    for clash in clashes:
+        assert set(parts[clash.first].vertices) & set(parts[clash.second].vertices)
+        assert 1e-6 < clash.volume / parts[clash.first].volume < 1e-4
+
+
+def test_clashes_are_found_with_their_volume(plane):
+    parts = list(build(plane, [Panels(20, 15)]).parts)
+    first = parts[0]
+    parts[0] = replace(first, origin=first.origin + np.array([40.0, 0.0, 5.0]))
+    (clash,) = check_clashes(parts).clashes
+    x = next(p for p in parts[1:] if abs(p.origin[0] - first.origin[0] - 1000) < 1)
+    assert {clash.first, clash.second} == {first.name, x.name}
+    assert clash.volume == pytest.approx((40 - 15) * 985 * 15, rel=1e-6)
+    structure = build(plane, [Panels(20, 15)])
+    result = replace(structure.results["panels"], parts=tuple(parts))
+    production = produce(replace(structure, results={"panels": result}))
+    failed = production.report()["verdict"]["failed"]
+    assert set(failed) == {first.name, x.name}
+    assert failed[x.name].startswith(f"cuts {first.name} by 3.69e+05 mm3")
+
+
+def test_a_far_part_meets_nobody(plane):
+    parts = list(build(plane, [Panels(20, 15)]).parts)
+    apart = [replace(p, origin=p.origin * 3) for p in parts]
+    assert check_clashes(apart).near == 0
+    assert check_clashes(parts[:1]).near == 0
+
+
+@pytest.fixture(scope="module")
+def written(twisted, tmp_path_factory):
+    """A structure with parts beyond the limits, with sheets and stock."""
+    folder = tmp_path_factory.mktemp("written")
+    structure = build(twisted, [Beams(200, 12)])
+    write(structure, folder, workshop=Workshop(sheet=(3000, 1500), stock=5000, kerf=0.4))
+    return structure, folder
+
+
+def test_lists_read_back(written):
+    structure, folder = written
+    rows = table(folder / "nodes.csv")
+    assert [int(row["vertex"]) for row in rows] == list(range(36))
+    assert rows[7]["name"] == "N0008"
+    assert len(rows[7]["angles_deg"].split()) == len(rows[7]["neighbours"].split()) == 4
+    bars = table(folder / "stock.csv")
+    names = [name for bar in bars for name in bar["parts"].split()]
+    assert sorted(names) == [part.name for part in structure.parts]
+    for row, part in zip(table(folder / "parts.csv"), structure.parts, strict=True):
+        assert row["equal_to"] <= part.name
+
+
+def test_report_in_numbers(written):
+    structure, folder = written
+    report = json.loads((folder / "report.json").read_text())
+    assert report["kerf_mm"] == 0.4
+    assert report["sheets"]["parts"] == len(structure.parts)
+    assert 0 < report["sheets"]["waste"] < 1
+    assert report["stock"]["length_mm"] == 5000
+    failed = report["verdict"]["failed"]
+    assert failed and len(failed) + report["verdict"]["passed"] == len(structure.parts)
+
+
+def test_report_for_people_needs_nothing_else(written):
+    structure, folder = written
+    page = (folder / "report.html").read_text()
+    links = re.findall(r'(?:src|href)="[^"]*"|url\([^)]*\)|@import', page)
+    assert links == []
+    assert all(f"<td>{part.name}</td>" in page for part in structure.parts)
+    failing = json.loads((folder / "report.json").read_text())["verdict"]["failed"]
+    assert f"{len(failing)} of {len(structure.parts)} parts exceed a limit" in page
+    assert page.count('<tr class="bad">') == len(failing)
+    assert page.count('class="bad" d=') == 2 * len(failing)
+    assert "twist, deg" in page and "Sheets" in page and "Stock" in page
+    assert "come near each other" in page
+
+
+def test_page_is_well_formed(written):
+    from html.parser import HTMLParser
+
+    class Checker(HTMLParser):
+        def __init__(self):
+            super().__init__()
+            self.open = []
+
+        def handle_starttag(self, tag, attributes):
+            if tag not in ("meta",):
+                self.open.append(tag)
+
+        def handle_endtag(self, tag):
+            assert self.open.pop() == tag
+
+        def handle_startendtag(self, tag, attributes):
+            pass
+
+    checker = Checker()
+    checker.feed((written[1] / "report.html").read_text())
+    assert checker.open == []
