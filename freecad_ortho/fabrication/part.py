@@ -67,6 +67,7 @@ class Part:
         family: "u" or "v" of the parameter line it lies on, "" for none.
         line: number of that line in its family, counted from 0, None for none.
         measures: how true it is.
+        note: how to cut a part that has no flat pattern, in words.
     """
 
     name: str
@@ -86,6 +87,7 @@ class Part:
     family: str = ""
     line: int | None = None
     measures: Measures = Measures()
+    note: str = ""
 
     @property
     def points(self) -> FloatArray:

@@ -41,6 +41,7 @@ COLUMNS = (
     "vertices",
     "face",
     "equal_to",
+    "note",
     "verdict",
 )
 NODE_COLUMNS = (
@@ -81,6 +82,7 @@ def write_parts(
             " ".join(map(str, part.vertices)),
             "" if part.face is None else part.face,
             equal_to.get(part.name, ""),
+            part.note,
             verdict,
         ]
         for part, verdict in zip(parts, verdicts, strict=True)

@@ -1,27 +1,31 @@
-"""Beams: a plate along every edge, mitred against its neighbours around each axis.
+"""Beams along single edges: straight prisms whose ends follow the node axes.
 
-Seen along an axis, a beam is a strip of the plate's thickness. Between neighbouring strips the
-half-plane that contains the axis and bisects their angle cuts both; where they are more than a
-straight angle apart (the outer side of a boundary), both are cut square instead. So every beam
-stays in a wedge of its own and no two overlap. All sides of the solid are planar: the cut planes
-contain the axis, which is parallel to the plate's faces, hence the corner lines are parallel to it.
+Seen along an axis, a beam is a strip of its width. Its ends are cut by planes parallel to the axis:
+
+* mitred: between neighbouring strips the half-plane that contains the axis and bisects their angle
+  cuts both; where they are more than a straight angle apart (the outer side of a boundary), both
+  are cut square instead. So every beam stays in a wedge of its own and no two overlap.
+* square, at a distance from the axis that leaves room for a hub, or for the beams of the other
+  family that run through.
+
+All sides are planar: the cut planes are parallel to the axis, which lies in the beam's plane.
 """
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from freecad_ortho.fabrication.sizes import rounded_down
+from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, edge_name
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
-from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.offset.axes import Axes
 
-# Corners of a beam, one ring at the lower and one at the upper level: on the axis at the start,
-# right, right, on the axis at the end, left, left; counter-clockwise from above.
+# Corners of a beam, one ring at the lower and one at the upper level: in the middle at the start,
+# right, right, in the middle at the end, left, left; counter-clockwise from above.
 LEFT_TOP = (6, 11, 10, 9)
 RIGHT_TOP = (6, 7, 8, 9)
 LOOPS = (
@@ -34,176 +38,199 @@ _LEAST_LEFT = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
+class Cuts:
+    """Where the beams end, measured along their edges from the axes, mm.
+
+    Attributes:
+        middle: (E, 2) in the plane of the beam, at the start and end.
+        slope: (E, 4) change per mm across the beam: right at the start, right at the end, left at
+            the end, left at the start.
+    """
+
+    middle: FloatArray
+    slope: FloatArray
+
+    def setback(self, half: float) -> FloatArray:
+        """(E, 4) at the sides of a beam of this half width, in the order of ``slope``."""
+        return np.asarray(self.middle[:, [0, 1, 1, 0]] + half * self.slope)
+
+    def where(self, chosen: BoolArray, other: Cuts) -> Cuts:
+        """These cuts for the chosen ends (E, 2), other ones elsewhere."""
+        return Cuts(
+            np.where(chosen, self.middle, other.middle),
+            np.where(chosen[:, [0, 1, 1, 0]], self.slope, other.slope),
+        )
+
+
+@dataclass(frozen=True, eq=False)
 class BeamGeometry:
     """All beams of a mesh as arrays, one row an edge; mm.
 
     Attributes:
-        points: (E, 12, 3) corners, see ``LOOPS``.
-        origin: (E, 3) where the lower left corner of the flat pattern's box is.
+        points: (E, 12, 3) corners of the box that the section fills, see ``LOOPS``.
+        start: (E, 3) the start of each edge, origin of the beam's coordinates.
         frame: (E, 3, 3) rows along the edge, up in the plate, across it to the right.
-        outline: (E, 4, 2) the plate in its plane, along the edge and across: lower start, lower
+        slopes: (E, 2) how far the axis at the start and end moves along the edge per mm up.
+        lengths: (E,) of the edges.
+        rise: (E,) mm up per level.
+        cuts: where the beams end.
+        setback: (E, 4) of the sides of the box, in the order of ``Cuts.slope``.
+        outline: (E, 4, 2) the middle plane, along the edge and up, at the axes: lower start, lower
             end, upper end, upper start.
-        setback: (E, 4) how far the plate's faces stop short of the axes: right at the start,
-            right at the end, left at the end, left at the start.
-        height: (E,) of the plate.
-        volume: (E,) from the formula.
-        twist_mm: (E,) largest distance of the axes' ends from the plate's mid plane.
+        height: (E,) of the beam.
+        twist_mm: (E,) largest distance of the axes' ends from the beam's middle plane.
         levels: lower and upper level along the axes, mm from the mesh.
     """
 
     points: FloatArray
-    origin: FloatArray
+    start: FloatArray
     frame: FloatArray
-    outline: FloatArray
+    slopes: FloatArray
+    lengths: FloatArray
+    rise: FloatArray
+    cuts: Cuts
     setback: FloatArray
+    outline: FloatArray
     height: FloatArray
-    volume: FloatArray
     twist_mm: FloatArray
     levels: tuple[float, float]
 
+    def ring(self, up: FloatArray, half: float) -> FloatArray:
+        """(E, 6, 3) corners at heights ``up`` (E,) in the beam's own coordinates, see ``LOOPS``."""
+        setback = self.cuts.setback(half)
+        first = up * self.slopes[:, 0]
+        last = self.lengths + up * self.slopes[:, 1]
+        stations = np.stack(
+            [
+                first + self.cuts.middle[:, 0],
+                first + setback[:, 0],
+                last - setback[:, 1],
+                last - self.cuts.middle[:, 1],
+                last - setback[:, 2],
+                first + setback[:, 3],
+            ],
+            axis=1,
+        )
+        sides = np.broadcast_to(half * np.array([0.0, 1.0, 1.0, 0.0, -1.0, -1.0]), stations.shape)
+        return np.stack([stations, np.broadcast_to(up[:, None], stations.shape), sides], axis=2)
 
-@dataclass(frozen=True, eq=False)
-class _Frames:
-    """Plane of each beam: ``along`` the edge, ``up`` in the plane, ``left`` across; (E, 3) each.
-
-    ``slope`` (E, 2) is how far the axis at the start and end moves along the edge per unit level,
-    ``rise`` (E,) the plate's height per unit level, ``miss`` (E, 2) how far it leaves the plane.
-    """
-
-    along: FloatArray
-    up: FloatArray
-    left: FloatArray
-    slope: FloatArray
-    rise: FloatArray
-    miss: FloatArray
+    def up(self, level: int) -> FloatArray:
+        """(E,) height of the lower (0) or upper (1) side in the beam's own coordinates."""
+        return self.levels[level] * self.rise
 
 
 def beam_geometry(
-    mesh: QuadMesh, axes: Axes, levels: tuple[float, float], thickness: float
+    mesh: QuadMesh,
+    axes: Axes,
+    levels: tuple[float, float],
+    width: float,
+    frames: Frames,
+    cuts: Cuts,
 ) -> BeamGeometry:
-    """Compute the corners of all beams.
+    """Compute the box of every beam.
 
     Args:
         mesh: positions in mm.
         axes: of the same mesh.
         levels: lower and upper level along the axes, mm from the mesh.
-        thickness: of the plates, mm.
+        width: of the section, across the beam, mm.
+        frames: planes of the beams.
+        cuts: where they end.
 
     Raises:
-        InputError: an edge without length, or a height or thickness that does not fit an edge.
+        InputError: a height or width that does not fit an edge.
     """
-    frames = _frames(mesh, axes)
-    lower, upper = levels
-    half = thickness / 2
-    setback = half * _cotangents(mesh, axes, frames)
+    slopes = frames.slope / frames.rise[:, None]
     lengths = mesh.edge_lengths
-    level_lengths = np.stack(
-        [lengths + level * (frames.slope[:, 1] - frames.slope[:, 0]) for level in levels],
-        axis=1,
+    ends = [np.stack([level * frames.rise] * 2, axis=1) * slopes for level in levels]
+    outline = np.stack(
+        [
+            np.stack([end + np.stack([0 * lengths, lengths], axis=1) for end in ends], axis=1),
+            np.stack([np.stack([level * frames.rise] * 2, axis=1) for level in levels], axis=1),
+        ],
+        axis=-1,
     )
-    _refuse_height(mesh, upper - lower, level_lengths)
-    _refuse_thickness(mesh, thickness, level_lengths.min(axis=1), setback)
-
-    origin = mesh.vertices[mesh.connectivity.edges[:, 0]]
-    rings, outlines = [], []
-    for level in (lower, upper):
-        ring, outline = _at_level(level, half, lengths, setback, frames)
-        rings.append(origin[:, None] + ring)
-        outlines.append(outline)
-    height = (upper - lower) * frames.rise
-    mean_length = level_lengths.mean(axis=1)
-    quadrilateral = np.concatenate([outlines[0], outlines[1][:, ::-1]], axis=1)
-    frame = np.stack([frames.along, frames.up, -frames.left], axis=1)
-    low = quadrilateral.min(axis=1)
-    return BeamGeometry(
-        points=np.concatenate(rings, axis=1),
-        origin=origin + np.einsum("ed,edk->ek", low, frame[:, :2]),
-        frame=frame,
-        outline=quadrilateral,
-        setback=setback,
-        height=height,
-        volume=height * thickness * (mean_length - setback.sum(axis=1) / 4),
-        twist_mm=np.abs(frames.miss).max(axis=1) * max(abs(lower), abs(upper)),
+    level_lengths = outline[:, :, 1, 0] - outline[:, :, 0, 0]
+    _refuse_height(mesh, levels[1] - levels[0], level_lengths)
+    _refuse_width(mesh, width, level_lengths.min(axis=1), cuts)
+    geometry = BeamGeometry(
+        points=np.empty(0),
+        start=mesh.vertices[mesh.connectivity.edges[:, 0]],
+        frame=np.stack([frames.along, frames.up, -frames.left], axis=1),
+        slopes=slopes,
+        lengths=lengths,
+        rise=frames.rise,
+        cuts=cuts,
+        setback=cuts.setback(width / 2),
+        outline=np.concatenate([outline[:, 0], outline[:, 1, ::-1]], axis=1),
+        height=(levels[1] - levels[0]) * frames.rise,
+        twist_mm=np.abs(frames.miss).max(axis=1) * max(abs(level) for level in levels),
         levels=levels,
     )
+    rings = np.concatenate([geometry.ring(geometry.up(k), width / 2) for k in (0, 1)], axis=1)
+    points = geometry.start[:, None] + np.einsum("epc,eck->epk", rings, geometry.frame)
+    return replace(geometry, points=points)
 
 
-def _at_level(
-    level: float, half: float, lengths: FloatArray, setback: FloatArray, frames: _Frames
-) -> tuple[FloatArray, FloatArray]:
-    """Ring of corners (E, 6, 3) from each edge's start, and the outline's two corners (E, 2, 2)."""
-    first = level * frames.slope[:, 0]
-    last = lengths + level * frames.slope[:, 1]
-    rise = level * frames.rise
-    right = first + setback[:, 0], last - setback[:, 1]
-    left = last - setback[:, 2], first + setback[:, 3]
-    stations = np.stack([first, *right, last, *left], axis=1)
-    sides = half * np.array([0.0, -1.0, -1.0, 0.0, 1.0, 1.0])
-    ring = (
-        (rise[:, None] * frames.up)[:, None]
-        + stations[:, :, None] * frames.along[:, None]
-        + sides[None, :, None] * frames.left[:, None]
-    )
-    ends = np.stack([first, last], axis=1)
-    return ring, np.stack([ends, np.broadcast_to(rise[:, None], ends.shape)], axis=2)
-
-
-def _frames(mesh: QuadMesh, axes: Axes) -> _Frames:
-    start, end = mesh.connectivity.edges.T
-    empty = mesh.edge_lengths <= 1e-9 * mesh.mean_edge
-    if empty.any():
-        raise InputError(
-            f"edges: {int(empty.sum())} have no length, the first is {_edge_name(mesh, empty)}; "
-            "remove or move its vertices"
-        )
-    along = unit_rows(mesh.vertices[end] - mesh.vertices[start])
-    both = unit_rows(axes.directions[start]) + axes.directions[end]
-    across = both - np.einsum("ek,ek->e", both, along)[:, None] * along
-    up = unit_rows(across)
-    left = np.cross(up, along)
-    offsets = np.stack([axes.offsets[start], axes.offsets[end]], axis=1)
-    rises = np.einsum("eik,ek->ei", offsets, up)
-    lying = rises.min(axis=1) < 0.1
-    if lying.any():
-        raise InputError(
-            f"axes: at {_edge_name(mesh, lying)} an axis lies almost along the surface, so no "
-            "upright beam contains it; optimise the mesh first or remove folded faces"
-        )
-    rise = rises.mean(axis=1)
-    slope = np.einsum("eik,ek->ei", offsets, along) * (rise[:, None] / rises)
-    return _Frames(along, up, left, slope, rise, np.einsum("eik,ek->ei", offsets, left))
-
-
-def _cotangents(mesh: QuadMesh, axes: Axes, frames: _Frames) -> FloatArray:
-    """(E, 4) setback per half thickness, in the order of ``BeamGeometry.setback``."""
+def mitred(frames: Frames, around: Around) -> Cuts:
+    """Cut every end on the planes that bisect the angles to its neighbours."""
     count = len(frames.along)
-    vertex = mesh.connectivity.edges.T.ravel()
-    outward = np.concatenate([frames.along, -frames.along])
-    reference = np.eye(3)[np.abs(axes.directions).argmin(axis=1)]
-    first = unit_rows(np.cross(reference, axes.directions))
-    second = np.cross(axes.directions, first)
-    angle = np.arctan2(
-        np.einsum("hk,hk->h", outward, second[vertex]),
-        np.einsum("hk,hk->h", outward, first[vertex]),
-    )
-    order = np.lexsort((angle, vertex))
-    following = np.roll(order, -1)
-    last = np.flatnonzero(vertex[order] != vertex[following])
-    first_of = np.concatenate([[0], last[:-1] + 1])
-    following[last] = order[first_of]
-    gap = (angle[following] - angle[order]) % (2 * math.pi)
-    gap[following == order] = 2 * math.pi
-
-    # Across the edge, a setback along the beam grows by the slant of the axis in the plate.
-    slant = np.hypot(frames.slope, frames.rise[:, None]) / frames.rise[:, None]
     with np.errstate(divide="ignore"):
-        cotangent = np.where(gap >= math.pi, 0.0, 1.0 / np.tan(gap / 2))
-    left, right = np.empty(2 * count), np.empty(2 * count)
-    left[order] = cotangent
-    right[following] = cotangent
-    return np.stack([right[:count], left[count:], right[count:], left[:count]], axis=1) * np.stack(
-        [slant[:, 0], slant[:, 1], slant[:, 1], slant[:, 0]], axis=1
-    )
+        halved = np.where(around.angle >= np.pi, 0.0, 1.0 / np.tan(around.angle / 2))
+    built = around.left >= 0
+    left, right = np.zeros((2, 2 * count))
+    left[built] = halved[built]
+    right[around.left[built]] = halved[built]
+    slope = np.stack([right[:count], left[count:], right[count:], left[:count]], axis=1)
+    return Cuts(np.zeros((count, 2)), slope * frames.slant[:, [0, 1, 1, 0]])
+
+
+def square(frames: Frames, distance: FloatArray) -> Cuts:
+    """Cut every end square, at distances (E, 2) from its axis."""
+    return Cuts(distance * frames.slant, np.zeros((len(distance), 4)))
+
+
+def hub_distance(mesh: QuadMesh, around: Around, width: float, distance: float) -> FloatArray:
+    """(E, 2) the distance of a hub's side from the axis at every end.
+
+    Raises:
+        InputError: beams that would collide outside of the hub.
+    """
+    sharpest = np.where(around.left >= 0, around.angle, np.inf)
+    half_edge = int(np.argmin(sharpest))
+    angle = float(sharpest[half_edge])
+    needed = width / 2 / np.tan(angle / 2) if angle < np.pi else 0.0
+    if needed > distance:
+        raise InputError(
+            f"hub: at vertex {around.vertex[half_edge]} beams {width:g} mm wide meet at "
+            f"{np.degrees(angle):.1f} degrees and collide outside of it; take a hub "
+            f"{2 * (needed - distance):.1f} mm larger in diameter, or narrower beams"
+        )
+    return np.full((len(mesh.connectivity.edges), 2), distance)
+
+
+def clear_of_through(around: Around, width: float, clearance: float) -> FloatArray:
+    """(E, 2) how far a beam ends before its axis to stay clear of both neighbours' strips.
+
+    All beams have the same width. The strip of a neighbour at angle b, |p x e| < width / 2, is left
+    by both corners of the end at (1 + |cos b|) width / (2 sin b); behind the axis, b > 90 degrees,
+    where the strip does not reach, also at (sin b / |cos b|) width / 2.
+    """
+    half = width / 2
+    distance = np.zeros(len(around.vertex))
+    built = np.flatnonzero(around.left >= 0)
+    for half_edges, angles in (
+        (built, around.angle[built]),
+        (around.left[built], around.angle[built]),
+    ):
+        sine, cosine = np.sin(angles), np.cos(angles)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            beside = (half * (1 + np.abs(cosine)) + clearance) / sine
+            behind = half * sine / np.abs(cosine)
+        reach = np.where(cosine < 0, np.minimum(np.where(sine > 0, beside, np.inf), behind), beside)
+        reach = np.where(angles >= np.pi, 0.0, reach)
+        np.maximum.at(distance, half_edges, reach)
+    return distance.reshape(2, -1).T
 
 
 def _refuse_height(mesh: QuadMesh, height: float, lengths: FloatArray) -> None:
@@ -212,30 +239,30 @@ def _refuse_height(mesh: QuadMesh, height: float, lengths: FloatArray) -> None:
         shrink = (mesh.edge_lengths - lengths.min(axis=1)) / height
         largest = float((mesh.edge_lengths[wrong] / shrink[wrong]).min())
         raise InputError(
-            f"beam height: {height:g} mm does not fit {_edge_name(mesh, wrong)}, where "
+            f"beam height: {height:g} mm does not fit {edge_name(mesh, wrong)}, where "
             f"the axes meet before that; take less than {rounded_down(largest)} mm or "
             "another offset"
         )
 
 
-def _refuse_thickness(
-    mesh: QuadMesh, thickness: float, available: FloatArray, setback: FloatArray
-) -> None:
-    needed = np.maximum(setback[:, 0] + setback[:, 1], setback[:, 2] + setback[:, 3])
+def _refuse_width(mesh: QuadMesh, width: float, available: FloatArray, cuts: Cuts) -> None:
+    fixed = cuts.middle.sum(axis=1)
     room = available * (1 - _LEAST_LEFT)
-    if (needed > room).any():
-        worst = needed / room
-        edge = int(np.argmax(worst))
-        largest = thickness / float(worst[edge])
+    setback = cuts.setback(width / 2)
+    needed = np.maximum(setback[:, 0] + setback[:, 1], setback[:, 2] + setback[:, 3])
+    wrong = needed > room
+    if not wrong.any():
+        return
+    edge = int(np.argmax(needed / room))
+    here = edge_name(mesh, np.arange(len(room)) == edge)
+    if fixed[edge] >= 0.9 * needed[edge]:
         raise InputError(
-            f"beam thickness: {thickness:g} mm does not fit "
-            f"{_edge_name(mesh, np.arange(len(worst)) == edge)}, whose mitres need "
-            f"{needed[edge]:.1f} of its {available[edge]:.1f} mm; take at most "
-            f"{rounded_down(largest)} mm"
+            f"beam ends: {here} is {available[edge]:.1f} mm long and its ends take "
+            f"{needed[edge]:.1f} mm; take a smaller hub or narrower beams"
         )
-
-
-def _edge_name(mesh: QuadMesh, chosen: BoolArray) -> str:
-    edge = int(np.argmax(chosen))
-    first, second = mesh.connectivity.edges[edge]
-    return f"edge {edge} (vertices {first} and {second})"
+    largest = width * float(((room - fixed) / (needed - fixed))[edge])
+    raise InputError(
+        f"beam thickness: {width:g} mm does not fit {here}, whose mitres need "
+        f"{needed[edge]:.1f} of its {available[edge]:.1f} mm; take at most "
+        f"{rounded_down(largest)} mm"
+    )

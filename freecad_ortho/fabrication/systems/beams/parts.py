@@ -6,55 +6,166 @@ import numpy as np
 
 from freecad_ortho.fabrication.bodies import Polyhedron
 from freecad_ortho.fabrication.part import Measures, Part, part_names
-from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Mark, fitted_text_size
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
+from freecad_ortho.fabrication.systems.beams.folded import FoldedPlate, folded_plate
+from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
+from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
+from freecad_ortho.fabrication.systems.beams.sections import Piece, Section, pieces
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray
 
+# Directions of a part's coordinates in those of its beam: along, up, right.
+_UPRIGHT = np.eye(3)
+_LYING = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
 
-def beam_parts(site: Site, geometry: BeamGeometry, thickness: float) -> tuple[Part, ...]:
-    """Return one part for each chosen edge, in the order of the edges; thickness in mm."""
+
+def edge_beams(
+    site: Site, geometry: BeamGeometry, section: Section, chosen: BoolArray
+) -> tuple[Part, ...]:
+    """Return the parts of each chosen edge (E,), in the order of the edges."""
     edges = site.mesh.connectivity.edges.tolist()
     names = part_names("B", len(edges))
     families, lines = site.edge_family, site.lines.edge_line.tolist()
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
-    arms = geometry.points - geometry.origin[:, None]
-    corners = np.einsum("npk,nck->npc", arms, geometry.frame)
+    made = pieces(geometry, section)
     parts = []
-    for edge in np.flatnonzero(site.chosen_edges).tolist():
-        name = names[edge]
-        pattern = _flat_pattern(name, geometry.outline[edge], geometry.setback[edge], edges[edge])
-        volume = float(geometry.volume[edge])
+    for edge in np.flatnonzero(chosen).tolist():
+        for piece in made:
+            name = names[edge] + piece.suffix
+            pattern, origin = _pattern(geometry, piece, edge, name, edges[edge])
+            turn = _LYING if piece.role == "flange" else _UPRIGHT
+            body = piece.body(edge, origin, turn)
+            volume = body.volume
+            parts.append(
+                Part(
+                    name=name,
+                    kind="beam",
+                    body=body,
+                    origin=geometry.start[edge] + origin @ geometry.frame[edge] + site.shift,
+                    frame=turn @ geometry.frame[edge],
+                    pattern=pattern,
+                    length=float(np.ptp(piece.corners[edge, :, 0]))
+                    if pattern is None
+                    else float(pattern.size[0]),
+                    width=float(piece.width[edge]),
+                    thickness=piece.thickness,
+                    area=_skin(piece.corners[edge]) if pattern is None else pattern.area,
+                    volume=volume,
+                    mass=site.material.mass(volume),
+                    vertices=tuple(edges[edge]),
+                    family=families[edge],
+                    line=lines[edge],
+                    measures=Measures(
+                        gap_mm=float(geometry.twist_mm[edge]), twist_deg=float(twist[edge])
+                    ),
+                    note=_cut_angles(geometry, section, edge) if pattern is None else "",
+                )
+            )
+    return tuple(parts)
+
+
+def line_beams(
+    site: Site,
+    geometry: BeamGeometry,
+    thickness: float,
+    lines: tuple[ParameterLine, ...],
+    laps: Crossings | None,
+) -> tuple[Part, ...]:
+    """Return one folded plate for each line."""
+    twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
+    across = _names_across(site)
+    parts = []
+    for line in lines:
+        form = chain(site, geometry, line, thickness / 2, laps)
+        plate = folded_plate(form)
+        name = line_name(line)
+        pattern = _folded_pattern(name, plate, line, across)
+        volume = plate.body.volume
         parts.append(
             Part(
                 name=name,
                 kind="beam",
-                body=Polyhedron(corners[edge], LOOPS),
-                origin=geometry.origin[edge] + site.shift,
-                frame=geometry.frame[edge],
+                body=plate.body,
+                origin=form.vertices[0] + site.shift,
+                frame=form.frame[0],
                 pattern=pattern,
                 length=float(pattern.size[0]),
-                width=float(geometry.height[edge]),
+                width=float(pattern.size[1]),
                 thickness=thickness,
                 area=pattern.area,
                 volume=volume,
                 mass=site.material.mass(volume),
-                vertices=tuple(edges[edge]),
-                family=families[edge],
-                line=lines[edge],
+                vertices=tuple(line.vertices.tolist()),
+                family=line.family,
+                line=line.number,
                 measures=Measures(
-                    gap_mm=float(geometry.twist_mm[edge]), twist_deg=float(twist[edge])
+                    gap_mm=float(geometry.twist_mm[line.edges].max()),
+                    twist_deg=float(twist[line.edges].max()),
                 ),
             )
         )
     return tuple(parts)
 
 
-def _flat_pattern(
-    name: str, outline: FloatArray, setback: FloatArray, ends: list[int]
+def _names_across(site: Site) -> dict[int, list[str]]:
+    """Names of the lines through each vertex."""
+    names: dict[int, list[str]] = {}
+    for line in site.lines.all:
+        for vertex in line.vertices.tolist():
+            names.setdefault(vertex, []).append(line_name(line))
+    return names
+
+
+def _pattern(
+    geometry: BeamGeometry, piece: Piece, edge: int, name: str, ends: list[int]
+) -> tuple[FlatPattern | None, FloatArray]:
+    """Flat pattern of a part, and the origin of its coordinates in those of the beam."""
+    corners = piece.corners[edge]
+    if piece.role == "flange":
+        flat = corners[:6] @ _LYING.T
+        origin = np.array([flat[:, 0].min(), corners[0, 1], flat[:, 1].min()])
+        outline = flat[:, :2] - [origin[0], origin[2]]
+        return _plain(name, outline[[5, 0, 1, 2, 3, 4]], ends), origin * [1, 1, -1]
+    middle = corners[[0, 3, 9, 6]]
+    low = middle.min(axis=0)
+    origin = np.array([low[0], low[1], 0.0])
+    if piece.role == "tube":
+        return None, origin
+    setback = geometry.cuts.setback(piece.thickness / 2)[edge]
+    inner = setback - geometry.cuts.middle[edge][[0, 1, 1, 0]]
+    return _plate_pattern(name, middle[:, :2] - low[:2], inner, ends), origin
+
+
+def _skin(corners: FloatArray) -> float:
+    """Outer surface of a tube without its ends, mm2."""
+    ring = Polyhedron(corners[:12], ())
+    total = 0.0
+    for loop in ((6, 7, 8, 9, 10, 11), (0, 1, 2, 3, 4, 5), (1, 2, 8, 7), (4, 5, 11, 10)):
+        side = ring.corners[list(loop)]
+        arms = side - side[0]
+        total += float(np.linalg.norm(np.cross(arms[1:-1], arms[2:]).sum(axis=0))) / 2
+    return total
+
+
+def _cut_angles(geometry: BeamGeometry, section: Section, edge: int) -> str:
+    """Cuts of a tube in words: the saw's tilt from square, in elevation and in plan."""
+    tilt = np.degrees(np.arctan(geometry.slopes[edge]))
+    plan = np.degrees(np.arctan(geometry.cuts.slope[edge]))
+    words = [
+        f"{end}: elevation {tilt[k]:.2f}, plan right {plan[right]:.2f} left {plan[left]:.2f} deg"
+        for k, (end, right, left) in enumerate((("start", 0, 3), ("end", 1, 2)))
+    ]
+    height = float(geometry.height[edge])
+    size = f"tube {height:.1f} x {section.width:g} x {section.thickness:g}"
+    return "; ".join([size, *words])
+
+
+def _plate_pattern(
+    name: str, corner: FloatArray, setback: FloatArray, ends: list[int]
 ) -> FlatPattern:
     """Outline of the plate seen from its right side, the edge running to the right."""
-    corner = outline - outline.min(axis=0)
     height = float(corner[:, 1].max())
     bottom_start, bottom_end, top_end, top_start = corner
     marks = []
@@ -71,13 +182,70 @@ def _flat_pattern(
             marks.append(Mark(np.stack([bottom + shift, top + shift]), hidden=side > 1))
     start = max(bottom_start[0], top_start[0]) + max(setback[0], setback[3])
     end = min(bottom_end[0], top_end[0]) - max(setback[1], setback[2])
+    texts, label, size = _texts(name, start, end, corner[:, 0].max(), height / 2, height, ends)
+    return FlatPattern(corner, (*marks, *texts), label, size)
+
+
+def _plain(name: str, outline: FloatArray, ends: list[int]) -> FlatPattern:
+    """Outline of a flange seen from above, the edge running to the right."""
+    low, high = outline.min(axis=0), outline.max(axis=0)
+    middle = float(outline[:, 1].mean())
+    texts, label, size = _texts(
+        name, *np.sort(outline[:, 0])[[2, 3]], high[0], middle, float((high - low)[1]), ends
+    )
+    return FlatPattern(outline, texts, label, size)
+
+
+def _texts(
+    name: str,
+    start: float,
+    end: float,
+    length: float,
+    middle: float,
+    height: float,
+    ends: list[int],
+) -> tuple[tuple[Mark, ...], FloatArray, float]:
+    """Vertex numbers at both ends; place and size of the name."""
     # A third of the clear length for the name, a quarter at each end for its vertex.
-    clear = max(end - start, 0.2 * (corner[:, 0].max()))
-    middle = (start + end) / 2
+    clear = max(end - start, 0.2 * length)
+    centre = (start + end) / 2
+    marks = []
     for vertex, sign in zip(ends, (-1.0, 1.0), strict=True):
-        place = np.array([[middle + sign * 0.36 * clear, height / 2]])
+        place = np.array([[centre + sign * 0.36 * clear, middle]])
         text = f"V{vertex}"
         size = fitted_text_size(text, 0.24 * clear, 0.5 * height, 15.0)
         marks.append(Mark(place, text, size))
     label_size = fitted_text_size(name, 0.4 * clear, height)
-    return FlatPattern(corner, tuple(marks), np.array([middle, height / 2]), label_size)
+    return tuple(marks), np.array([centre, middle]), label_size
+
+
+def _folded_pattern(
+    name: str, plate: FoldedPlate, line: ParameterLine, across: dict[int, list[str]]
+) -> FlatPattern:
+    """The unrolled plate, its ends level, with the names of crossing beams beside the bends."""
+    along = plate.axis[-1] - plate.axis[0]
+    length = float(np.linalg.norm(along))
+    along = along / length if length > 0 else np.array([1.0, 0.0])
+    turn = np.array([along, [-along[1], along[0]]]).T
+    low = (plate.outline @ turn).min(axis=0)
+    axis, middles = plate.axis @ turn - low, plate.middles @ turn - low
+    steps = np.diff(axis, axis=0)
+    lengths = np.linalg.norm(steps, axis=1)
+    angles = np.degrees(np.arctan2(steps[:, 1], steps[:, 0])).tolist()
+    marks = []
+    for node, vertex in enumerate(line.vertices.tolist()):
+        step, ahead = (node, -1.0) if node < len(steps) else (node - 1, 1.0)
+        text = " ".join([f"V{vertex}", *(other for other in across[vertex] if other != name)])
+        size = fitted_text_size(text, 0.3 * lengths[step], 0.3 * plate.height, 12.0)
+        place = middles[step] + 0.22 * ahead * steps[step]
+        marks.append(Mark(place[None], text, size, angles[step]))
+    longest = int(lengths.argmax())
+    return FlatPattern(
+        plate.outline @ turn - low,
+        tuple(marks),
+        middles[longest] + 0.12 * steps[longest],
+        fitted_text_size(name, 0.25 * float(lengths[longest]), 0.3 * plate.height),
+        axis=axis,
+        bends=tuple(Bend(bend.points @ turn - low, bend.angle_deg) for bend in plate.bends),
+        label_angle=angles[longest],
+    )

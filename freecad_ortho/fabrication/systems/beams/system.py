@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -10,45 +11,104 @@ import numpy as np
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
-from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry, beam_geometry
-from freecad_ortho.fabrication.systems.beams.parts import beam_parts
+from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, around_axes, beam_frames
+from freecad_ortho.fabrication.systems.beams.geometry import (
+    BeamGeometry,
+    Cuts,
+    beam_geometry,
+    clear_of_through,
+    hub_distance,
+    mitred,
+    square,
+)
+from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
+from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
+from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
 from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
 
 # Twist above which a beam is visibly not a plane plate, degrees.
 _TWIST_WORTH_SAYING = 0.01
 _HEIGHT_WORTH_SAYING = 0.05
 
 
+ENDS = ("mitred", "hub", "lapped", "through-u", "through-v")
+
+
 @dataclass(frozen=True)
 class Beams(System):
-    """A plate of this height and thickness along every edge.
+    """Beams of this height and thickness along the edges or the parameter lines.
 
     Args:
         height: mm between the mesh and its parallel mesh; each beam's own height follows the
             parallel mesh and differs from it by the deviation in the report.
-        thickness: plate thickness, mm.
+        thickness: of the plates, the walls of tubes or the webs, mm.
         offset: along the axes the beams occupy ``[0, height]`` (above), half to each side (centre)
             or ``[-height, 0]`` (below) of the mesh.
+        section: plate, hollow, I or T.
+        section_width: of tubes and flanges, mm.
+        flange_thickness: mm, by default that of the web.
+        ends: "mitred" against each other, cut square for a "hub", or plates along whole lines that
+            are "lapped" where they cross, half from above and half from below; with "through-u" the
+            beams of family u run through and the others are cut square between them.
+        hub_diameter: of the hubs, across their faces, mm.
+        clearance: between beam and hub, between plates in slots, and beside beams that run through,
+            mm.
+        boundary_beams: false to leave the edges of the boundary out.
 
     Raises:
-        InputError: a length that is not positive and finite, or an unknown offset.
+        InputError: a length that is not positive and finite, or an unknown choice.
     """
 
     height: float
     thickness: float
     offset: str = "centre"
+    section: str = "plate"
+    section_width: float = 60.0
+    flange_thickness: float | None = None
+    ends: str = "mitred"
+    hub_diameter: float = 100.0
+    clearance: float = 1.0
+    boundary_beams: bool = True
 
     name: ClassVar[str] = "beams"
     options: ClassVar[tuple[Option, ...]] = (
         Option("height", 200.0, "of the beams"),
         Option("thickness", 12.0, "of the plates"),
         Option("offset", "centre", "where the plates lie", str, "|".join(OFFSETS)),
+        Option("section", "plate", "cross section", str, "|".join(SECTIONS)),
+        Option("section_width", 60.0, "of hollow sections and flanges"),
+        Option("flange_thickness", None, "of the flanges where it differs"),
+        Option("ends", "mitred", "how beams meet", str, "|".join(ENDS)),
+        Option("hub_diameter", 100.0, "across the faces of hubs"),
+        Option("clearance", 1.0, "in slots and at hubs"),
+        Option("no_boundary_beams", False, "leave the edges of the boundary out", bool),
     )
 
     def __post_init__(self) -> None:
         check_size("beam height", self.height)
         check_size("beam thickness", self.thickness)
         check_offset(self.offset)
+        if self.ends not in ENDS:
+            raise InputError(f"ends: expected one of {', '.join(ENDS)}, got '{self.ends}'")
+        if self.ends == "hub":
+            check_size("hub diameter", self.hub_diameter)
+        if not 0 <= self.clearance < float("inf"):
+            raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
+        if self.ends == "lapped" and self.section != "plate":
+            raise InputError(
+                f"ends: only plates can be lapped, got section {self.section}; take section plate "
+                "or other ends"
+            )
+        self._section()
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> Beams:
+        """Make the settings from options."""
+        given = dict(values)
+        given["boundary_beams"] = not given.pop("no_boundary_beams")
+        return cls(**given)
 
     @property
     def levels(self) -> tuple[float, float]:
@@ -56,30 +116,74 @@ class Beams(System):
         return offset_levels(self.offset, self.height)
 
     def build(self, site: Site) -> SystemParts:
-        """Work out the beams on the chosen edges.
+        """Work out the beams on the chosen edges and lines.
 
         Raises:
-            InputError: an edge without length, or a height or thickness that does not fit an edge.
+            InputError: sizes that do not fit the net, or a net whose faces are not planar or whose
+                lines have no families where that is needed.
         """
-        geometry = beam_geometry(site.mesh, site.axes, self.levels, self.thickness)
-        parts = beam_parts(site, geometry, self.thickness)
-        report = self._report(site, geometry, parts)
+        section = self._section()
+        frames = beam_frames(site.mesh, site.axes)
+        built = np.ones(len(site.mesh.connectivity.edges), dtype=bool)
+        if not self.boundary_beams:
+            built = ~site.mesh.connectivity.boundary_edges
+        around = around_axes(site.mesh, site.axes, frames.along, built)
+        cuts, folded, laps = self._cuts(site, frames, around, built)
+        geometry = beam_geometry(
+            site.mesh, site.axes, self.levels, section.overall_width, frames, cuts
+        )
+        wanted = site.chosen_edges & built
+        parts = edge_beams(site, geometry, section, wanted & ~folded)
+        lines = tuple(line for line in site.chosen_lines if (folded & built)[line.edges].all())
+        parts += line_beams(site, geometry, self.thickness, lines, laps)
+        report = self._report(site, geometry, parts, wanted)
         return SystemParts(parts, report, _messages(report), geometry)
 
+    def _section(self) -> Section:
+        flange = self.thickness if self.flange_thickness is None else self.flange_thickness
+        return Section(self.section, self.thickness, self.section_width, flange)
+
+    def _cuts(
+        self, site: Site, frames: Frames, around: Around, built: BoolArray
+    ) -> tuple[Cuts, BoolArray, Crossings | None]:
+        """Where beams end, which edges are parts of folded plates, and their half laps."""
+        width = self._section().overall_width
+        none, all_edges = np.zeros(len(built), dtype=bool), np.ones(len(built), dtype=bool)
+        if self.ends == "mitred":
+            return mitred(frames, around), none, None
+        if self.ends == "hub":
+            distance = self.hub_diameter / 2 + self.clearance
+            return square(frames, hub_distance(site.mesh, around, width, distance)), none, None
+        if self.ends == "lapped":
+            laps = half_laps(site, around, self.thickness, self.clearance)
+            return mitred(frames, around), all_edges, laps
+        through = site.lines.edge_family == ("through-u", "through-v").index(self.ends)
+        if (site.lines.edge_family < 0).any():
+            raise InputError(
+                f"ends: {self.ends} needs a net with two families of lines, which this one has not "
+                "because of irregular vertices; take mitred, hub or lapped ends"
+            )
+        alone = around_axes(site.mesh, site.axes, frames.along, built & through)
+        gaps = clear_of_through(around, width, self.clearance)
+        cuts = mitred(frames, alone).where(
+            np.stack([through, through], axis=1), square(frames, gaps)
+        )
+        return cuts, through if self.section == "plate" else none, None
+
     def _report(
-        self, site: Site, geometry: BeamGeometry, parts: tuple[Part, ...]
+        self, site: Site, geometry: BeamGeometry, parts: tuple[Part, ...], chosen: BoolArray
     ) -> dict[str, Any]:
-        chosen = site.chosen_edges
-        twist = np.where(chosen, site.axes.twist, -1.0)
         heights = geometry.height[chosen]
         return {
             "height_mm": self.height,
             "thickness_mm": self.thickness,
             "offset": self.offset,
-            "twist_max": float(twist.max()),
+            "section": self.section,
+            "ends": self.ends,
+            "twist_max": float(site.axes.twist[chosen].max()),
             "twist_max_deg": max(part.measures.twist_deg or 0.0 for part in parts),
             "twist_max_mm": float(geometry.twist_mm[chosen].max()),
-            "twist_worst": parts[int(np.argmax(twist[chosen]))].name,
+            "twist_worst": max(parts, key=lambda part: part.measures.twist_deg or 0.0).name,
             "height_min_mm": float(heights.min()),
             "height_max_mm": float(heights.max()),
             "height_deviation_max": float(np.abs(site.axes.heights[chosen] - 1).max()),

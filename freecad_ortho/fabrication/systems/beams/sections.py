@@ -1,0 +1,161 @@
+"""Sections of beams: plate, hollow rectangle, welded I and T; corner points without booleans.
+
+A hollow section is one part, cut from a tube. I and T are welded from plates, each a part with a
+flat pattern of its own: the web is cut like a plate beam; a flange is cut square to its own plane,
+as far back as its worse side needs, so that a laser cuts it and nothing overlaps.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_ortho.fabrication.bodies import Loops, Polyhedron
+from freecad_ortho.fabrication.sizes import check_size
+from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+
+SECTIONS = ("plate", "hollow", "I", "T")
+
+
+def _hollow_loops() -> Loops:
+    """Outer corners 0 to 11 as in ``LOOPS``, inner ones 12 to 23 in the same order."""
+    inner = 12
+    sides = [LOOPS[0], LOOPS[1], LOOPS[3], LOOPS[6]]
+    loops = list(sides)
+    loops += [tuple(number + inner for number in reversed(side)) for side in sides]
+    # Each end is two halves of a frame, which meet in the middle plane.
+    for middle, side in ((0, 1), (3, 2), (3, 4), (0, 5)):
+        half = (middle, side, side + 6, middle + 6)
+        rim = (*half, *(number + inner for number in reversed(half)))
+        loops.append(rim if (side in (1, 4)) else tuple(reversed(rim)))
+    return tuple(loops)
+
+
+HOLLOW_LOOPS = _hollow_loops()
+
+
+@dataclass(frozen=True)
+class Section:
+    """The cross section of all beams.
+
+    Args:
+        kind: plate, hollow, I or T (flange at the top).
+        thickness: of the plate, the tube's wall or the web, mm.
+        width: of the tube or the flanges, mm; a plate's is its thickness.
+        flange: thickness of the flanges, mm.
+
+    Raises:
+        InputError: an unknown kind, or sizes that make no section.
+    """
+
+    kind: str
+    thickness: float
+    width: float
+    flange: float
+
+    def __post_init__(self) -> None:
+        if self.kind not in SECTIONS:
+            raise InputError(f"section: expected one of {', '.join(SECTIONS)}, got '{self.kind}'")
+        check_size("beam thickness", self.thickness)
+        if self.kind == "plate":
+            return
+        check_size("section width", self.width)
+        check_size("flange thickness", self.flange)
+        least = 2 * self.thickness if self.kind == "hollow" else self.thickness
+        if self.width <= least:
+            raise InputError(
+                f"section width: expected more than {least:g} mm for {self.thickness:g} mm walls, "
+                f"got {self.width:g}; take a wider section or thinner walls"
+            )
+
+    @property
+    def overall_width(self) -> float:
+        """Of everything, across the beam, mm."""
+        return self.thickness if self.kind == "plate" else self.width
+
+    def refuse_low(self, height: float) -> None:
+        """Refuse beams that their walls or flanges fill.
+
+        Raises:
+            InputError: naming the least height.
+        """
+        filled = {"plate": 0.0, "hollow": 2 * self.thickness, "I": 2 * self.flange}
+        least = filled.get(self.kind, self.flange)
+        if height <= least:
+            raise InputError(
+                f"beam height: {height:.1f} mm is filled by the section's {least:g} mm of walls or "
+                "flanges; take higher beams or thinner plates"
+            )
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """One part of every beam, as arrays with a row an edge.
+
+    Attributes:
+        suffix: what the part's name has after the beam's.
+        role: "plate" (with the flat pattern of the beam's plane), "flange" or "tube".
+        corners: (E, N, 3) in the coordinates of the beam: along, up, right.
+        loops: sides of the body.
+        thickness: of the plate or wall, mm.
+        width: (E,) of the plate or tube, mm.
+    """
+
+    suffix: str
+    role: str
+    corners: FloatArray
+    loops: Loops
+    thickness: float
+    width: FloatArray
+
+    def body(self, edge: int, origin: FloatArray, turn: FloatArray) -> Polyhedron:
+        """Body of one beam's part; ``turn`` has the part's directions in the beam's, one a row."""
+        return Polyhedron((self.corners[edge] - origin) @ turn.T, self.loops)
+
+
+def pieces(geometry: BeamGeometry, section: Section) -> tuple[Piece, ...]:
+    """The parts that a beam of this section is made of.
+
+    Raises:
+        InputError: a beam too low for its walls.
+    """
+    section.refuse_low(float(geometry.height.min()))
+    low, high = geometry.up(0), geometry.up(1)
+    wall, half = section.thickness, section.overall_width / 2
+    if section.kind == "plate":
+        corners = _prism(geometry, low, high, half)
+        return (Piece("", "plate", corners, LOOPS, wall, geometry.height),)
+    if section.kind == "hollow":
+        outer = _prism(geometry, low, high, half)
+        inner = _prism(geometry, low + wall, high - wall, half - wall)
+        corners = np.concatenate([outer, inner], axis=1)
+        return (Piece("", "tube", corners, HOLLOW_LOOPS, wall, geometry.height),)
+    flange = section.flange
+    below = flange if section.kind == "I" else 0.0
+    web = _prism(geometry, low + below, high - flange, wall / 2)
+    made = [Piece("-web", "plate", web, LOOPS, wall, geometry.height - below - flange)]
+    width = np.full(len(low), section.width)
+    top = _flange(geometry, high - flange, high, half)
+    made.append(Piece("-top", "flange", top, LOOPS, flange, width))
+    if section.kind == "I":
+        bottom = _flange(geometry, low, low + flange, half)
+        made.append(Piece("-bottom", "flange", bottom, LOOPS, flange, width))
+    return tuple(made)
+
+
+def _prism(geometry: BeamGeometry, low: FloatArray, high: FloatArray, half: float) -> FloatArray:
+    """(E, 12, 3) corners between two heights (E,), the ends along the axes."""
+    return np.concatenate([geometry.ring(low, half), geometry.ring(high, half)], axis=1)
+
+
+def _flange(geometry: BeamGeometry, low: FloatArray, high: FloatArray, half: float) -> FloatArray:
+    """(E, 12, 3) the same with ends upright on the flange, within the ends along the axes."""
+    corners = _prism(geometry, low, high, half).reshape(-1, 2, 6, 3)
+    stations = corners[..., 0]
+    starts = np.array([True, True, False, False, False, True])
+    inner = np.where(starts, stations.max(axis=1), stations.min(axis=1))
+    corners[..., 0] = inner[:, None]
+    return corners.reshape(-1, 12, 3)

@@ -1,0 +1,258 @@
+"""Beams of every section with every end: closed, valid, of the right volume, and never in clash."""
+
+import itertools
+from collections import Counter, defaultdict
+
+import numpy as np
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.fabrication import Beams, build
+from freecad_ortho.fabrication.site import Selection
+from solver import optimise
+from solver.errors import InputError
+from solver.mesh.lines import ParameterLines
+from solver.mesh.quadmesh import QuadMesh
+from tests.conftest import shared_mesh
+from tests.fabrication.conftest import grid_faces
+
+KINDS = {
+    "hollow": {"section": "hollow"},
+    "I": {"section": "I", "flange_thickness": 9.0},
+    "T": {"section": "T"},
+    "hub": {"ends": "hub"},
+    "I on hub": {"ends": "hub", "section": "I"},
+    "lapped": {"ends": "lapped"},
+    "through u": {"ends": "through-u"},
+    "through v, hollow": {"ends": "through-v", "section": "hollow"},
+    "no boundary": {"ends": "through-u", "boundary_beams": False},
+}
+
+
+def beams(height=160, thickness=10, **more):
+    return Beams(height, thickness, **{"section_width": 60.0, "hub_diameter": 120.0, **more})
+
+
+def assert_closed(body):
+    """Every edge once in each direction, every side plane."""
+    edges = Counter(
+        pair for loop in body.loops for pair in zip(loop, loop[1:] + loop[:1], strict=True)
+    )
+    assert all(count == 1 and edges[b, a] == 1 for (a, b), count in list(edges.items()))
+    for loop in body.loops:
+        side = body.corners[list(loop)]
+        assert np.linalg.svd(side - side.mean(axis=0))[1][-1] <= 1e-6
+
+
+def near_pairs(parts):
+    at = defaultdict(list)
+    for number, part in enumerate(parts):
+        for vertex in part.vertices:
+            at[vertex].append(number)
+    pairs = {pair for some in at.values() for pair in itertools.combinations(sorted(some), 2)}
+    return sorted(pairs)
+
+
+def assert_no_clash(parts, step=1):
+    for one, two in near_pairs(parts)[::step]:
+        shared = parts[one].solid().intersect(parts[two].solid()).Volume()
+        limit = 1e-6 * min(parts[one].volume, parts[two].volume)
+        assert shared <= limit, (parts[one].name, parts[two].name)
+
+
+def assert_sound(structure, solids=7, pairs=9):
+    for part in structure.parts:
+        assert_closed(part.body)
+    for part in structure.parts[::solids]:
+        solid = part.solid()
+        assert solid.isValid()
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-9)
+    assert_no_clash(structure.parts, pairs)
+
+
+@pytest.mark.parametrize("kind", KINDS.values(), ids=KINDS)
+@pytest.mark.parametrize("name", ["roof", "skewed"])
+def test_parts_are_sound(meshes, name, kind):
+    assert_sound(build(meshes[name], [beams(**kind)]), 11, 23)
+
+
+def test_a_clash_would_be_found(roof):
+    parts = build(roof, [beams()]).parts
+    thick = build(roof, [beams(thickness=14, offset="below")]).parts
+    one, two = near_pairs(parts)[0]
+    with pytest.raises(AssertionError):
+        assert_no_clash([thick[one], parts[one]])
+    assert_no_clash([parts[one], parts[two]])
+
+
+@pytest.mark.parametrize("kind", ["hub", "lapped"])
+def test_closed_net_with_odd_valences(dodecahedron, kind):
+    assert_sound(build(dodecahedron, [beams(ends=kind, clearance=2)]), 1, 1)
+
+
+def prism_volume(geometry, low, high, half):
+    """Volume between two heights: length less slopes of the axes, less the four mitre wedges."""
+    start, end = geometry.slopes.T
+    length = geometry.lengths - geometry.cuts.middle.sum(axis=1)
+    length = length + (end - start) * (low + high) / 2
+    wedges = geometry.cuts.slope.sum(axis=1) * half**2 / 2
+    return (high - low) * (2 * half * length - wedges)
+
+
+def test_volumes_by_formula(skewed):
+    geometry = build(skewed, [beams()]).results["beams"].geometry
+    low, high = geometry.up(0), geometry.up(1)
+    for ends in ("mitred", "hub"):
+        made = build(skewed, [beams(section="hollow", ends=ends)])
+        geometry = made.results["beams"].geometry
+        expected = prism_volume(geometry, low, high, 30)
+        expected -= prism_volume(geometry, low + 10, high - 10, 20)
+        assert [part.volume for part in made.parts] == pytest.approx(expected, rel=1e-9)
+    made = build(skewed, [beams(section="I", flange_thickness=9.0)])
+    geometry = made.results["beams"].geometry
+    webs = [part.volume for part in made.parts if part.name.endswith("-web")]
+    assert webs == pytest.approx(prism_volume(geometry, low + 9, high - 9, 5), rel=1e-9)
+    tops = np.array([part.volume for part in made.parts if part.name.endswith("-top")])
+    along_axes = prism_volume(geometry, high - 9, high, 30)
+    shorter = 9**2 / 2 * np.abs(geometry.slopes).sum(axis=1) * 60
+    assert tops == pytest.approx(along_axes - shorter, rel=1e-9)
+    for part in made.parts:
+        if not part.name.endswith("-web"):
+            assert part.volume == pytest.approx(part.pattern.area * part.thickness, rel=1e-9)
+
+
+def test_flat_grid_of_laps_is_plates_less_slots():
+    """Square cells of 1 m: area and volume of every beam in closed form."""
+    x, y = np.meshgrid(1000.0 * np.arange(4), 1000.0 * np.arange(5), indexing="ij")
+    flat = QuadMesh.from_arrays(
+        np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), grid_faces(4, 5)[:, ::-1]
+    )
+    made = build(flat, [Beams(200, 10, ends="lapped", clearance=2)])
+    slot = (10 + 2) * (100 + 1)
+    for part in made.parts:
+        cells = len(part.vertices) - 1
+        rim = set(part.vertices) <= set(np.flatnonzero(flat.connectivity.boundary_vertices))
+        if rim:  # mitred at the corners, slots at the inner nodes
+            expected = 1000 * cells * 200 - (cells - 1) * slot
+        else:  # tongues of half a thickness behind the outer axes, each with half a slot
+            expected = (1000 * cells + 10) * 200 - (cells - 1) * slot - 2 * (5 + 6) * 101
+        assert part.pattern.area == pytest.approx(expected, rel=1e-12)
+        if not rim:
+            assert part.volume == pytest.approx(10 * expected, rel=1e-12)
+    assert_no_clash(made.parts)
+
+
+@pytest.mark.parametrize("ends", ["lapped", "through-u"])
+def test_patterns_fold_back(roof, ends):
+    """From the first plate on, turned about each bend line, the axis meets every vertex."""
+    made = build(roof, [beams(ends=ends)])
+    lines = {(line.family, line.number): line for line in ParameterLines(roof.connectivity).all}
+    folded = [part for part in made.parts if part.name.startswith("B-")]
+    assert folded
+    for part in folded:
+        vertices = lines[part.family, part.line].vertices
+        assert part.vertices == tuple(vertices)
+        pattern, frame = part.pattern, part.frame
+        first = pattern.axis[1] - pattern.axis[0]
+        turn = np.array([first, [-first[1], first[0]]]) / np.linalg.norm(first)
+
+        def in_space(point, pattern=pattern, turn=turn, frame=frame, part=part):
+            return part.origin + (turn @ (point - pattern.axis[0])) @ frame[:2]
+
+        for number, vertex in enumerate(vertices):
+            assert np.abs(in_space(pattern.axis[number]) - roof.vertices[vertex]).max() <= 1e-6
+            if 0 < number < len(vertices) - 1:
+                bend = pattern.bends[number - 1]
+                here, tip = in_space(bend.points[0]), in_space(bend.points[1])
+                in_space = turned(in_space, here, tip - here, bend.angle_deg)
+
+
+def turned(before, here, direction, angle_deg):
+    """The map followed by a turn that raises what lies ahead towards the viewer."""
+    unit = direction / np.linalg.norm(direction)
+    angle = -np.radians(angle_deg)
+
+    def after(point):
+        arm = before(point) - here
+        across = np.cross(unit, arm)
+        along = unit * (unit @ arm)
+        return here + along + np.cos(angle) * (arm - along) + np.sin(angle) * across
+
+    return after
+
+
+def test_hub_ends_keep_their_distance(skewed):
+    made = build(skewed, [beams(ends="hub", hub_diameter=150, clearance=3)])
+    axes = made.axes.directions
+    for part in made.parts[::5]:
+        for vertex in part.vertices:
+            arms = part.points - skewed.vertices[vertex]
+            flat = arms - np.outer(arms @ axes[vertex], axes[vertex])
+            along = skewed.vertices[sum(part.vertices) - vertex] - skewed.vertices[vertex]
+            along -= (along @ axes[vertex]) * axes[vertex]
+            assert (flat @ along).min() / np.linalg.norm(along) == pytest.approx(78)
+
+
+def test_boundary_beams_can_be_left_out(roof):
+    whole, inner = build(roof, [beams()]), build(roof, [beams(boundary_beams=False)])
+    rim = set(np.flatnonzero(roof.connectivity.boundary_edges))
+    names = [part.name for edge, part in enumerate(whole.parts) if edge not in rim]
+    assert [part.name for part in inner.parts] == names
+
+
+def test_chosen_lines_are_built_as_in_the_whole(roof):
+    whole = {part.name: part for part in build(roof, [beams(ends="lapped")]).parts}
+    some = build(roof, [beams(ends="lapped")], selection=Selection("v", (2, 4))).parts
+    assert [part.name for part in some] == ["B-V003", "B-V005"]
+    assert all(np.array_equal(part.points, whole[part.name].points) for part in some)
+
+
+@pytest.mark.parametrize(
+    "values, words",
+    [
+        ({"section": "U"}, "section: expected one of plate, hollow, I, T, got 'U'"),
+        ({"ends": "glued"}, "ends: expected one of mitred, hub"),
+        ({"ends": "lapped", "section": "I"}, "only plates can be lapped"),
+        ({"section": "hollow", "section_width": 20}, "section width: expected more than 20 mm"),
+        ({"section": "I", "flange_thickness": 90}, "filled by the section's 180 mm"),
+        ({"ends": "hub", "hub_diameter": 4}, "hub: at vertex .* take a hub .* larger"),
+        ({"ends": "hub", "hub_diameter": 3000}, "beam ends: edge .* take a smaller hub"),
+        ({"ends": "lapped", "clearance": 170}, "slots deeper than the beams|the slots at"),
+        ({"ends": "lapped", "clearance": -1}, "clearance: expected 0 mm or more"),
+        ({"ends": "lapped", "thickness": 1150}, "beam"),
+        ({"thickness": 900}, "beam thickness: 900 mm does not fit edge"),
+        ({"height": 90000}, "beam height: 90000 mm does not fit edge"),
+    ],
+)
+def test_sizes_that_do_not_fit_are_one_line(roof, values, words):
+    with pytest.raises(InputError, match=words) as caught:
+        build(roof, [beams(**values)])
+    assert "\n" not in str(caught.value)
+
+
+def test_nets_that_do_not_fit_are_one_line(twisted, dodecahedron):
+    with pytest.raises(InputError, match=r"leave the plate by .* mm, .* principal net first"):
+        build(twisted, [beams(ends="lapped")])
+    with pytest.raises(InputError, match="needs a net with two families of lines"):
+        build(dodecahedron, [beams(ends="through-u")])
+
+
+def test_options_reach_the_command(roof):
+    made = api.fabricate(roof, "beams", section="hollow", section_width=80, no_boundary_beams=True)
+    assert {part.kind for part in made.parts} == {"beam"}
+    assert made.parts[0].pattern is None
+    assert made.parts[0].note.startswith("tube ")
+
+
+@pytest.mark.shared
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS.values(), ids=KINDS)
+@pytest.mark.parametrize("name", ["heart", "conical1", "botanic-garden-bubble-0"])
+def test_nets_of_the_authors(name, kind):
+    start = shared_mesh(name)
+    mesh = optimise(start.scaled(1000 / start.mean_edge), net="principal").mesh
+    if "through" in kind.get("ends", "") and name.startswith("botanic"):
+        with pytest.raises(InputError, match="two families"):
+            build(mesh, [beams(120, **kind)])
+        return
+    assert_sound(build(mesh, [beams(120, **{"section_width": 50.0, **kind})]), 41, 97)
