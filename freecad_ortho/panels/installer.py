@@ -53,7 +53,8 @@ class Installer(QtGui.QDialog):
             )
             return
         self._show_running(True)
-        self._say(translate("Ortho", "Starting ..."))
+        names = ", ".join(self.names)
+        self._say(translate("Ortho", "Installing {}. This takes some minutes.").format(names))
         arguments = packages.pip_arguments(self.names, self.folder)
         self.process.start(str(self.python), arguments)
         if not self.process.waitForStarted(10000):
@@ -124,8 +125,8 @@ class Installer(QtGui.QDialog):
         text = translate(
             "Ortho",
             "The Ortho workbench needs Python packages that FreeCAD does not find: {names}.\n\n"
-            "Install downloads them with what they need, about 500 MB, into FreeCAD's own folder "
-            "for add-ons:\n{folder}\nNothing else on this computer is changed.",
+            "Install downloads them with what they need, up to 2 GB on disk, into FreeCAD's own "
+            "folder for add-ons:\n{folder}\nNothing else on this computer is changed.",
         ).format(names=", ".join(self.names), folder=self.folder)
         self.message = QtGui.QLabel(text)
         self.message.setWordWrap(True)

@@ -86,6 +86,17 @@ class TestExamples(FirstStepsCase):
         self.assertFalse(FreeCAD.listDocuments())
 
 
+class TestMetadata(FirstStepsCase):
+    def test_freecad_reads_it(self):
+        metadata = FreeCAD.Metadata(str(tools.ROOT / "package.xml"))
+        (workbench,) = metadata.Content["workbench"]
+        self.assertEqual(workbench.Classname, type(FreeCADGui.activeWorkbench()).__name__)
+        self.assertTrue(metadata.supportsCurrentFreeCAD())
+        self.assertTrue((tools.ROOT / metadata.Icon).is_file())
+        self.assertEqual(metadata.License[0]["name"], "LGPL-2.1-or-later")
+        self.assertTrue(metadata.Maintainer and metadata.Author and metadata.Description)
+
+
 class TestPreferences(FirstStepsCase):
     def setUp(self):
         super().setUp()
