@@ -3,42 +3,102 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from solver import QuadMesh
 
+INK, GLASS, NET, MARK = "#1d2935", "#eadfc8", "#5f9fd0", "#e8622a"
+WOOD = "#d9a566"
+SUN = np.array([0.30, -0.50, 0.81])
+
+
+@dataclass
+class Panel:
+    """One net in parallel projection; angles in degrees, lines and points (n, 3) on top.
+
+    A ``mirror`` shows no edges but a striped sky that its faces reflect.
+    """
+
+    name: str
+    mesh: QuadMesh
+    turn: float = -60.0
+    rise: float = 28.0
+    colour: str = NET
+    ground: QuadMesh | None = None
+    lines: Sequence[np.ndarray] = field(default_factory=list)
+    points: np.ndarray | None = None
+    mirror: bool = False
+    more: Sequence[tuple[QuadMesh, str]] = field(default_factory=list)
+
 
 def draw(
-    meshes: Sequence[tuple[str, QuadMesh]], target: str | Path, columns: int = 3, title: str = ""
+    panels: Sequence[Panel],
+    target: str | Path,
+    columns: int = 3,
+    size: float = 4.4,
+    high: float = 0.8,
 ) -> None:
     """Write a picture of some nets side by side, each with its name."""
     import matplotlib
 
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-    rows = -(-len(meshes) // columns)
-    figure = pyplot.figure(figsize=(4.2 * columns, 3.6 * rows + 0.3 * bool(title)), dpi=110)
-    for place, (name, mesh) in enumerate(meshes, start=1):
-        axes = figure.add_subplot(rows, columns, place, projection="3d", proj_type="ortho")
-        light = np.abs(mesh.face_normals @ (np.array([0.35, -0.45, 0.82])))
-        colours = pyplot.get_cmap("Blues")(0.15 + 0.5 * light)
-        faces = Poly3DCollection(
-            mesh.vertices[mesh.faces], facecolors=colours, edgecolors="#26303c", linewidths=0.4
-        )
-        axes.add_collection3d(faces)
-        low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
-        middle, reach = 0.5 * (low + high), 0.5 * float((high - low).max())
-        limits = np.stack([middle - reach, middle + reach], axis=1)
-        axes.set(xlim=limits[0], ylim=limits[1], zlim=limits[2])
-        axes.set_box_aspect((1, 1, 1), zoom=1.35)
-        axes.set_axis_off()
-        axes.set_title(name, fontsize=10, y=0.96)
-    if title:
-        figure.suptitle(title, fontsize=13)
-    figure.tight_layout()
+    rows = -(-len(panels) // columns)
+    figure, axes = pyplot.subplots(
+        rows, columns, figsize=(size * columns, size * high * rows), dpi=110, squeeze=False
+    )
+    for place, axis in enumerate(axes.flat):
+        axis.set_axis_off()
+        axis.set_aspect("equal", adjustable="datalim")
+        if place < len(panels):
+            _fill(axis, panels[place])
+    figure.tight_layout(pad=0.6)
     figure.savefig(target)
     pyplot.close(figure)
+
+
+def _fill(axis: object, panel: Panel) -> None:
+    turn, rise = np.radians([panel.turn, panel.rise])
+    across = np.array([-np.sin(turn), np.cos(turn), 0.0])
+    look = np.array([np.cos(turn) * np.cos(rise), np.sin(turn) * np.cos(rise), np.sin(rise)])
+    camera = np.stack([across, np.cross(look, across), look], axis=1)
+    if panel.ground is not None:
+        _quads(axis, [(panel.ground, GLASS)], camera, "#cdbd98", 0.35)
+    edge = "face" if panel.mirror else INK
+    _quads(axis, [(panel.mesh, panel.colour), *panel.more], camera, edge, 1.0)
+    for line in panel.lines:
+        axis.plot(*(line @ camera).T[:2], "-", color=MARK, lw=2.2, zorder=8)
+    if panel.points is not None:
+        places = (panel.points @ camera).T[:2]
+        axis.plot(*places, "o", color=MARK, ms=7, mec="white", mew=1.0, zorder=9)
+    axis.set_title(panel.name, fontsize=11, color=INK, y=-0.02, va="top")
+    axis.autoscale_view()
+
+
+def _quads(axis: object, parts: list, camera: np.ndarray, edge: str, alpha: float) -> None:
+    """Faces from back to front, lit by the sun, the far side a little darker."""
+    from matplotlib.collections import PolyCollection
+    from matplotlib.colors import to_rgb
+
+    corners = np.concatenate([mesh.vertices[mesh.faces] for mesh, _ in parts])
+    normals = np.concatenate([mesh.face_normals for mesh, _ in parts])
+    base = np.concatenate([np.tile(to_rgb(colour), (len(m.faces), 1)) for m, colour in parts])
+    light = 0.62 + 0.45 * np.abs(normals @ SUN)
+    light *= np.where(normals @ camera[:, 2] < 0, 0.93, 1.0)
+    if edge == "face":
+        normals = np.where((normals @ camera[:, 2])[:, None] < 0, -normals, normals)
+        sky = 2 * (normals @ camera[:, 2])[:, None] * normals - camera[:, 2]
+        light *= 0.72 + 0.28 * np.tanh(4 * np.sin(16 * np.arctan2(sky[:, 0], sky[:, 2] + 0.3)))
+    colours = np.clip(base * light[:, None], 0, 1)
+    seen = corners @ camera
+    order = np.argsort(seen[..., 2].mean(axis=1))
+    axis.add_collection(
+        PolyCollection(
+            seen[order, :, :2], facecolors=colours[order], edgecolors=edge, linewidths=0.45,
+            alpha=alpha, joinstyle="round", zorder=2 if alpha == 1 else 1,
+        )
+    )  # fmt: skip

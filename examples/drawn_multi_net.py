@@ -11,11 +11,13 @@ import sys
 
 import numpy as np
 
-from examples.drawing import draw
+from examples.drawing import Panel, draw
+from freecad_ortho.sources.quadric_shape import quadric_mesh
 from solver import QuadMesh
 from solver.multinet import Quadric, multi_net, multi_net_residual
 
 ELLIPSOID = Quadric.ellipsoid((3.0, 2.2, 1.4))
+TURN, RISE = 45.0, 7.0
 DRAWN = np.array(
     [[2.9, -0.4, 0.3], [2.3, 0.9, 0.5], [1.4, 1.3, 0.9], [0.3, 1.5, 1.0], [-1.0, 1.9, 0.7]]
 )
@@ -38,4 +40,11 @@ if __name__ == "__main__":
     worst = max(multi_net_residual(mesh).bound for _, mesh in nets)
     print(f"no rectangle has diagonals that differ by more than {worst:.0e} of the squared size")
     if len(sys.argv) > 1:
-        draw(nets, sys.argv[1], title="Multi-nets of a line drawn on an ellipsoid")
+        ground, panels = quadric_mesh(ELLIPSOID), []
+        for (name, mesh), points in zip(nets, (DRAWN, DRAWN, dragged()), strict=True):
+            smooth = multi_net(ELLIPSOID, points, snap=True)
+            curve, points = smooth.curve(np.linspace(0, 1, 200)), ELLIPSOID.project(points)
+            panels.append(
+                Panel(name, mesh, TURN, RISE, ground=ground, lines=[curve], points=points)
+            )
+        draw(panels, sys.argv[1])

@@ -3,15 +3,19 @@
 Circles go to circles under a Moebius map. The faces of a principal mesh are circular to second
 order in the mesh size, so that their images are planar and orthogonal to that order.
 
-Run it from the root of the project: ``python -m examples.moebius_of_principal_net``.
+Run it from the root of the project: ``python -m examples.moebius_of_principal_net [PICTURE.png]``.
 """
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 
+from examples.drawing import Panel, draw
 from solver import QuadMesh, optimise
 from solver.analysis import measures
+from solver.mesh.subdivide import catmull_clark
 from solver.mesh.transform import moebius
 from solver.multinet import elliptic_net
 from solver.multinet.presets import preset
@@ -38,4 +42,10 @@ def deviation(mesh: QuadMesh) -> float:
 
 
 if __name__ == "__main__":
-    print(f"a Moebius image deviates by {deviation(image(principal_net())):.1e} from principal")
+    net = principal_net()
+    bent = image(net)
+    print(f"a Moebius image deviates by {deviation(bent):.1e} from principal")
+    if len(sys.argv) > 1:
+        shiny = Panel("as a mirror", catmull_clark(net, 3), 25, 20, "#9fb4c7", mirror=True)
+        panels = [Panel("principal net", net, 25, 20), Panel("its Moebius image", bent, 25, 20)]
+        draw([*panels, shiny], sys.argv[1])

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import sys
 
-from examples.drawing import draw
+from examples.drawing import Panel, draw
 from solver import QuadMesh
 from solver.multinet import elliptic_net, multi_net_residual, reflected
 from solver.multinet.presets import preset
@@ -43,4 +43,6 @@ if __name__ == "__main__":
     worst = max(multi_net_residual(mesh).bound for mesh in nets.values())
     print(f"no rectangle has diagonals that differ by more than {worst:.0e} of the squared size")
     if len(sys.argv) > 1:
-        draw(list(nets.items()), sys.argv[1], title="Orthogonal multi-nets")
+        turns = (20, -60, 20, -50, -110, -60)
+        panels = [Panel(*net, turn) for net, turn in zip(nets.items(), turns, strict=True)]
+        draw(panels, sys.argv[1])

@@ -12,7 +12,7 @@ usage: bash scripts/setup.sh [--dev]
 Installs FreeCAD (Debian, Ubuntu: with apt-get, as root or with sudo) and makes .venv with
 FreeCAD's own Python version and the pinned packages of requirements.txt.
 
-  --dev   also what the tests need (requirements-dev.txt)
+  --dev   also what the tests need (requirements-dev.txt, requirements-remesh.txt)
 
 Where FreeCAD is already installed, or the system has no apt-get, these say where things are:
   ORTHO_FREECADCMD   FreeCAD's console program  (looked for: freecadcmd, FreeCADCmd)
@@ -93,7 +93,7 @@ find_freecad() {
 # A checksum of everything that decides what gets installed.
 wish() {
   {
-    cat "$root/scripts/setup.sh" "$root/requirements-fast.txt" "${requirements[@]}"
+    cat "$root/scripts/setup.sh" "$root/requirements-fast.txt" "$root/requirements-remesh.txt" "${requirements[@]}"
     ls -lL "$freecadcmd"
     printf '%s\n' "$freecad" "${ORTHO_PYTHON:-}"
   } | cksum
@@ -169,6 +169,10 @@ install_python_packages() {
     pip_install "$package" >"$scratch/log" 2>&1 ||
       say "$package (requirements-fast.txt) does not install here; something slower or simpler takes its place"
   done < <(grep -v '^#' "$root/requirements-fast.txt")
+  if [ "$dev" = yes ]; then
+    pip_install -r "$root/requirements-remesh.txt" >"$scratch/log" 2>&1 ||
+      say "the library that makes quads of triangles (requirements-remesh.txt) does not install here; its tests are skipped"
+  fi
 }
 
 write_stamp() {

@@ -352,3 +352,14 @@ class TestTriangles(SourceCase):
         np.testing.assert_allclose(metres[0], 1000 * there[0])
         with self.assertRaisesRegex(InputError, "holds no triangles"):
             api.quads_from_mesh(self.document.addObject("App::FeaturePython", "Nothing"), faces=100)
+
+
+class TestDocument(SourceCase):
+    def test_the_macro_of_the_document_runs(self):
+        text = (tools.ROOT / "docs" / "sources.md").read_text(encoding="utf-8")
+        macro = text.split("```python\n")[1].split("```")[0]
+        names = {"App": FreeCAD}
+        exec(macro, names)
+        self.assertLessEqual(max(tools.faults(names["net"])), 1e-10)
+        radii = np.linalg.norm(tools.vertices(names["net"]), axis=1)
+        self.assertLess(np.abs(radii - 8000).max(), 400)

@@ -80,7 +80,12 @@ def project(tmp_path):
     (root / "scripts").mkdir(parents=True)
     for name in ("common.sh", "setup.sh"):
         shutil.copy(ROOT / "scripts" / name, root / "scripts")
-    for name in ("requirements.txt", "requirements-dev.txt", "requirements-fast.txt"):
+    for name in (
+        "requirements.txt",
+        "requirements-dev.txt",
+        "requirements-fast.txt",
+        "requirements-remesh.txt",
+    ):
         (root / name).write_text("# none\n")
     program(tmp_path / "freecadcmd", f"echo ORTHO-PROBE {MINOR} 9.9.9\n")
     program(tmp_path / "freecad", "")
@@ -127,6 +132,13 @@ def test_optional_packages_are_not_needed(project):
     result = setup_project(project)
     assert result.returncode == 0, result.stderr
     assert "something slower or simpler takes its place" in result.stderr
+
+
+def test_remeshing_library_is_not_needed(project):
+    (project / "requirements-remesh.txt").write_text("./missing-0-py3-none-any.whl\n")
+    result = setup_project(project, "--dev")
+    assert result.returncode == 0, result.stderr
+    assert "quads of triangles" in result.stderr
 
 
 def test_failing_packages_are_said_and_tried_again(project):
