@@ -40,9 +40,9 @@ _PATIENCE = 25
 _WORTH = 0.8
 # Of so many attempts that reached the net, though with short edges or creases, the best is taken.
 _ENOUGH = 2
-# Handles are followed with the guides at this factor, where the mesh is nearly a net, until the
-# largest move is this small: what follows depends on where the handles are, not on the way there.
-_HOLD, _REST, _HOLD_STEPS, _HOLD_DAMPING = 3e-3, 1e-10, 250, 1e-9
+# Handles are followed with the guides at this factor, where the mesh is nearly a net, until so many
+# steps in turn are this small: what follows depends on where the handles are, not on the way there.
+_HOLD, _CALM, _REST, _HOLD_STEPS, _HOLD_DAMPING = 3e-3, 2, 1e-10, 250, 1e-9
 # Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
 _MARGIN = 1e-2
 
@@ -60,6 +60,7 @@ class _State:
     last_worst: float = 0.0
     idle: int = 0
     held: int = 0
+    calm: int = 0
     rested: bool = False
 
     @property
@@ -76,11 +77,12 @@ class Optimisation:
 
     Args:
         problems: what is asked; further problems are the same net from other starts, and are tried
-            one after the other where a result is not good. All are judged against the first.
+            one after the other where a result is not good.
         tolerance: largest measure of the net, over all faces or stars, that counts as zero.
         max_steps: steps of all attempts together.
         backend: name of the sparse solver, by default the fastest installed.
         accept_start: a start that already is the net is returned untouched.
+        original: the problem against whose start results are judged, by default the first.
     """
 
     def __init__(
@@ -90,9 +92,11 @@ class Optimisation:
         max_steps: int = 1000,
         backend: str | None = None,
         accept_start: bool = True,
+        original: Problem | None = None,
     ) -> None:
         begin = time.perf_counter()
         self._problems = [problems] if isinstance(problems, Problem) else list(problems)
+        self.original = original or self._problems[0]
         self.tolerance = tolerance
         self.max_steps = max_steps
         self.backend = backend or default_backend(int(self._problems[0].free.sum()))
@@ -106,13 +110,10 @@ class Optimisation:
         self.seconds_setup = time.perf_counter() - begin
         if not self.problem.free.any():
             self._conclude(STALLED)
-        elif accept_start and self._judge(self.problem.start).valid:
-            self._conclude(CONVERGED)
-
-    @property
-    def original(self) -> Problem:
-        """The problem as it was posed, against whose start results are judged."""
-        return self._problems[0]
+        elif accept_start:
+            start = judge(self.original, self.original.start, tolerance)
+            if start.valid:
+                self._best, self.status = start, CONVERGED
 
     @property
     def problem(self) -> Problem:
@@ -194,7 +195,8 @@ class Optimisation:
             self._follow(state)
             state.fade = _HOLD
         state = self._state
-        state.fade, state.held, state.rested = max(state.fade, _HOLD), 0, False
+        state.fade, state.held, state.calm = max(state.fade, _HOLD), 0, 0
+        state.rested = False
         state.linearisations = [term.linearise(state.x) for term in self._terms]
         self._relaxation.forget()
         self.resume()
@@ -279,7 +281,8 @@ class Optimisation:
         if pull is not None and self.holding and state.fade * _FADE <= _HOLD:
             if state.fade == _HOLD and pull.arrived:
                 state.held += 1
-                state.rested = record.step_length < _REST
+                state.calm = state.calm + 1 if record.step_length < _REST else 0
+                state.rested = state.calm >= _CALM
                 if state.rested:
                     # Nothing but the shape is taken along from the way here.
                     state.damping, state.worst_before = _HOLD_DAMPING, np.inf

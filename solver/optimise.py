@@ -108,7 +108,8 @@ def start_optimisation(
     plan = Plan(net, fixed, options or NetOptions(), wanted, weights)
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     if fairness is not None:
-        problem = plan.pose(mesh, [weights])
-        return Optimisation(problem, tolerance, max_steps, backend, accept_start=False)
+        return Optimisation(plan.single(mesh), tolerance, max_steps, backend, accept_start=False)
     stay = not wanted.handles and wanted.close_to is None
-    return Optimisation(plan.problems(mesh), tolerance, max_steps, backend, stay)
+    problems = plan.problems(mesh)
+    original = next(problem for problem in problems if problem.mesh is mesh)
+    return Optimisation(problems, tolerance, max_steps, backend, stay, original)

@@ -6,6 +6,9 @@ import numpy as np
 
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
+# Part of the larger principal curvature that the smaller one has on a doubly curved sheet.
+_DOUBLE = 0.3
+
 
 def unbent(mesh: QuadMesh, direction: FloatArray) -> QuadMesh:
     """Take the mean curvature in one direction out of a mesh and leave that across it.
@@ -18,19 +21,30 @@ def unbent(mesh: QuadMesh, direction: FloatArray) -> QuadMesh:
         mesh: a sheet without folds over its best plane.
         direction: (3,) vector, not normal to that plane.
     """
-    used = mesh.connectivity.referenced
-    centre = mesh.vertices[used].mean(axis=0)
-    axes = np.linalg.svd(mesh.vertices[used] - centre, full_matrices=False)[2]
+    centre, axes, form = _quadric(mesh)
     local = (mesh.vertices - centre) @ axes.T
-    x, y, height = local[used].T
-    terms = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y], axis=1)
-    fit = np.linalg.lstsq(terms, height, rcond=None)[0]
-    form = np.array([[fit[3], fit[4]], [fit[4], fit[5]]])
     along = (axes @ direction)[:2]
     along = along / np.linalg.norm(along)
     way = local[:, :2] @ along
     local[:, 2] -= 0.5 * (along @ form @ along) * way**2
     return mesh.with_vertices(local @ axes + centre)
+
+
+def doubly_curved(mesh: QuadMesh) -> bool:
+    """Whether the quadric that fits a sheet best is bent in both its principal directions."""
+    smaller, larger = sorted(np.abs(np.linalg.eigvalsh(_quadric(mesh)[2])))
+    return bool(smaller > _DOUBLE * larger)
+
+
+def _quadric(mesh: QuadMesh) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Centre (3,) and axes (3, 3) of the best plane, and second derivatives (2, 2) over it."""
+    used = mesh.connectivity.referenced
+    centre = mesh.vertices[used].mean(axis=0)
+    axes = np.linalg.svd(mesh.vertices[used] - centre, full_matrices=False)[2]
+    x, y, height = ((mesh.vertices[used] - centre) @ axes.T).T
+    terms = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y], axis=1)
+    fit = np.linalg.lstsq(terms, height, rcond=None)[0]
+    return centre, axes, np.array([[fit[3], fit[4]], [fit[4], fit[5]]])
 
 
 def central_directions(mesh: QuadMesh) -> list[FloatArray]:

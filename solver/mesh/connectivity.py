@@ -180,6 +180,20 @@ class Connectivity:
         return np.unique(triples, axis=0)
 
     @cached_property
+    def line_quadruples(self) -> IntArray:
+        """(Q, 4) four consecutive vertices on a parameter line, each once."""
+        first = np.flatnonzero(self.continuation >= 0)
+        second = self.continuation[first]
+        longer = self.continuation[second] >= 0
+        ends = self._half_edges[self.continuation[second[longer]], 1]
+        lines = np.column_stack(
+            [self._half_edges[first[longer]], self._half_edges[second[longer], 1], ends]
+        )
+        backward = lines[:, 0] > lines[:, 3]
+        lines[backward] = lines[backward, ::-1]
+        return np.unique(lines, axis=0)
+
+    @cached_property
     def double_patches(self) -> IntArray:
         """(P, 4) outer corners a, c, b, d of each pair of neighbouring faces.
 

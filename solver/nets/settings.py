@@ -14,11 +14,15 @@ from solver.problem import Problem
 from solver.terms.closeness import Closeness
 from solver.terms.edge_guard import EdgeGuard
 from solver.terms.edge_vectors import EdgeVectors
+from solver.terms.evenness import Evenness
+from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
 from solver.terms.isometry import Isometry
 from solver.terms.multi import multi_net
 
 _GUARDED = 0.6
+# Cosine between opposite edges of a face below which they are turned back.
+_UPRIGHT = 0.3
 
 
 @dataclass(frozen=True)
@@ -29,20 +33,25 @@ class Weights:
         fairness: straight parameter lines (w1 of the paper).
         multi: orthogonality of neighbouring pairs of faces (w2 of the paper).
         closeness: vertices stay where they started.
+        evenness: parameter lines that bend evenly.
         smooth_motion: the motion, not the shape, is drawn straight.
         edge_vectors: edges keep direction and length.
         isometry: faces keep their shape (w_iso of the paper's table 2); off unless asked for.
         edge_guard: edges shorter than _GUARDED of the shortest at the start are pushed back; it
             stays to the end, where no edge is that short any more.
+        face_guard: opposite edges of a face are kept within some 70 degrees of each other; it
+            stays to the end, too.
     """
 
     fairness: float = 1e-2
     multi: float = 1e-3
     closeness: float = 3e-3
+    evenness: float = 0.0
     smooth_motion: float = 1e-1
     edge_vectors: float = 2e-2
     isometry: float = 0.0
     edge_guard: float = 0.0
+    face_guard: float = 0.0
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
@@ -67,6 +76,10 @@ class Weights:
         guarded = replace(nearest, edge_guard=0.1)
         return [self, nearest, guarded, fairer, fairest]
 
+    def even(self, evenness: float) -> Weights:
+        """The same for nets that keep a start's noise as soon as they may: only smooth it."""
+        return replace(self, evenness=evenness, smooth_motion=0.0, edge_vectors=0.0)
+
 
 def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
     """Add the guides that all recipes share, with their weights in each attempt."""
@@ -78,6 +91,7 @@ def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
         problem.guide(Fairness(net.line_triples), *(w.fairness for w in attempts))
         .guide(multi_net(net), *(w.multi for w in attempts))
         .guide(Closeness(used, points[used]), *(w.closeness for w in attempts))
+        .guide(Evenness(net.line_quadruples), *(w.evenness for w in attempts))
         .guide(
             Fairness(net.line_triples, start, "smooth motion"),
             *(w.smooth_motion for w in attempts),
@@ -85,6 +99,7 @@ def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
         .guide(EdgeVectors(net.edges, start), *(w.edge_vectors for w in attempts))
         .guide(Isometry(net.faces, points), *(w.isometry for w in attempts))
         .guard(EdgeGuard(net.edges, _GUARDED * shortest), *(w.edge_guard for w in attempts))
+        .guard(FaceGuard(net.faces, _UPRIGHT), *(w.face_guard for w in attempts))
     )
 
 

@@ -21,6 +21,7 @@ from solver.terms.edge_guard import EdgeGuard
 from solver.terms.edge_vectors import EdgeVectors
 from solver.terms.equilibrium import Equilibrium
 from solver.terms.face_angles import CircularFace
+from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
 from solver.terms.isometry import Isometry
@@ -129,6 +130,7 @@ CASES = {
         lambda m: EdgeVectors(m.connectivity.edges, REST.vertices.ravel()), REST, [], False
     ),
     "edge guard": Case(lambda m: EdgeGuard(m.connectivity.edges, 1.29), SQUARES),
+    "face guard": Case(lambda m: FaceGuard(m.faces, 0.99), SQUARES),
     "closeness": Case(lambda m: Closeness(ALL, REST.vertices), REST, [], False),
     "handles": Case(lambda m: Pull(ALL, REST.vertices, goals=REST.vertices + 1.0), REST, [], False),
     "on plane": Case(lambda m: OnPlane(ALL, np.array([0, 0, 1.0]), 0.0), SQUARES, [], False),
