@@ -112,6 +112,14 @@ class FormNet(SourceCommand):
         "Ortho_FormNet", "A membrane or cable net in equilibrium that starts from the selected net"
     )
 
+    def panel(self) -> Any:
+        """The task panel in which one picks supports."""
+        from freecad_ortho.panels.form_panel import FormPanel
+
+        nets = selected_nets()
+        title = FreeCAD.Qt.translate("Ortho_FormNet", "Form-finding")
+        return FormPanel(title, self.icon, self.group, nets[0].Document, nets)
+
 
 class Derived(SourceCommand):
     """Make the diagonal, medial or checkerboard mesh."""
@@ -161,6 +169,7 @@ def edit_source(net: FreeCAD.DocumentObject) -> None:
     if FreeCADGui.Control.activeDialog():
         return
     from freecad_ortho.objects import cad_faces
+    from freecad_ortho.panels.form_panel import FormPanel
     from freecad_ortho.panels.multi_net_panel import MultiNetPanel
     from freecad_ortho.panels.source_panel import SourcePanel
 
@@ -171,7 +180,8 @@ def edit_source(net: FreeCAD.DocumentObject) -> None:
         else:
             faces = cad_faces.faces_of(getattr(net, "CadFaces", []))
             nets = getattr(net, "Nets", [])
-            panel = SourcePanel(net.Label, "net", group, net.Document, nets, faces, net)
+            make = FormPanel if group == "form-finding" else SourcePanel
+            panel = make(net.Label, "net", group, net.Document, nets, faces, net)
         FreeCADGui.Control.showDialog(panel)
 
 

@@ -232,9 +232,15 @@ def quads_from_mesh(
     label = getattr(mesh, "Label", None) or Path(str(mesh)).stem
     points, triangles = cad_faces.triangles_of(mesh, unit)
     length = None if edge is None else convert.millimetres(edge, "edge")
-    with progress(FreeCAD.Qt.translate("Ortho", "Remeshing to quads")):
+    with progress(FreeCAD.Qt.translate("Ortho", "Remeshing to quads")) as move:
         made = quads_from_triangles(
-            points, triangles, faces=faces, edge=length, seed=seed, time_limit=time_limit
+            points,
+            triangles,
+            faces=faces,
+            edge=length,
+            seed=seed,
+            time_limit=time_limit,
+            waiting=None if move is None else lambda part: move(part, ""),
         )
     owner = None if isinstance(mesh, (str, os.PathLike)) else mesh
     target = owner.Document if owner is not None else document_or_new(document, label)
@@ -244,6 +250,8 @@ def quads_from_mesh(
             owner.Visibility = False
         else:
             net.SourceFile = os.fspath(mesh)
+        if FreeCAD.GuiUp:
+            net.ViewObject.IrregularVertices = True
         target.recompute()
     FreeCAD.Console.PrintMessage(
         f"{net.Label}: {len(made.mesh.faces)} quads, {len(made.irregular)} irregular vertices, "

@@ -12,9 +12,12 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -32,6 +35,8 @@ from solver.mesh.mirror import SAME_PLACE, size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 LIBRARY = "pyQuadriFlow"
+# How often one looks whether it has finished, in seconds.
+_LOOK = 0.1
 _CHILD = """
 import sys
 import numpy as np
@@ -68,6 +73,7 @@ def quads_from_triangles(
     seed: int = 0,
     time_limit: float = 60.0,
     corner: float = 40.0,
+    waiting: Callable[[float], object] | None = None,
 ) -> Remeshed:
     """Remesh a triangle mesh to quads.
 
@@ -79,6 +85,8 @@ def quads_from_triangles(
         seed: another number gives another layout.
         time_limit: seconds that the library may take.
         corner: border vertices that turn by more than this (degrees) are kept as corners.
+        waiting: called several times a second while the library works, with the part of the time
+            limit that is over; what it raises ends the library and is passed on.
 
     Raises:
         InputError: a triangle soup, bad targets, the library missing, hanging or failing.
@@ -86,7 +94,9 @@ def quads_from_triangles(
     points, corners = _sound(vertices, triangles)
     wanted = _target(points, corners, faces, edge)
     shift, size = points.mean(axis=0), size_of(points)
-    raw, quads = _run((points - shift) / size, corners, wanted, seed, time_limit)
+    raw, quads = _run(
+        (points - shift) / size, corners, wanted, seed, time_limit, waiting or (lambda part: None)
+    )
     if not len(quads):
         raise InputError("remesh: the library gave no quads; try another seed or face count")
     try:
@@ -147,7 +157,12 @@ def _target(points: FloatArray, corners: IntArray, faces: int | None, edge: floa
 
 
 def _run(
-    points: FloatArray, corners: IntArray, faces: int, seed: int, time_limit: float
+    points: FloatArray,
+    corners: IntArray,
+    faces: int,
+    seed: int,
+    time_limit: float,
+    waiting: Callable[[float], object],
 ) -> tuple[FloatArray, IntArray]:
     """Call the library in its own process."""
     if importlib.util.find_spec(LIBRARY) is None:
@@ -161,28 +176,64 @@ def _run(
         given, made = Path(folder) / "in.npz", Path(folder) / "out.npz"
         np.savez(given, vertices=points, triangles=corners, faces=faces, seed=seed)
         path = os.pathsep.join(part for part in sys.path if part)
-        try:
-            ended = subprocess.run(
-                [sys.executable, "-c", _CHILD, str(given), str(made)],
-                capture_output=True,
-                text=True,
-                timeout=time_limit,
-                env={**os.environ, "PYTHONPATH": path},
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
+        code, said = _wait(
+            [_interpreter(), "-c", _CHILD, str(given), str(made)],
+            {**os.environ, "PYTHONPATH": path},
+            time_limit,
+            waiting,
+        )
+        if code or not made.is_file():
+            last = (said.strip().splitlines() or ["no message"])[-1][:100]
             raise InputError(
-                f"remesh: the library did not finish within {time_limit:g} s and was stopped; "
-                "allow more time, ask for fewer faces or try another seed"
-            ) from None
-        if ended.returncode or not made.is_file():
-            said = (ended.stderr.strip().splitlines() or ["no message"])[-1][:100]
-            raise InputError(
-                f"remesh: the library failed ({said}); try another seed or face count, or clean "
+                f"remesh: the library failed ({last}); try another seed or face count, or clean "
                 "the triangles"
             )
         with np.load(made) as data:
             return data["vertices"], data["faces"].astype(np.int64)
+
+
+def _interpreter() -> str:
+    """A Python of this version: inside another program ``sys.executable`` is that program."""
+    name = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    if Path(sys.executable).stem.lower().startswith("python"):
+        return sys.executable
+    folder = Path(sys.base_prefix)
+    for place in (folder / "bin" / name, folder / "python.exe", folder / "bin" / "python.exe"):
+        if place.is_file():
+            return str(place)
+    return shutil.which(name) or shutil.which("python3") or sys.executable
+
+
+def _wait(
+    command: list[str],
+    environment: dict[str, str],
+    time_limit: float,
+    waiting: Callable[[float], object],
+) -> tuple[int, str]:
+    """Exit code and messages of a process that is ended at its time limit.
+
+    Raises:
+        InputError: the time was not enough.
+    """
+    start = time.monotonic()
+    with subprocess.Popen(
+        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environment
+    ) as process:
+        try:
+            while True:
+                try:
+                    _, said = process.communicate(timeout=_LOOK)
+                    return process.returncode, said
+                except subprocess.TimeoutExpired:
+                    part = (time.monotonic() - start) / time_limit
+                    if part >= 1:
+                        raise InputError(
+                            f"remesh: the library did not finish within {time_limit:g} s and was "
+                            "stopped; allow more time, ask for fewer faces or try another seed"
+                        ) from None
+                    waiting(part)
+        finally:
+            process.kill()
 
 
 def _set_back(

@@ -2,6 +2,7 @@
 
 import math
 import unittest
+from importlib.util import find_spec
 
 import FreeCAD
 import numpy as np
@@ -13,6 +14,7 @@ from freecad_ortho.objects import cad_faces, source_net
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis import measures
 from solver.errors import InputError
+from solver.mesh.remesh import LIBRARY
 from solver.multinet import multi_net_residual
 
 
@@ -352,6 +354,23 @@ class TestTriangles(SourceCase):
         np.testing.assert_allclose(metres[0], 1000 * there[0])
         with self.assertRaisesRegex(InputError, "holds no triangles"):
             api.quads_from_mesh(self.document.addObject("App::FeaturePython", "Nothing"), faces=100)
+
+    @unittest.skipIf(find_spec(LIBRARY) is None, f"{LIBRARY} is not installed")
+    def test_quads_from_a_mesh_object(self):
+        import Mesh
+
+        shape = Part.makeCylinder(1000, 3000, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 180)
+        mesh = self.document.addObject("Mesh::Feature", "Half")
+        mesh.Mesh = Mesh.Mesh(shape.Face1.tessellate(2.0))
+        steps = self.document.UndoCount
+        net = api.quads_from_mesh(mesh, edge="300 mm")
+        quads = convert.quad_mesh(net)
+        self.assertLess(abs(quads.mean_edge / 300 - 1), 0.3)
+        radii = np.hypot(*tools.vertices(net)[:, :2].T)
+        self.assertLess(np.abs(radii - 1000).max(), 3.0)
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.document.undo()
+        self.assertEqual(self.document.Objects, [mesh])
 
 
 class TestDocument(SourceCase):

@@ -1,6 +1,7 @@
 """Sources of nets in FreeCAD's window: panels, previews, drawing with the mouse. Run by FreeCAD."""
 
 import unittest
+from importlib.util import find_spec
 from unittest import mock
 
 import FreeCAD
@@ -14,9 +15,10 @@ from pivy import coin
 from freecad_ortho import api, convert
 from freecad_ortho.commands import dialogs, messages, sources
 from freecad_ortho.commands.groups import ChangeNet, NewNet
-from freecad_ortho.panels import multi_net_panel, source_panel
+from freecad_ortho.panels import form_panel, multi_net_panel, source_panel
 from freecad_ortho.sources import GROUPS
 from freecad_ortho.view.lens import Lens
+from solver.mesh.remesh import LIBRARY
 from solver.multinet import multi_net_residual
 
 DOWN, UP = coin.SoButtonEvent.DOWN, coin.SoButtonEvent.UP
@@ -37,6 +39,7 @@ class SourceWindowCase(unittest.TestCase):
         for module, name in (
             (source_panel, "SourcePanel"),
             (multi_net_panel, "MultiNetPanel"),
+            (form_panel, "FormPanel"),
         ):
             self.watch(module, name, self.kept(getattr(module, name)))
         self.document = FreeCAD.newDocument("Sources")
@@ -214,6 +217,47 @@ class TestPanels(SourceWindowCase):
         self.assertIn("no_such_library is not installed", self.errors.pop())
         self.assertEqual(len(self.document.Objects), 1)
         press("Cancel")
+
+    @unittest.skipIf(find_spec(LIBRARY) is None, f"{LIBRARY} is not installed")
+    def test_irregular_vertices_are_shown(self):
+        import Mesh
+
+        mesh = self.document.addObject("Mesh::Feature", "Ball")
+        mesh.Mesh = Mesh.Mesh(Part.makeSphere(1000).tessellate(20.0))
+        FreeCADGui.Selection.addSelection(mesh)
+        FreeCADGui.runCommand("Ortho_QuadsFromMesh")
+        press("Ok")
+        self.assertEqual(self.errors, [])
+        net = self.document.Objects[-1]
+        connectivity = convert.quad_mesh(net).connectivity
+        self.assertGreaterEqual((~connectivity.regular).sum(), 8)
+        self.assertTrue(net.ViewObject.IrregularVertices)
+        self.assertFalse(mesh.Visibility)
+        self.assertIn("quads_from_mesh(", self.lines[-1])
+
+    def test_supports_are_picked(self):
+        net = api.add_primitive("rectangle", sampling=(5, 5), length=8000.0, width=8000.0)
+        panel = self.opened("FormNet")
+        panel.view.viewTop()
+        panel.view.fitAll()
+        wait()
+        panel.pick_button.click()
+        lens = Lens(panel.view, coin.SbViewportRegion(*panel.view.getSize()))
+        for vertex in (0, 4, 20, 24, 12, 12):
+            place = tools.vertices(net)[vertex]
+            event = coin.SoMouseButtonEvent()
+            event.setButton(coin.SoMouseButtonEvent.BUTTON1)
+            event.setState(DOWN)
+            event.setPosition(coin.SbVec2s(*np.rint(lens.pixels(place)[0]).astype(int).tolist()))
+            action = coin.SoHandleEventAction(coin.SbViewportRegion(*panel.view.getSize()))
+            action.setEvent(event)
+            action.apply(panel.picking.root)
+        self.assertEqual(panel.fields["supports"].value, "0,4,20,24")
+        panel.fields["lift"].value = "0:2000; 24:2000"
+        press("Ok")
+        sail = self.document.Objects[-1]
+        self.assertEqual(sail.Supports, "0,4,20,24")
+        self.assertAlmostEqual(tools.vertices(sail)[12, 2], 1000.0, delta=1e-6)
 
 
 class TestDrawing(SourceWindowCase):

@@ -87,6 +87,21 @@ def test_a_library_that_hangs_is_stopped(library):
     assert time.perf_counter() - start < 10
 
 
+def test_who_waits_can_stop_it(library):
+    library("time.sleep(60)")
+    start, parts = time.perf_counter(), []
+
+    def waiting(part):
+        parts.append(part)
+        if len(parts) == 5:
+            raise InputError("stopped")
+
+    with pytest.raises(InputError, match=r"^stopped$"):
+        quads_from_triangles(*triangles(primitive("rectangle", 5, 5)), faces=16, waiting=waiting)
+    assert time.perf_counter() - start < 10
+    assert 0 < parts[0] < parts[-1] < 0.2
+
+
 @pytest.mark.parametrize(
     ("act", "words"),
     [

@@ -1,0 +1,89 @@
+"""Vertices picked in a 3D view with the mouse: a click takes one, another click gives it back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from pivy import coin
+
+from freecad_ortho.view.lens import Lens
+from solver.mesh.quadmesh import FloatArray
+
+# Pixels around a vertex in which a click means it.
+_NEAR = 12.0
+_CHOSEN, _OTHER = (0.84, 0.15, 0.16), (0.55, 0.60, 0.66)
+
+
+class Picking:
+    """Marks on vertices, and the clicks that change which are chosen.
+
+    Args:
+        view: the 3D view.
+        points: (n, 3) in mm.
+        changed: called after every click that changed something.
+
+    Attributes:
+        chosen: numbers of the vertices.
+        active: whether clicks count.
+    """
+
+    def __init__(self, view: Any, points: FloatArray, changed: Callable[[], None]) -> None:
+        self.chosen: set[int] = set()
+        self.active = False
+        self._view, self._points, self._changed = view, points, changed
+        self._scene = view.getSceneGraph()
+        self._build_nodes()
+        self._scene.insertChild(self.root, 0)
+
+    def show(self, chosen: set[int], active: bool) -> None:
+        """Mark other vertices without calling back; while picking, show those not chosen too."""
+        self.chosen, self.active = set(chosen), active
+        shown = range(len(self._points)) if active else sorted(self.chosen)
+        rows = self._points[list(shown)].tolist()
+        shades = [_CHOSEN if k in self.chosen else _OTHER for k in shown]
+        self._coordinates.point.deleteValues(0)
+        self._coordinates.point.setValues(0, len(rows), rows)
+        self._colours.diffuseColor.deleteValues(0)
+        self._colours.diffuseColor.setValues(0, len(shades), shades)
+        self._markers.numPoints = len(rows)
+
+    def remove(self) -> None:
+        """Take nodes and callback out of the view; doing it again changes nothing."""
+        if self._scene.findChild(self.root) >= 0:
+            self._events.removeEventCallback(*self._callback)
+            self._scene.removeChild(self.root)
+
+    def _build_nodes(self) -> None:
+        self.root, self._events = coin.SoSeparator(), coin.SoEventCallback()
+        self._coordinates, self._colours = coin.SoCoordinate3(), coin.SoMaterial()
+        self._markers = coin.SoMarkerSet()
+        self._markers.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_7_7
+        unlit, on_top, each = coin.SoLightModel(), coin.SoDepthBuffer(), coin.SoMaterialBinding()
+        unlit.model = coin.SoLightModel.BASE_COLOR
+        on_top.function = coin.SoDepthBuffer.ALWAYS
+        each.value = coin.SoMaterialBinding.PER_VERTEX
+        unpickable = coin.SoPickStyle()
+        unpickable.style = coin.SoPickStyle.UNPICKABLE
+        for node in (
+            self._events, unpickable, unlit, on_top, self._coordinates, self._colours, each,
+            self._markers,
+        ):  # fmt: skip
+            self.root.addChild(node)
+        kind = coin.SoMouseButtonEvent.getClassTypeId()
+        self._callback = (kind, self._events.addEventCallback(kind, self._pressed))
+
+    def _pressed(self, _: Any, node: Any) -> None:
+        event = node.getEvent()
+        left = event.getButton() == coin.SoMouseButtonEvent.BUTTON1
+        if not (self.active and left and event.getState() == coin.SoButtonEvent.DOWN):
+            return
+        viewport = node.getAction().getViewportRegion()
+        mouse = np.array(event.getPosition(viewport).getValue(), dtype=np.float64)
+        apart = np.linalg.norm(Lens(self._view, viewport).pixels(self._points) - mouse, axis=1)
+        nearest = int(np.argmin(apart))
+        if apart[nearest] <= _NEAR:
+            self.show(self.chosen ^ {nearest}, self.active)
+            node.setHandled()
+            self._changed()
