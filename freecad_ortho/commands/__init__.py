@@ -12,7 +12,15 @@ TOOLBARS = {
     "Design": ("ImportNet", "MultiNet", "NewNet", "ChangeNet"),
     "Optimise": ("Optimise",),
     "Analyse": ("Display", "Check", "SavePicture"),
-    "Fabricate": ("Beams", "Panels", "UpdateStructures", "ExportFabrication", "Bake"),
+    "Fabricate": (
+        "Beams",
+        "Panels",
+        "UpdateStructures",
+        "FlatPatterns",
+        "DrawingPage",
+        "ExportFabrication",
+        "Bake",
+    ),
 }
 
 
@@ -59,6 +67,7 @@ def _add(name: str, command: Any) -> None:
 def _commands() -> list[Command]:
     from freecad_ortho.commands.display import Check, Display, SavePicture
     from freecad_ortho.commands.export_fabrication import ExportFabrication
+    from freecad_ortho.commands.flat_patterns import DrawingPage, FlatPatterns
     from freecad_ortho.commands.groups import ChangeNet, NewNet
     from freecad_ortho.commands.import_net import ImportNet
     from freecad_ortho.commands.optimise import Optimise
@@ -97,6 +106,8 @@ def _commands() -> list[Command]:
         Beams(),
         Panels(),
         UpdateStructures(),
+        FlatPatterns(),
+        DrawingPage(),
         ExportFabrication(),
         Bake(),
     ]

@@ -7,6 +7,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.structure import is_structure
 
@@ -40,6 +41,17 @@ def all_structures() -> list[FreeCAD.DocumentObject]:
     if FreeCAD.ActiveDocument is None:
         return []
     return [item for item in FreeCAD.ActiveDocument.Objects if is_structure(item)]
+
+
+def current_flat_patterns() -> FreeCAD.DocumentObject | None:
+    """Give the flat patterns that are meant: the selected ones, or the only ones."""
+    if FreeCAD.ActiveDocument is None:
+        return None
+    for items in (FreeCADGui.Selection.getSelection(), FreeCAD.ActiveDocument.Objects):
+        found = [item for item in items if is_flat_patterns(item)]
+        if found:
+            return found[0] if len(found) == 1 else None
+    return None
 
 
 def selected_nets_and_structures() -> list[FreeCAD.DocumentObject]:

@@ -8,6 +8,7 @@ as it was.
 from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.examples import open_example
+from freecad_ortho.documents.flat_patterns import add_drawing_page, add_flat_patterns
 from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
 from freecad_ortho.documents.pictures import save_picture
 from freecad_ortho.documents.sources import (
@@ -32,7 +33,9 @@ from freecad_ortho.documents.structures import (
 
 __all__ = [
     "add_beams",
+    "add_drawing_page",
     "add_elliptic_net",
+    "add_flat_patterns",
     "add_multi_net",
     "add_panels",
     "add_primitive",

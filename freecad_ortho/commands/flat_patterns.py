@@ -1,0 +1,50 @@
+"""The commands Flat patterns and Drawing page."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui
+
+from freecad_ortho.commands import context, messages
+from freecad_ortho.commands.command import Command
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+
+class FlatPatterns(Command):
+    """Open the panel that lays the parts of structures flat."""
+
+    icon = "flat_patterns"
+    text = QT_TRANSLATE_NOOP("Ortho_FlatPatterns", "Flat patterns")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_FlatPatterns", "Lay the parts of the selected structures flat, in rows or on sheets"
+    )
+
+    def IsActive(self) -> bool:
+        """Where there are structures."""
+        return super().IsActive() and bool(context.current_structures())
+
+    def Activated(self) -> None:
+        """Open the task panel."""
+        from freecad_ortho.panels.flat_patterns_panel import FlatPatternsPanel
+
+        FreeCADGui.Control.showDialog(FlatPatternsPanel(context.current_structures()))
+
+
+class DrawingPage(Command):
+    """A TechDraw page of flat patterns."""
+
+    icon = "drawing_page"
+    text = QT_TRANSLATE_NOOP("Ortho_DrawingPage", "Drawing page")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_DrawingPage", "Show the selected flat patterns on a page to print"
+    )
+
+    def IsActive(self) -> bool:
+        """Where it is clear which flat patterns are meant."""
+        return super().IsActive() and context.current_flat_patterns() is not None
+
+    def Activated(self) -> None:
+        """Add the page."""
+        with messages.errors_shown():
+            context.run("add_drawing_page", context.current_flat_patterns())

@@ -1,0 +1,144 @@
+"""Flat patterns in documents: laid out, nested, drawn on pages."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import FreeCAD
+
+from freecad_ortho import convert
+from freecad_ortho.documents.common import transaction
+from freecad_ortho.objects import flat_patterns
+from freecad_ortho.objects.structure import is_structure
+from solver.errors import InputError
+
+if TYPE_CHECKING:
+    Length = float | str | FreeCAD.Units.Quantity
+
+# FreeCAD's own empty page, by the name it has had since version 0.16.
+_TEMPLATE = "Mod/TechDraw/Templates/A3_LandscapeTD.svg"
+_PAGE = (420.0, 297.0)
+_MARGIN = 25.0
+
+
+def add_flat_patterns(
+    structures: FreeCAD.DocumentObject | Sequence[FreeCAD.DocumentObject],
+    sheet: tuple[Length, Length] | None = None,
+    spacing: Length = 10.0,
+    grain: str = "none",
+    nesting: str = "boxes",
+    seed: int = 0,
+    kerf: Length = 0.0,
+) -> FreeCAD.DocumentObject:
+    """Add the flat patterns of structures on one net, which follow them.
+
+    Args:
+        structures: a Structure, or several on the same Net.
+        sheet: width and height of the sheets to nest on; without it the patterns lie in rows.
+        spacing: clear distance of parts from each other and from the rim of a sheet.
+        grain: ``"none"`` lets parts turn, ``"along"`` keeps their length along the sheet.
+        nesting: ``"boxes"`` or ``"outlines"``.
+        seed: of the search for a dense nesting.
+        kerf: width of the cut that the outlines are compensated for.
+
+    Raises:
+        InputError: nothing to lay out, or a part larger than the sheet; the document is unchanged.
+    """
+    chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
+    if not chosen or not all(is_structure(item) for item in chosen):
+        raise InputError("flat patterns: expected structures; select some first")
+    for name, word, words in (
+        ("grain", grain, ("none", "along")),
+        ("nesting", nesting, ("boxes", "outlines")),
+    ):
+        if word not in words:
+            raise InputError(f"{name}: expected {' or '.join(words)}, got '{word}'")
+    width, height = (0.0, 0.0) if sheet is None else sheet
+    document = chosen[0].Document
+    with transaction(document, FreeCAD.Qt.translate("Ortho", "Flat patterns")):
+        feature = flat_patterns.create(
+            document,
+            chosen,
+            SheetWidth=convert.millimetres(width, "sheet width"),
+            SheetHeight=convert.millimetres(height, "sheet height"),
+            Spacing=convert.millimetres(spacing, "spacing"),
+            Grain=grain.capitalize(),
+            Nesting=nesting.capitalize(),
+            Seed=seed,
+            Kerf=convert.millimetres(kerf, "kerf"),
+        )
+        try:
+            flat_patterns.rebuild(feature)
+        except BaseException:
+            # Aborting takes it away too, but only where the document records undo steps.
+            document.removeObject(feature.Name)
+            raise
+        feature.purgeTouched()
+    return feature
+
+
+def add_drawing_page(feature: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject:
+    """Add a TechDraw page that shows flat patterns at a scale that fits, with the parts' names.
+
+    Args:
+        feature: flat patterns.
+
+    Raises:
+        InputError: something else, or a FreeCAD without TechDraw.
+    """
+    if not flat_patterns.is_flat_patterns(feature):
+        name = getattr(feature, "Label", feature)
+        raise InputError(f"drawing: {name} is no flat patterns; select flat patterns first")
+    try:
+        import TechDraw  # noqa: F401
+    except ImportError:
+        raise InputError(
+            "drawing: this FreeCAD has no TechDraw workbench; install a full FreeCAD"
+        ) from None
+    document = feature.Document
+    with transaction(document, FreeCAD.Qt.translate("Ortho", "Drawing page")):
+        page = document.addObject("TechDraw::DrawPage", "Page")
+        template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
+        template.Template = FreeCAD.getResourceDir() + _TEMPLATE
+        page.Template = template
+        _add_view(page, feature)
+        document.recompute()
+    return page
+
+
+def _add_view(page: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject) -> None:
+    """One view from above in the middle of the page, and one drawing of all names over it."""
+    box = feature.Shape.BoundBox
+    room = [length - 2 * _MARGIN for length in _PAGE]
+    scale = min(room[0] / max(box.XLength, 1e-9), room[1] / max(box.YLength, 1e-9))
+    view = page.Document.addObject("TechDraw::DrawViewPart", "View")
+    page.addView(view)
+    view.Source = [feature]
+    view.Direction = FreeCAD.Vector(0, 0, 1)
+    view.XDirection = FreeCAD.Vector(1, 0, 0)
+    view.ScaleType = "Custom"
+    view.Scale = scale
+    names = page.Document.addObject("TechDraw::DrawViewSymbol", "Names")
+    page.addView(names)
+    names.Symbol = _names_as_svg(feature, scale)
+    for item in (view, names):
+        item.X, item.Y = _PAGE[0] / 2, _PAGE[1] / 2
+
+
+def _names_as_svg(feature: FreeCAD.DocumentObject, scale: float) -> str:
+    """A picture as large as the scaled patterns with each part's name in its place, mm."""
+    box = feature.Shape.BoundBox
+    width, height = box.XLength * scale, box.YLength * scale
+    size = max(1.0, min(4.0, 25.0 * scale))
+    texts = []
+    for name, place in zip(feature.PartNames, feature.LabelPlaces, strict=True):
+        x, y = (place.x - box.XMin) * scale, (box.YMax - place.y) * scale
+        texts.append(f'<text x="{x:.3f}" y="{y + size / 3:.3f}">{name}</text>')
+    # Corners that cannot be seen keep the picture's middle where the patterns' is.
+    corners = f'<rect x="0" y="0" width="{width:.3f}" height="{height:.3f}" fill="none"/>'
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.3f}mm" height="{height:.3f}mm" '
+        f'viewBox="0 0 {width:.3f} {height:.3f}">{corners}<g font-family="sans" '
+        f'font-size="{size:.2f}" text-anchor="middle" fill="#b03018">{"".join(texts)}</g></svg>'
+    )

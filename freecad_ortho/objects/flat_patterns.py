@@ -1,0 +1,273 @@
+"""Flat patterns in a document: the outlines of structures' parts, in rows or nested on sheets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import FreeCAD
+import numpy as np
+
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
+from solver.errors import InputError, OrthoError
+
+if TYPE_CHECKING:
+    import Part
+
+    from freecad_ortho.fabrication import FlatPattern
+    from freecad_ortho.fabrication.nesting import Sheet
+    from solver.mesh.quadmesh import FloatArray
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+VERSION = 1
+# Between sheets, in sheet widths.
+_APART = 0.08
+
+_PROPERTIES = (
+    Property(
+        "App::PropertyLinkList",
+        "Structures",
+        "Flat patterns",
+        QT_TRANSLATE_NOOP("App::Property", "Structures whose parts are shown"),
+    ),
+    Property(
+        "App::PropertyLength",
+        "SheetWidth",
+        "Sheets",
+        QT_TRANSLATE_NOOP("App::Property", "Width of a sheet; 0: the parts lie in rows"),
+    ),
+    Property(
+        "App::PropertyLength",
+        "SheetHeight",
+        "Sheets",
+        QT_TRANSLATE_NOOP("App::Property", "Height of a sheet"),
+    ),
+    Property(
+        "App::PropertyLength",
+        "Spacing",
+        "Sheets",
+        QT_TRANSLATE_NOOP("App::Property", "Clear distance of parts from each other and the rim"),
+        default=10.0,
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "Grain",
+        "Sheets",
+        QT_TRANSLATE_NOOP("App::Property", "Along: parts keep their length along the sheet"),
+        choices=("None", "Along"),
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "Nesting",
+        "Sheets",
+        QT_TRANSLATE_NOOP("App::Property", "Boxes: fast; outlines: denser, with a library"),
+        choices=("Boxes", "Outlines"),
+    ),
+    Property(
+        "App::PropertyInteger",
+        "Seed",
+        "Sheets",
+        QT_TRANSLATE_NOOP("App::Property", "Of the search for a dense nesting"),
+    ),
+    Property(
+        "App::PropertyLength",
+        "Kerf",
+        "Sheets",
+        QT_TRANSLATE_NOOP("App::Property", "Width of the cut that outlines are compensated for"),
+    ),
+    Property(
+        "App::PropertyStringList",
+        "PartNames",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Names of the parts, in the order of the shape"),
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyVectorList",
+        "LabelPlaces",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Where the names stand"),
+        flags=OUTPUT | HIDDEN,
+    ),
+    Property(
+        "App::PropertyInteger",
+        "SheetCount",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Number of sheets"),
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyFloat",
+        "Waste",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Part of the sheets that is left over, 0 to 1"),
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyInteger",
+        "Version",
+        "Flat patterns",
+        QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
+        default=VERSION,
+        flags=OUTPUT | HIDDEN,
+    ),
+)
+
+
+class FlatPatterns(Persistent):
+    """Proxy of flat patterns. Only recomputing needs the fabrication packages."""
+
+    properties = _PROPERTIES
+    version = VERSION
+
+    def execute(self, feature: FreeCAD.DocumentObject) -> None:
+        """Lay the patterns out anew; on an error the last good shape stays.
+
+        Raises:
+            OrthoError: what is wrong and what to do.
+        """
+        try:
+            rebuild(feature)
+        except OrthoError as error:
+            # The report view shows where an exception came from; the inner frames help nobody.
+            raise type(error)(str(error)) from None
+
+
+def create(
+    document: FreeCAD.Document, structures: Sequence[FreeCAD.DocumentObject], **properties: Any
+) -> FreeCAD.DocumentObject:
+    """Add flat patterns to a document without laying them out yet."""
+    feature = document.addObject("Part::FeaturePython", "FlatPatterns")
+    FlatPatterns(feature)
+    feature.Structures = list(structures)
+    for name, value in properties.items():
+        setattr(feature, name, value)
+    if FreeCAD.GuiUp:
+        from freecad_ortho.view.flat_patterns_view import FlatPatternsView
+
+        FlatPatternsView(feature.ViewObject)
+    return feature
+
+
+def rebuild(feature: FreeCAD.DocumentObject) -> None:
+    """Set the shape and what is known of the sheets from the properties.
+
+    Raises:
+        OrthoError: nothing to lay out, or a part larger than the sheet; nothing was changed.
+    """
+    import Part
+
+    from freecad_ortho.fabrication import Workshop
+    from freecad_ortho.fabrication.kerf import compensated
+    from freecad_ortho.objects import build
+
+    structure = build.structure(feature.Structures)
+    workshop = Workshop(
+        sheet=_sheet_size(feature),
+        spacing=feature.Spacing.Value,
+        grain=feature.Grain.lower(),
+        nesting=feature.Nesting.lower(),
+        seed=feature.Seed,
+        kerf=feature.Kerf.Value,
+    )
+    flat = {
+        part.name: compensated(part.name, part.pattern, workshop.kerf)
+        for part in structure.parts
+        if part.pattern is not None
+    }
+    if not flat:
+        raise InputError(
+            f"{feature.Label}: these structures have no parts that are cut from plates; choose "
+            "beams of plates, lamellas or panels"
+        )
+    if workshop.sheet is None:
+        sheets, placed = (), _in_rows(flat)
+    else:
+        sheets, placed = _nested(structure.parts, flat, workshop)
+    shapes = [_pattern_shape(flat[name], place) for name, place in placed]
+    frames = [_rectangle(sheet, _sheet_origin(sheet, i)) for i, sheet in enumerate(sheets)]
+    feature.Shape = Part.makeCompound(shapes + frames)
+    feature.PartNames = [name for name, _ in placed]
+    feature.LabelPlaces = [_vector(place(flat[name].label[None])[0]) for name, place in placed]
+    feature.SheetCount = len(sheets)
+    area = sum(sheet.width * sheet.height for sheet in sheets)
+    feature.Waste = 1 - sum(sheet.used for sheet in sheets) / area if area else 0.0
+
+
+def is_flat_patterns(feature: object) -> bool:
+    """Tell whether a document object is flat patterns."""
+    return isinstance(getattr(feature, "Proxy", None), FlatPatterns)
+
+
+def _sheet_size(feature: FreeCAD.DocumentObject) -> tuple[float, float] | None:
+    width, height = feature.SheetWidth.Value, feature.SheetHeight.Value
+    if not width and not height:
+        return None
+    if not width or not height:
+        raise InputError(f"{feature.Label}: a sheet needs a width and a height; set both or none")
+    return width, height
+
+
+def _in_rows(flat: dict[str, FlatPattern]) -> list[tuple[str, Any]]:
+    from freecad_ortho.fabrication.dxf import row_layout
+
+    places = row_layout(list(flat.values()))
+    return [
+        (name, lambda points, shift=place: points + shift)
+        for name, place in zip(flat, places, strict=True)
+    ]
+
+
+def _nested(parts: Any, flat: dict[str, FlatPattern], workshop: Any) -> tuple[Any, Any]:
+    from freecad_ortho.fabrication.nesting import nest
+
+    chosen = [part for part in parts if part.name in flat]
+    sheets = nest(chosen, workshop, [flat[part.name] for part in chosen])
+    placed = []
+    for number, sheet in enumerate(sheets):
+        origin = _sheet_origin(sheet, number)
+        for one in sheet.placements:
+            placed.append(
+                (
+                    one.name,
+                    lambda points, one=one, origin=origin: one.on_sheet(points) + origin,
+                )
+            )
+    return sheets, placed
+
+
+def _sheet_origin(sheet: Sheet, number: int) -> FloatArray:
+    return np.array([number * sheet.width * (1 + _APART), 0.0])
+
+
+def _rectangle(sheet: Sheet, origin: FloatArray) -> Part.Shape:
+    corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) * [sheet.width, sheet.height]
+    return _polygon(corners + origin, closed=True)
+
+
+def _pattern_shape(pattern: FlatPattern, place: Any) -> Part.Shape:
+    """Everything that is cut, drilled, bent or engraved, as one compound of wires."""
+    import Part
+
+    wires = [_polygon(place(loop), closed=True) for loop in (pattern.outline, *pattern.cutouts)]
+    for hole in pattern.holes:
+        centre = _vector(place(np.asarray(hole.centre)[None])[0])
+        wires.append(Part.makeCircle(hole.diameter / 2, centre))
+    lines = [bend.points for bend in pattern.bends]
+    lines += [mark.points for mark in pattern.marks if not mark.text]
+    if pattern.axis is not None:
+        lines.append(pattern.axis)
+    wires += [_polygon(place(line), closed=False) for line in lines]
+    return Part.makeCompound(wires)
+
+
+def _polygon(points: FloatArray, closed: bool) -> Part.Shape:
+    import Part
+
+    corners = [_vector(point) for point in points]
+    return Part.makePolygon([*corners, corners[0]] if closed else corners)
+
+
+def _vector(point: FloatArray) -> FreeCAD.Vector:
+    return FreeCAD.Vector(float(point[0]), float(point[1]), 0.0)
