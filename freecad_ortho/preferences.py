@@ -45,6 +45,11 @@ def solver_settings() -> dict[str, str]:
     return {} if chosen is None else {"backend": chosen}
 
 
+def workers() -> int:
+    """Give the number of processes that share the work on fabrication files."""
+    return max(1, int(group().GetInt("Workers", 1)))
+
+
 def asks_for_packages() -> bool:
     """Tell whether to offer the installation of missing packages."""
     return bool(group().GetBool("AskForPackages", True))

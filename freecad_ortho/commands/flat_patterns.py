@@ -26,7 +26,7 @@ class FlatPatterns(Command):
 
     def Activated(self) -> None:
         """Open the task panel."""
-        from freecad_ortho.panels.flat_patterns_panel import FlatPatternsPanel
+        from freecad_ortho.panels.workshop_panels import FlatPatternsPanel
 
         FreeCADGui.Control.showDialog(FlatPatternsPanel(context.current_structures()))
 

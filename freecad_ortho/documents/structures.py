@@ -135,18 +135,25 @@ def update_structures(document: FreeCAD.Document | None = None) -> list[FreeCAD.
 def export_fabrication(
     structures: FreeCAD.DocumentObject | Sequence[FreeCAD.DocumentObject],
     folder: str | os.PathLike[str],
+    *,
+    workers: int | None = None,
+    **workshop: Any,
 ) -> list[Path]:
-    """Write STEP, DXF, parts list and report of structures on one net.
+    """Write solids, flat patterns, lists and reports of structures on one net.
 
     Args:
-        structures: a Structure, or beams and panels of the same Net.
+        structures: a Structure, or several of different systems on the same Net.
         folder: made if it is not there.
+        workers: processes that share the work; for large structures.
+        workshop: what parts are cut from and with, as on the command line: ``sheet="3000x1500"``,
+            ``spacing``, ``grain``, ``nesting``, ``seed``, ``stock``, ``saw``, ``kerf``; mm.
 
     Returns:
         The files written.
 
     Raises:
-        InputError: nothing to export, or structures that do not go together.
+        InputError: nothing to export, structures that do not go together, a part that does not
+            fit the sheet or the stock.
         OutputError: the folder cannot be written; nothing half-written is left behind.
         OrthoError: Esc was pressed; the folder is as it was.
     """
@@ -158,8 +165,7 @@ def export_fabrication(
         missing_package_named(),
         progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
     ):
-        api.write_fabrication(structure, folder, say)
-    return sorted(path for path in Path(folder).iterdir() if path.is_file())
+        return api.write_fabrication(structure, folder, say, workers=workers, **workshop)
 
 
 def _option_properties(system: str, sizes: dict[str, Any]) -> dict[str, Any]:

@@ -1,0 +1,170 @@
+"""Task panels that ask what parts are cut from: for flat patterns, and for all files."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from freecad_ortho import preferences
+from freecad_ortho.commands import context, dialogs, messages
+from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField
+from freecad_ortho.resources import icon
+from solver.errors import OrthoError
+
+translate = FreeCAD.Qt.translate
+
+
+class _WorkshopPanel:
+    """Sheet, spacing and kerf; OK does the work, an error keeps the panel open."""
+
+    def __init__(
+        self, structures: list[FreeCAD.DocumentObject], title: str, picture: str, nested: bool
+    ) -> None:
+        self._document = structures[0].Document.Name
+        self._names = [item.Name for item in structures]
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(title)
+        self.form.setWindowIcon(QtGui.QIcon(icon(picture)))
+        labels = QtGui.QLabel(", ".join(item.Label for item in structures))
+        labels.setWordWrap(True)
+        self.rows = QtGui.QFormLayout(self.form)
+        self.rows.addRow(translate("Ortho", "Structures"), labels)
+        self._add_sheet_fields(nested)
+        self.kerf = LengthField(0.0)
+        self.rows.addRow(translate("Ortho", "Kerf"), self.kerf.widget)
+
+    @property
+    def structures(self) -> list[FreeCAD.DocumentObject]:
+        """The structures, without those that have gone meanwhile."""
+        if self._document not in FreeCAD.listDocuments():
+            return []
+        document = FreeCAD.getDocument(self._document)
+        found = [document.getObject(name) for name in self._names]
+        return [item for item in found if item is not None]
+
+    def settings(self) -> dict[str, Any]:
+        """What was chosen, by the names that the document functions have for it.
+
+        Raises:
+            InputError: the seed is not a number.
+        """
+        settings: dict[str, Any] = {}
+        if self.kerf.millimetres:
+            settings["kerf"] = self.kerf.millimetres
+        if not self.on_sheets.isChecked():
+            return settings
+        settings["sheet"] = (self.width.millimetres, self.height.millimetres)
+        settings["spacing"] = self.spacing.millimetres
+        settings["grain"] = self.grain.word
+        settings["nesting"] = self.nesting.word
+        settings["seed"] = self.seed.number or 0
+        return settings
+
+    def accept(self) -> bool:
+        """Do the work."""
+        if not self.structures:
+            FreeCADGui.Control.closeDialog()
+            return True
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            done = self.work()
+        except OrthoError as error:
+            QtGui.QApplication.restoreOverrideCursor()
+            messages.show_error(str(error))
+            return False
+        QtGui.QApplication.restoreOverrideCursor()
+        if done:
+            FreeCADGui.Control.closeDialog()
+        return done
+
+    def reject(self) -> bool:
+        """Leave everything as it was."""
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def work(self) -> bool:
+        """Run and record the document function; false where the user went back."""
+        raise NotImplementedError
+
+    def _add_sheet_fields(self, nested: bool) -> None:
+        self.on_sheets = QtGui.QCheckBox(translate("Ortho", "Nest on sheets"))
+        self.rows.addRow(self.on_sheets)
+        self.width, self.height = LengthField(3000.0), LengthField(1500.0)
+        self.spacing = LengthField(10.0)
+        turning = {
+            "none": translate("Ortho", "parts may turn"),
+            "along": translate("Ortho", "along the sheet"),
+        }
+        packing = {
+            "boxes": translate("Ortho", "by boxes (fast)"),
+            "outlines": translate("Ortho", "by outlines (dense)"),
+        }
+        self.grain = ChoiceField(turning, "none")
+        self.nesting = ChoiceField(packing, "boxes")
+        self.seed = NumberField(translate("Ortho", "Seed"), 0, whole=True)
+        for label, field in (
+            (translate("Ortho", "Sheet width"), self.width),
+            (translate("Ortho", "Sheet height"), self.height),
+            (translate("Ortho", "Spacing"), self.spacing),
+            (translate("Ortho", "Grain"), self.grain),
+            (translate("Ortho", "Packing"), self.nesting),
+            (translate("Ortho", "Seed"), self.seed),
+        ):
+            self.rows.addRow(label, field.widget)
+            field.widget.setEnabled(nested)
+            self.on_sheets.toggled.connect(field.widget.setEnabled)
+        self.on_sheets.setChecked(nested)
+
+
+class FlatPatternsPanel(_WorkshopPanel):
+    """Asks how flat patterns are laid out."""
+
+    def __init__(self, structures: list[FreeCAD.DocumentObject]) -> None:
+        title = translate("Ortho", "Flat patterns")
+        super().__init__(structures, title, "flat_patterns", nested=True)
+
+    def work(self) -> bool:
+        """Lay the patterns out."""
+        context.run("add_flat_patterns", self.structures, **self.settings())
+        return True
+
+
+class ExportPanel(_WorkshopPanel):
+    """Asks what the fabrication files are made for, and where they go."""
+
+    def __init__(self, structures: list[FreeCAD.DocumentObject]) -> None:
+        title = translate("Ortho", "Export fabrication files")
+        super().__init__(structures, title, "export", nested=False)
+        self.stock = LengthField(0.0, optional=True)
+        self.stock.widget.setToolTip(translate("Ortho", "Length of bars and strips; 0: automatic"))
+        self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
+        self.workers.widget.setToolTip(translate("Ortho", "Processes that share the work"))
+        self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
+        self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
+
+    def settings(self) -> dict[str, Any]:
+        """What was chosen, as ``freecad_ortho.api.export_fabrication`` takes it.
+
+        Raises:
+            InputError: the seed or the workers are not a number.
+        """
+        settings = super().settings()
+        if self.stock.length is not None:
+            settings["stock"] = self.stock.length
+        if (self.workers.number or 1) > 1:
+            settings["workers"] = self.workers.number
+        return settings
+
+    def work(self) -> bool:
+        """Write the files into the folder that the user chooses."""
+        settings = self.settings()
+        folder = dialogs.ask_folder()
+        if folder is None:
+            return False
+        context.run("export_fabrication", self.structures, folder, **settings)
+        said = translate("Ortho", "Fabrication files written to {}").format(folder)
+        messages.show_status(said)
+        return True

@@ -1,0 +1,108 @@
+"""Flat patterns and drawing pages in documents. Run by FreeCAD without a window."""
+
+import unittest
+
+import FreeCAD
+import ortho_suite_tools as tools
+
+from freecad_ortho import api
+from solver.errors import InputError
+
+
+class FlatCase(unittest.TestCase):
+    def setUp(self):
+        self.document = FreeCAD.newDocument("Flat")
+        self.document.UndoMode = 1
+        self.net = api.import_net(tools.wavy_mesh(rows=4, columns=5), self.document)
+        api.optimise_net(self.net)
+        self.beams = api.add_beams(self.net)
+
+    def tearDown(self):
+        tools.close_all()
+
+
+class TestLayout(FlatCase):
+    def test_rows_show_every_part_once(self):
+        flat = api.add_flat_patterns(self.beams)
+        self.assertEqual(sorted(flat.PartNames), sorted(self.beams.PartNames))
+        self.assertEqual(flat.SheetCount, 0)
+        self.assertEqual(len(flat.Shape.SubShapes), len(self.beams.PartNames))
+        self.assertLess(abs(flat.Shape.BoundBox.ZLength), 1e-6)
+
+    def test_sheets_hold_every_part_once_and_inside(self):
+        flat = api.add_flat_patterns(self.beams, sheet=("4 m", 2000), spacing=12)
+        self.assertEqual(sorted(flat.PartNames), sorted(self.beams.PartNames))
+        self.assertGreaterEqual(flat.SheetCount, 1)
+        self.assertTrue(0 < flat.Waste < 1)
+        shapes = flat.Shape.SubShapes
+        sheets = shapes[len(flat.PartNames) :]
+        self.assertEqual(len(sheets), flat.SheetCount)
+        for part in shapes[: len(flat.PartNames)]:
+            box = part.BoundBox
+            inside = [
+                box.XMin >= sheet.BoundBox.XMin + 11.9
+                and box.XMax <= sheet.BoundBox.XMax - 11.9
+                and box.YMin >= sheet.BoundBox.YMin + 11.9
+                and box.YMax <= sheet.BoundBox.YMax - 11.9
+                for sheet in sheets
+            ]
+            self.assertEqual(sum(inside), 1)
+
+    def test_they_follow_the_structure_and_are_undone_in_one_step(self):
+        flat = api.add_flat_patterns(self.beams)
+        before = flat.Shape.SubShapes[0].BoundBox.YLength
+        self.beams.Height = 400.0
+        self.document.recompute()
+        self.assertGreater(flat.Shape.SubShapes[0].BoundBox.YLength, 1.8 * before)
+        count = len(self.document.Objects)
+        name = api.add_flat_patterns(self.beams).Name
+        self.document.undo()
+        self.assertEqual(len(self.document.Objects), count)
+        self.assertIsNone(self.document.getObject(name))
+
+    def test_kerf_makes_the_outlines_larger(self):
+        plain = api.add_flat_patterns(self.beams).Shape.SubShapes[0].BoundBox
+        cut = api.add_flat_patterns(self.beams, kerf="0.4 mm").Shape.SubShapes[0].BoundBox
+        self.assertAlmostEqual(cut.YLength - plain.YLength, 0.4, places=2)
+
+    def test_a_part_larger_than_the_sheet_is_refused(self):
+        count = len(self.document.Objects)
+        for wrong in (
+            {"sheet": (500, 100)},
+            {"sheet": (4000, 0)},
+            {"grain": "across"},
+            {"nesting": "magic"},
+        ):
+            with self.assertRaises(InputError):
+                api.add_flat_patterns(self.beams, **wrong)
+        with self.assertRaises(InputError):
+            api.add_flat_patterns([])
+        with self.assertRaises(InputError):
+            api.add_flat_patterns(self.net)
+        self.assertEqual(len(self.document.Objects), count)
+
+    def test_saved_and_opened_again_they_are_the_same(self):
+        flat = api.add_flat_patterns(self.beams, sheet=(4000, 2000))
+        names, length = list(flat.PartNames), flat.Shape.Length
+        path = str(tools.SCRATCH / "flat.FCStd")
+        self.document.saveAs(path)
+        tools.close_all()
+        again = FreeCAD.openDocument(path).getObject("FlatPatterns")
+        self.assertEqual(again.PartNames, names)
+        self.assertAlmostEqual(again.Shape.Length, length, places=6)
+        again.touch()
+        again.Document.recompute()
+        self.assertAlmostEqual(again.Shape.Length, length, places=6)
+
+
+class TestDrawing(FlatCase):
+    def test_a_page_shows_them(self):
+        flat = api.add_flat_patterns(self.beams, sheet=(4000, 2000))
+        page = api.add_drawing_page(flat)
+        view, names = page.Views
+        self.assertEqual(view.Source, [flat])
+        self.assertLessEqual(view.Scale * flat.Shape.BoundBox.XLength, 420.0)
+        for name in flat.PartNames:
+            self.assertIn(f">{name}<", names.Symbol)
+        with self.assertRaises(InputError):
+            api.add_drawing_page(self.beams)
