@@ -73,7 +73,7 @@ def _is_name(value: Any) -> bool:
 
 def surface_patch(feature: FreeCAD.DocumentObject, name: str) -> SurfacePatch:
     """One face as functions of its parameters, in mm; normals as those of the face."""
-    face = feature.Shape.getElement(name)
+    face = _face(feature, name)
     first, last, low, high = face.ParameterRange
     turned = face.Orientation == "Reversed"
 
@@ -104,6 +104,16 @@ def surface_patch(feature: FreeCAD.DocumentObject, name: str) -> SurfacePatch:
         f"{feature.Label}.{name}",
         foot,
     )
+
+
+def _face(feature: FreeCAD.DocumentObject, name: str) -> Part.Face:
+    """A face where it stands in the document, whatever parts and bodies it is in."""
+    shape = feature.Shape
+    place = feature.getGlobalPlacement()
+    if place != feature.Placement:
+        shape = shape.copy()
+        shape.Placement = place
+    return shape.getElement(name)
 
 
 def _is_trimmed(face: Part.Face) -> bool:
@@ -137,7 +147,7 @@ def surface_triangles(faces: Sequence[Face]) -> tuple[FloatArray, IntArray]:
     """Vertices (V, 3) in mm and triangles (T, 3) that follow faces closely."""
     points, triangles, count = [], [], 0
     for feature, name in faces:
-        face = feature.Shape.getElement(name)
+        face = _face(feature, name)
         vertices, corners = face.tessellate(_COARSER * face.BoundBox.DiagonalLength)
         points.append(convert.array(vertices))
         triangles.append(np.array(corners, dtype=np.int64).reshape(-1, 3) + count)

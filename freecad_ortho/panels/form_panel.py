@@ -63,7 +63,7 @@ class FormPanel(SourcePanel):
         self.pick_button.clicked.connect(self._pick)
         self.form.layout().insertWidget(2, self.pick_button)
 
-    def _stop(self) -> None:
-        super()._stop()
+    def _clear(self, *_: Any) -> None:
+        super()._clear()
         if self.picking is not None:
             self.picking.remove()

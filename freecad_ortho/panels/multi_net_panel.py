@@ -143,7 +143,7 @@ class MultiNetPanel(SourcePanel):
             line.addWidget(widget)
         self.form.layout().insertLayout(2, line)
 
-    def _stop(self) -> None:
-        super()._stop()
+    def _clear(self, *_: Any) -> None:
+        super()._clear()
         if self.drawing is not None:
             self.drawing.remove()

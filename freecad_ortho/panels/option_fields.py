@@ -17,6 +17,20 @@ _UNITS = {"length": "mm", "distance": "mm", "area": "mm^2", "angle": "deg"}
 _MOST = 1e12
 
 
+class _NumberBox(QtGui.QDoubleSpinBox):
+    """A number without unit, shown with no more digits than it has."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setDecimals(9)
+        self.setRange(-_MOST, _MOST)
+        self.setSingleStep(0.1)
+
+    def textFromValue(self, value: float) -> str:
+        """Write a number; Qt asks for it."""
+        return f"{value:.9g}"
+
+
 class OptionField:
     """One row of a form for one option; options without a widget keep the value they have.
 
@@ -59,8 +73,8 @@ class OptionField:
         if len(widgets) == 1:
             return widgets[0]
         group = QtGui.QWidget()
-        # Lengths and areas need the room: one below the other.
-        box = QtGui.QVBoxLayout if self.option.kind in ("length", "area") else QtGui.QHBoxLayout
+        # What has a unit needs the room: one below the other.
+        box = QtGui.QVBoxLayout if self.option.kind in _UNITS else QtGui.QHBoxLayout
         line = box(group)
         line.setContentsMargins(0, 0, 0, 0)
         for widget in widgets:
@@ -75,10 +89,9 @@ class OptionField:
             widget.setProperty("minimum", 0.0 if kind == "length" else -_MOST)
             widget.setProperty("maximum", _MOST)
         elif kind == "number":
-            widget = QtGui.QDoubleSpinBox()
-            widget.setDecimals(6)
-            widget.setRange(-_MOST, _MOST)
-            widget.setSingleStep(0.1)
+            widget = _NumberBox()
+            if isinstance(self.option.default, tuple):
+                widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
         elif kind == "count":
             widget = QtGui.QSpinBox()
             widget.setRange(0, 100_000)

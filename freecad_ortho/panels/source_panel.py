@@ -63,11 +63,13 @@ class SourcePanel:
         self._choose(edited.MadeBy if edited else GROUPS[group][0])
         for feature in self._shown_before:
             feature.Visibility = False
-        self._timer = QtCore.QTimer()
+        # A child of the form: it ends with the form, however that is closed.
+        self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self.look)
         self._timer.start(_LOOK)
         FreeCAD.addDocumentObserver(self)
         self._watching = True
+        self.form.destroyed.connect(self._clear)
         self.look()
         if self.made is not None and edited is None:
             self._fit()
@@ -156,7 +158,13 @@ class SourcePanel:
         FreeCADGui.Control.closeDialog()
 
     def _stop(self) -> None:
-        self._timer.stop()
+        """Look no more, and clear the view."""
+        if self._watching:
+            self._timer.stop()
+        self._clear()
+
+    def _clear(self, *_: Any) -> None:
+        """Take everything out of the view that is there for this panel only."""
         self.preview.remove()
         if self._watching:
             self._watching = False

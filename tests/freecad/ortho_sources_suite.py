@@ -253,6 +253,18 @@ class TestFaces(SourceCase):
         self.assertEqual(len(ring.Faces) // 4, 64)
         self.assertTrue(convert.quad_mesh(ring).connectivity.regular.any())
 
+    def test_faces_inside_parts_stand_where_they_are_seen(self):
+        box = self.shape(Part.makeBox(4000, 3000, 2000), "Box")
+        box.Placement.Base = FreeCAD.Vector(0, 0, 100)
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(box)
+        part.Placement.Base = FreeCAD.Vector(10000, 0, 0)
+        self.document.recompute()
+        net = api.net_from_faces((box, "Face1"), sampling=(3, 3))
+        points = tools.vertices(net)
+        np.testing.assert_allclose(points.min(axis=0), [10000, 0, 100], atol=1e-9)
+        np.testing.assert_allclose(points.max(axis=0), [10000, 3000, 2100], atol=1e-9)
+
     def test_what_cannot_be_sampled_is_said(self):
         ball = self.shape(Part.makeSphere(1000), "Ball")
         with self.assertRaisesRegex(InputError, "Ball.Face1: its side v = .* shrinks to a point"):

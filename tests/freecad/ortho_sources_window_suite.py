@@ -186,6 +186,31 @@ class TestPanels(SourceWindowCase):
         wait(seconds=0.3)
         self.assertFalse(FreeCADGui.Control.activeDialog())
 
+    def test_a_panel_that_is_closed_from_outside_leaves_nothing(self):
+        panel = self.opened("Primitive")
+        FreeCADGui.Control.closeDialog()
+        wait(seconds=0.4)
+        self.assertLess(panel.view.getSceneGraph().findChild(panel.preview.root), 0)
+        self.opened("MultiNet")
+        drawing = self.panel.drawing
+        FreeCADGui.Control.closeDialog()
+        wait(seconds=0.4)
+        self.assertLess(self.panel.view.getSceneGraph().findChild(drawing.root), 0)
+
+    def test_a_saved_net_opens_with_its_view_and_panel(self):
+        net = api.add_primitive("sphere", radius=3000.0)
+        path, name = str(tools.SCRATCH / "sources.FCStd"), net.Name
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        wait()
+        net = self.document.getObject(name)
+        self.assertTrue(net.ViewObject.Proxy.doubleClicked(net.ViewObject))
+        self.panel.fields["radius"].value = 2000.0
+        press("Ok")
+        self.assertEqual(net.Radius.Value, 2000.0)
+        self.assertEqual(self.errors, [])
+
     def test_without_a_document_there_will_be_one(self):
         FreeCAD.closeDocument(self.document.Name)
         self.opened("Primitive")
