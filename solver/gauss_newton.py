@@ -14,11 +14,13 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import cast
 
 import numpy as np
 
 from solver.assembly import NormalEquations
+from solver.best import Best
 from solver.candidate import Candidate, judge
 from solver.damped_step import DAMPING_START, Stepper
 from solver.linear import default_backend, symmetric_solver
@@ -36,8 +38,6 @@ _FADE_END = 1e-12
 _NEAR = 1e-6
 # Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
 _PATIENCE = 25
-# A shape that is no solution replaces another when its worst residual is smaller by this factor.
-_WORTH = 0.8
 # Of so many attempts that reached the net, though with short edges or creases, the best is taken.
 _ENOUGH = 2
 # Handles are followed with the guides at this factor, where the mesh is nearly a net, until so many
@@ -103,7 +103,7 @@ class Optimisation:
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self._turn, self._attempt, self.attempts = 0, 1, 1
-        self._best: Candidate | None = None
+        self._best = Best()
         self._solved = 0
         self.restless = False
         self._prepare()
@@ -203,7 +203,7 @@ class Optimisation:
 
     def resume(self) -> None:
         """Count steps and look for the best shape from here on."""
-        self._best, self.status, self._solved, self.restless = None, None, 0, False
+        self._best, self.status, self._solved, self.restless = Best(), None, 0, False
         self._state.idle, self._state.best_worst = 0, np.inf
         self.history.clear()
 
@@ -241,7 +241,7 @@ class Optimisation:
 
     def outcome(self) -> Outcome:
         """Best mesh so far and its report; the status is ``stopped`` while steps are left."""
-        return summarise(self, self._best or self._judge(self._state.x))
+        return summarise(self, self._best.so_far() or self._judge(self._state.x))
 
     def _prepare(self) -> None:
         """Lay out the equations of the current problem and stand at its start."""
@@ -299,14 +299,15 @@ class Optimisation:
             self._terms[k] = cast(FollowingTerm, self._terms[k]).follow(state.x)
             state.linearisations[k] = self._terms[k].linearise(state.x)
 
-    def _judge(self, x: FloatArray) -> Candidate:
-        if self.problem.easier:
+    def _judge(self, x: FloatArray, problem: Problem | None = None) -> Candidate:
+        problem = problem or self.problem
+        if problem.easier:
             # The shape counts by what was asked for; the easier net has no scalars in common.
-            mesh, wanted = self.problem.mesh_at(x), self.original
+            mesh, wanted = problem.mesh_at(x), self.original
             x = wanted.start.copy()
             x[: 3 * len(mesh.vertices)] = ((mesh.vertices - wanted.centre) / wanted.scale).ravel()
             return judge(wanted, x, self.tolerance)
-        return judge(self.problem, x, self.tolerance, self.original)
+        return judge(problem, x, self.tolerance, self.original)
 
     def _weights(self, fade: float) -> FloatArray:
         guides = [
@@ -329,10 +330,7 @@ class Optimisation:
             state.best_worst, state.idle = record.worst, 0
         elif state.fade == 0.0:
             state.idle += 1
-        # A shape that is still sound may be the best there will be, should the attempt fold later.
-        best = self._best
-        if best is None or (not best.valid and record.worst < _WORTH * best.worst):
-            self._consider(self._judge(state.x))
+        self._best.note(record.worst, partial(self._judge, state.x, self.problem))
         steps_left = self.max_steps - len(self.history)
         near = 0.25 * self.tolerance if state.slow else _MARGIN * self.tolerance
         if record.worst <= near or state.idle >= _PATIENCE:
@@ -344,15 +342,14 @@ class Optimisation:
         if self.problem.easier and self._follow_up(steps_left):
             return
         candidate = self._judge(self._state.x)
-        self._consider(candidate)
+        self._best.consider(candidate)
         if candidate.valid and not candidate.flattened:
             self._solved += 1
         # Whoever drags a mesh may crease it.
         good = candidate.valid if self._pull is not None else candidate.good
         enough = good or self._solved >= _ENOUGH or steps_left <= 0
         if enough or not self._next_attempt():
-            best = self._best or candidate
-            self._conclude(CONVERGED if best.valid else STALLED)
+            self._conclude(STALLED)
 
     def _follow_up(self, steps_left: int) -> bool:
         """Start the wanted net from what an easier one found; return whether that was possible."""
@@ -380,16 +377,6 @@ class Optimisation:
         self.attempts += 1
         return True
 
-    def _consider(self, candidate: Candidate) -> None:
-        best = self._best
-        if best is not None and not candidate.valid and candidate.sound == best.sound:
-            # Where the net is out of reach, a little less of it is not worth wandering for.
-            if candidate.worst > _WORTH * best.worst:
-                return
-        if best is None or candidate.rank > best.rank:
-            self._best = candidate
-
     def _conclude(self, status: str) -> None:
-        self._consider(self._judge(self._state.x))
-        best = self._best
-        self.status = CONVERGED if best is not None and best.valid else status
+        best = self._best.consider(self._judge(self._state.x))
+        self.status = CONVERGED if best.valid else status

@@ -88,11 +88,59 @@ class SphericalStar:
 
 def own_curvatures(spokes: FloatArray) -> FloatArray:
     """(n,) curvature with which the star's two residuals are smallest together."""
+    star = _lean(spokes)
+    steep = dot(star.lean, star.lean)
+    limit = _LARGEST_SINE / np.sqrt(np.maximum(steep, 1e-300))
+    # Up to a common factor, r(k) = k lean . sum + sqrt(1 - k^2 steep) upright . sum - k height.
+    leaning = np.stack([dot(star.lean, each) for each in star.sums])
+    upright = np.stack([dot(star.upright, each) for each in star.sums])
+    heights = np.stack(star.heights)
     k = np.zeros(len(spokes))
     for _ in range(_OWN_STEPS):
-        residual, by_k = _residuals(_frame(spokes, k), k)
-        k = k - dot(residual, by_k) / np.maximum(dot(by_k, by_k), 1e-300)
+        bound = np.clip(k, -limit, limit)
+        cosine = np.sqrt(1.0 - steep * bound**2)
+        residual = bound * leaning + cosine * upright - k * heights
+        by_k = leaning - (bound * steep / cosine) * upright - heights
+        k = k - (residual * by_k).sum(axis=0) / np.maximum((by_k**2).sum(axis=0), 1e-300)
     return k
+
+
+class _Lean(NamedTuple):
+    """What the spheres of all curvatures through a star share.
+
+    The normal of the sphere of curvature k is k lean + sqrt(1 - k^2 |lean|^2) upright.
+    """
+
+    across: tuple[FloatArray, FloatArray]
+    alpha: FloatArray
+    beta: FloatArray
+    sums: tuple[FloatArray, FloatArray]
+    heights: tuple[FloatArray, FloatArray]
+    lengths: FloatArray
+    lean: FloatArray
+    upright: FloatArray
+
+
+def _lean(spokes: FloatArray) -> _Lean:
+    s1, s2, s3, s4 = (spokes[:, j] for j in range(4))
+    square = np.einsum("nij,nij->ni", spokes, spokes)
+    w = 0.5 * square
+    a, b = s1 - s3, s2 - s4
+    alpha, beta = w[:, 0] - w[:, 2], w[:, 1] - w[:, 3]
+    m = np.cross(a, b)
+    area = length(m)
+    upright = m / area[:, None]
+    towards = alpha[:, None] * np.cross(b, upright) + beta[:, None] * np.cross(upright, a)
+    return _Lean(
+        across=(a, b),
+        alpha=alpha,
+        beta=beta,
+        sums=(s1 + s3, s2 + s4),
+        heights=(w[:, 0] + w[:, 2], w[:, 1] + w[:, 3]),
+        lengths=np.sqrt(square),
+        lean=towards / area[:, None],
+        upright=upright,
+    )
 
 
 class _Frame(NamedTuple):
@@ -121,22 +169,22 @@ class _Frame(NamedTuple):
 
 
 def _frame(spokes: FloatArray, k: FloatArray) -> _Frame:
-    s1, s2, s3, s4 = (spokes[:, j] for j in range(4))
-    square = np.einsum("nij,nij->ni", spokes, spokes)
-    w = 0.5 * square
-    a, b = s1 - s3, s2 - s4
-    alpha, beta = w[:, 0] - w[:, 2], w[:, 1] - w[:, 3]
-    n = _normal(a, b, k * alpha, k * beta)
+    star = _lean(spokes)
+    a, b = star.across
+    sine = k * length(star.lean)
+    kept = np.clip(sine, -_LARGEST_SINE, _LARGEST_SINE)
+    p = (k * kept / np.where(sine == 0.0, 1.0, sine))[:, None] * star.lean
+    n = p + np.sqrt(1.0 - kept**2)[:, None] * star.upright
     across_b, across_a = np.cross(b, n), np.cross(n, a)
     return _Frame(
         normal=n,
         across=(across_b, across_a),
         determinant=dot(a, across_b),
-        alpha=alpha,
-        beta=beta,
-        sums=(s1 + s3, s2 + s4),
-        heights=(w[:, 0] + w[:, 2], w[:, 1] + w[:, 3]),
-        lengths=np.sqrt(square),
+        alpha=star.alpha,
+        beta=star.beta,
+        sums=star.sums,
+        heights=star.heights,
+        lengths=star.lengths,
     )
 
 
@@ -169,17 +217,6 @@ def _by_spokes(
         shrink = 0.25 * residual[:, row] / mean
         result[:, row] = factor[:, :, None] * towards - shrink[:, None, None] * direction
     return result
-
-
-def _normal(a: FloatArray, b: FloatArray, along_a: FloatArray, along_b: FloatArray) -> FloatArray:
-    """(n, 3) unit vectors with the given products with a and b, on the side of a x b."""
-    m = np.cross(a, b)
-    square = dot(m, m)
-    p = (along_a[:, None] * np.cross(b, m) + along_b[:, None] * np.cross(m, a)) / square[:, None]
-    sine = length(p)
-    p *= np.minimum(1.0, _LARGEST_SINE / np.maximum(sine, 1e-300))[:, None]
-    height = np.sqrt(1.0 - np.minimum(sine, _LARGEST_SINE) ** 2)
-    return p + (height / np.sqrt(square))[:, None] * m
 
 
 def _without_curvature(
