@@ -27,7 +27,6 @@ class _Group:
     members: tuple[int, ...]
     rows: IntArray
     scatter: IntArray
-    upper: IntArray
 
 
 class NormalEquations:
@@ -90,17 +89,29 @@ class NormalEquations:
         return self._constant[k]
 
     def _scattered(self, group: _Group, jacobian: FloatArray) -> FloatArray:
-        count, width = len(jacobian), jacobian.shape[2]
-        blocks = np.empty((count, len(group.upper)))
+        count, _, width = jacobian.shape
+        blocks = np.empty((width * (width + 1) // 2, count))
         for begin in range(0, count, _CHUNK):
-            part = jacobian[begin : begin + _CHUNK]
-            product = np.matmul(part.swapaxes(1, 2), part).reshape(len(part), width * width)
-            rows = blocks[begin : begin + _CHUNK]
-            # Nothing is clipped; that mode spares numpy a copy.
-            np.take(product, group.upper, axis=1, out=rows, mode="clip")
+            chunk = slice(begin, begin + _CHUNK)
+            columns = np.ascontiguousarray(jacobian[chunk].transpose(1, 2, 0))
+            _multiply_columns(columns, blocks[:, chunk])
         entries = len(self.pattern.indices)
         sums = np.bincount(group.scatter, blocks.ravel(), minlength=entries + 1)
         return sums[:entries].astype(np.float64, copy=False)
+
+
+def _multiply_columns(columns: FloatArray, products: FloatArray) -> None:
+    """Fill in the upper triangle (p, n), row by row, of J^T J for Jacobians (m, k, n).
+
+    The elements come last, so that each operation runs over many at once.
+    """
+    width, first = columns.shape[1], 0
+    for k in range(width):
+        target = products[first : first + width - k]
+        np.multiply(columns[0, k], columns[0, k:], out=target)
+        for row in columns[1:]:
+            target += row[k] * row[k:]
+        first += width - k
 
 
 def _weighted(jacobian: FloatArray, weight: float) -> FloatArray:
@@ -133,6 +144,5 @@ def _group(members: tuple[int, ...], unknowns: IntArray, layout: Layout) -> _Gro
     return _Group(
         members=members,
         rows=layout.rows(unknowns).ravel(),
-        scatter=layout.positions(unknowns, first, second).ravel(),
-        upper=first * unknowns.shape[1] + second,
+        scatter=layout.positions(unknowns, first, second).T.ravel(),
     )

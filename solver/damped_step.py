@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -27,7 +27,7 @@ _DAMPING_MIN, _DAMPING_MAX = 1e-12, 1e8
 # Part of the step at which the second derivative is probed, and the longest bend that is trusted.
 _PROBE, _LONGEST_BEND = 0.1, 0.375
 
-Terms = Callable[[FloatArray], list[Linearisation]]
+_Result = TypeVar("_Result")
 
 
 class Step(NamedTuple):
@@ -63,6 +63,7 @@ class Stepper:
     def __init__(self, system: NormalEquations, solver: SymmetricSolver) -> None:
         self._system = system
         self._solver = solver
+        self._solving = 0.0
 
     def step(
         self,
@@ -82,12 +83,10 @@ class Stepper:
         rounding = 1e-26 * max(1, len(gradient))
         diagonal = pattern.indptr[:-1]
         values = matrix[diagonal]
-        solve_seconds, rejected = 0.0, False
+        self._solving, rejected = 0.0, False
         while True:
             matrix[diagonal] = values + damping
-            begin = time.perf_counter()
             solve, move = self._solve(matrix, gradient)
-            solve_seconds += time.perf_counter() - begin
             if np.isfinite(move).all():
                 if bend and solve is not None:
                     move = move + self._bend(terms, x, linearisations, weights, move, solve)
@@ -98,9 +97,9 @@ class Stepper:
                 if after <= before * (1 + 1e-9) + rounding:
                     calmer = damping if rejected else max(damping / 4, _DAMPING_MIN)
                     length = float(np.abs(move).max(initial=0.0))
-                    return Step(there, ahead, after, length, calmer, solve_seconds, False)
+                    return Step(there, ahead, after, length, calmer, self._solving, False)
             if damping > _DAMPING_MAX:
-                return Step(x, linearisations, before, 0.0, damping, solve_seconds, True)
+                return Step(x, linearisations, before, 0.0, damping, self._solving, True)
             damping = max(8 * damping, 1e-9)
             rejected = True
 
@@ -108,8 +107,8 @@ class Stepper:
         self, matrix: FloatArray, gradient: FloatArray
     ) -> tuple[Callable[[FloatArray], FloatArray] | None, FloatArray]:
         try:
-            solve = self._solver.factor(matrix)
-            return solve, solve(-gradient)
+            solve = self._timed(self._solver.factor, matrix)
+            return solve, self._timed(solve, -gradient)
         except SingularSystemError:
             return None, np.full(len(gradient), np.nan)
 
@@ -125,15 +124,25 @@ class Stepper:
         """Half the acceleration along the move; zero where it is too long to be trusted."""
         full = np.zeros(len(x))
         full[self._system.pattern.unknowns] = move
+        # Linear terms do not curve.
+        weights = np.where([term.linear for term in terms], 0.0, weights)
         probe = linearise(terms, x + _PROBE * full, linearisations, weights)
-        curved = []
-        for term, here, there in zip(terms, linearisations, probe, strict=True):
-            slope = np.einsum("nmk,nk->nm", here.jacobian, full[term.unknowns])
+        curved = list(linearisations)
+        for k in np.flatnonzero(weights).tolist():
+            here, there = linearisations[k], probe[k]
+            slope = np.einsum("nmk,nk->nm", here.jacobian, full[terms[k].unknowns])
             second = 2 / _PROBE * ((there.residual - here.residual) / _PROBE - slope)
-            curved.append(Linearisation(second, here.jacobian))
-        bend = solve(-0.5 * self._system.gradient(curved, weights))
+            curved[k] = Linearisation(second, here.jacobian)
+        bend = self._timed(solve, -0.5 * self._system.gradient(curved, weights))
         trusted = np.linalg.norm(bend) <= _LONGEST_BEND * np.linalg.norm(move)
         return bend if trusted else np.zeros_like(move)
+
+    def _timed(self, function: Callable[[FloatArray], _Result], argument: FloatArray) -> _Result:
+        begin = time.perf_counter()
+        try:
+            return function(argument)
+        finally:
+            self._solving += time.perf_counter() - begin
 
 
 def linearise(

@@ -113,7 +113,8 @@ class Optimisation:
         elif accept_start:
             start = judge(self.original, self.original.start, tolerance)
             if start.valid:
-                self._best, self.status = start, CONVERGED
+                self._best.consider(start)
+                self.status = CONVERGED
 
     @property
     def problem(self) -> Problem:
