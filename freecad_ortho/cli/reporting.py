@@ -60,6 +60,16 @@ def fabrication_line(structure: Structure, folder: str) -> str:
     return f"{', '.join(counts)}, {report['mass_kg']:.1f} kg{words}; files are in {folder}"
 
 
+def _multi_net_line(found: dict[str, Any] | None) -> str:
+    """Whether a mesh is orthogonal in every rectangle of its parameter lines."""
+    if found is None:
+        return f"{'multi-net':<16}{'-':>12}{'-':>12}   not one grid of parameter lines"
+    verdict = "yes" if found["is_multi_net"] else "no"
+    more = ", or worse" if found["at_least"] else ""
+    place = "rectangle from vertex {} to {}".format(*found["corners"])
+    return f"{'multi-net':<16}{found['worst']:>12.3e}{'-':>12}   {place}: {verdict}{more}"
+
+
 def check_table(result: dict[str, Any]) -> str:
     """Measures of a mesh as a table for people."""
     size = " x ".join(f"{length:.6g}" for length in result["size"])
@@ -74,6 +84,7 @@ def check_table(result: dict[str, Any]) -> str:
         lines.append(f"{name:<16}{entry['max']:>12.3e}{entry['mean']:>12.3e}   {place}")
     lines.append(f"{'edge ratio':<16}{result['edge_ratio']:>12.3f}")
     lines.append(f"{'folded faces':<16}{result['flipped_faces']:>12d}")
+    lines.append(_multi_net_line(result["multi_net"]))
     lines.append(f"{'net':<24}{'mean distance':>14}   can it be near?")
     for advice in result["advice"]["nets"]:
         title = advice["net"] + (" --diagonal" if advice["diagonal"] else "")

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -46,34 +47,49 @@ class Advice:
         return f"{self.net} --diagonal" if self.diagonal else self.net
 
 
-Star = Callable[[QuadMesh, bool], FloatArray]
-_FACE_NETS: dict[str, Callable[[QuadMesh], FloatArray]] = {
-    "principal": measures.planarity,
-    "circular": measures.circular,
-}
-_STAR_NETS: dict[str, Star] = {
+_STAR_NETS: dict[str, Callable[..., FloatArray]] = {
     "geodesic": measures.geodesic,
     "asymptotic": measures.asymptotic,
-    "cmc": lambda mesh, diagonal: cmc(mesh, None, diagonal),
+    "cmc": cmc,
 }
 
 
-def advise(mesh: QuadMesh) -> list[Advice]:
-    """Compare a mesh with every net and diagonal net, the nearest possible one first."""
-    found = [_advice(mesh, net, False, _FACE_NETS[net](mesh)) for net in _FACE_NETS]
-    found.append(_advice(mesh, "chebyshev", False, measures.chebyshev(mesh)))
+def advise(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> list[Advice]:
+    """Compare a mesh with every net and diagonal net, the nearest possible one first.
+
+    ``known`` may hold measures of the mesh by name, so that they are not taken twice.
+    """
+    taken = dict(known or {})
+
+    def value(name: str, measure: Callable[[QuadMesh], FloatArray]) -> FloatArray:
+        return taken[name] if name in taken else measure(mesh)
+
+    orthogonal = float(value("orthogonality", measures.orthogonality).mean())
+    flat = float(value("planarity", measures.planarity).mean())
+    curved = _curved_shares(mesh)
+
+    def advice(net: str, diagonal: bool, values: FloatArray) -> Advice:
+        own = float(values.mean())
+        planar = net in ("circular", "conical")
+        distance = max(own, flat if planar else orthogonal)
+        return Advice(net, diagonal, distance, own, *_possible(net, *curved))
+
+    found = [
+        advice("principal", False, value("planarity", measures.planarity)),
+        advice("circular", False, value("circular", measures.circular)),
+        advice("chebyshev", False, value("chebyshev", measures.chebyshev)),
+    ]
     if len(mesh.connectivity.stars):
-        found.append(_advice(mesh, "conical", False, measures.conical(mesh)))
+        found.append(advice("conical", False, value("conical", measures.conical)))
         for net, measure in _STAR_NETS.items():
-            found += [
-                _advice(mesh, net, diagonal, measure(mesh, diagonal)) for diagonal in (False, True)
-            ]
-    return sorted(found, key=lambda advice: (not advice.possible, advice.distance, advice.own))
+            found.append(advice(net, False, value(net, partial(measure, diagonal=False))))
+            found.append(advice(net, True, measure(mesh, diagonal=True)))
+    return sorted(found, key=lambda one: (not one.possible, one.distance, one.own))
 
 
-def advice_as_dict(mesh: QuadMesh) -> dict[str, Any]:
+def advice_as_dict(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> dict[str, Any]:
     """Return ``nets`` (all advice as plain data) and ``recommendation`` (one sentence)."""
-    found = advise(mesh)
+    found = advise(mesh, known)
     best = found[0]
     return {
         "nets": [asdict(advice) for advice in found],
@@ -88,8 +104,8 @@ def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> str | None:
     """Return a warning where the other variant of a net starts ten times closer."""
     if net not in _STAR_NETS or not len(mesh.connectivity.stars):
         return None
-    asked = float(_STAR_NETS[net](mesh, diagonal).mean())
-    other = float(_STAR_NETS[net](mesh, not diagonal).mean())
+    asked = float(_STAR_NETS[net](mesh, diagonal=diagonal).mean())
+    other = float(_STAR_NETS[net](mesh, diagonal=not diagonal).mean())
     if asked <= CLOSER * other:
         return None
     words = "without --diagonal" if diagonal else "with --diagonal"
@@ -99,17 +115,8 @@ def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> str | None:
     )
 
 
-def _advice(mesh: QuadMesh, net: str, diagonal: bool, values: FloatArray) -> Advice:
-    orthogonal = measures.orthogonality(mesh) if net not in ("circular", "conical") else np.zeros(1)
-    parts = [float(values.mean()), float(orthogonal.mean())]
-    if net in ("circular", "conical"):
-        parts.append(float(measures.planarity(mesh).mean()))
-    possible, reason = _possible(mesh, net)
-    return Advice(net, diagonal, max(parts), parts[0], possible, reason)
-
-
-def _possible(mesh: QuadMesh, net: str) -> tuple[bool, str]:
-    positive, negative = _curved_shares(mesh)
+def _possible(net: str, positive: float, negative: float) -> tuple[bool, str]:
+    """Whether a shape with such shares of its vertices curved can be near a net, and why not."""
     if net == "asymptotic" and positive > _MOST:
         return False, (
             f"{100 * positive:.0f} % of the inner vertices lie where the Gauss curvature is "

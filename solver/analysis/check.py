@@ -11,7 +11,11 @@ from solver.analysis import measures
 from solver.analysis.advisor import advice_as_dict
 from solver.analysis.spheres import cmc
 from solver.candidate import spread_of
+from solver.errors import InputError
+from solver.mesh.connectivity import IntArray
+from solver.mesh.grid import grid_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.multinet.inverse import multi_net_residual_of
 
 # Name, function, and what one value belongs to.
 MEASURES: tuple[tuple[str, Callable[[QuadMesh], FloatArray], str], ...] = (
@@ -25,6 +29,11 @@ MEASURES: tuple[tuple[str, Callable[[QuadMesh], FloatArray], str], ...] = (
     ("chebyshev", measures.chebyshev, "edge"),
 )
 
+# Violations of Eq. 1 up to this part of size^2 count as zero.
+MULTI_NET = 1e-10
+# Lines of each family that are asked first whether a mesh is a multi-net.
+_LINES = 65
+
 
 def check(mesh: QuadMesh) -> dict[str, Any]:
     """Measure a mesh against every net.
@@ -32,11 +41,12 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
     Returns:
         Plain numbers for JSON: counts, ``measures`` with ``max``, ``mean`` and ``worst`` (the
         number of the face, edge or star centre) each, ``edge_ratio``, ``flipped_faces``, ``size``
-        (lengths of the bounding box) and ``mean_edge`` in the mesh's unit, and ``advice`` on
-        which net to optimise for.
+        (lengths of the bounding box) and ``mean_edge`` in the mesh's unit, ``advice`` on which
+        net to optimise for, and ``multi_net``, None where the mesh is not of grid type.
     """
     net = mesh.connectivity
     used = mesh.vertices[net.referenced]
+    values = {name: measure(mesh) for name, measure, _ in MEASURES}
     return {
         "vertices": len(mesh.vertices),
         "faces": len(mesh.faces),
@@ -49,17 +59,46 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         "mean_edge": mesh.mean_edge,
         "edge_ratio": measures.edge_ratio(mesh),
         "flipped_faces": int(measures.flipped(mesh).sum()),
-        "advice": advice_as_dict(mesh),
-        "measures": {name: _entry(mesh, measure, where) for name, measure, where in MEASURES},
+        "advice": advice_as_dict(mesh, values),
+        "measures": {name: _entry(mesh, values[name], where) for name, _, where in MEASURES},
+        "multi_net": _multi_net(mesh),
     }
 
 
-def _entry(
-    mesh: QuadMesh, measure: Callable[[QuadMesh], FloatArray], where: str
-) -> dict[str, float | int | str | None]:
-    values = measure(mesh)
+def _entry(mesh: QuadMesh, values: FloatArray, where: str) -> dict[str, float | int | str | None]:
     spread = spread_of(values)
     worst = int(np.argmax(values)) if len(values) else None
     if where == "vertex" and worst is not None:
         worst = int(mesh.connectivity.stars[worst, 0])
     return {"max": spread.max, "mean": spread.mean, "worst": worst, "where": where}
+
+
+def _multi_net(mesh: QuadMesh) -> dict[str, Any] | None:
+    """How far a mesh of grid type is from a multi-net; None for other meshes.
+
+    ``worst`` is the largest violation of Eq. 1 / size^2 over all rectangles of parameter lines, and
+    ``corners`` the opposite corners of that rectangle. On large grids that are no multi-nets by far
+    only some lines are asked: ``at_least`` is true then.
+    """
+    try:
+        numbers = grid_of(mesh).numbers
+    except InputError:
+        return None
+    some = numbers[np.ix_(*(_spread_out(count) for count in numbers.shape))]
+    thinned = some.size < numbers.size
+    found = multi_net_residual_of(mesh.vertices[some])
+    if thinned and found.worst <= MULTI_NET:
+        some, thinned = numbers, False
+        found = multi_net_residual_of(mesh.vertices[numbers])
+    i, j, k, line = found.rectangle
+    return {
+        "is_multi_net": found.worst <= MULTI_NET,
+        "worst": found.worst,
+        "at_least": thinned,
+        "corners": [int(some[i, j]), int(some[k, line])],
+    }
+
+
+def _spread_out(count: int) -> IntArray:
+    """Numbers of the lines that are asked, the outermost among them."""
+    return np.unique(np.linspace(0, count - 1, min(count, _LINES)).round().astype(np.int64))

@@ -115,7 +115,7 @@ def asymptotic(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
     spokes = star_spokes(mesh, diagonal)
     if not len(spokes):
         return np.zeros(0)
-    normal = np.linalg.svd(spokes)[2][:, 2]
+    normal = np.linalg.eigh(spokes.swapaxes(1, 2) @ spokes)[1][:, :, 0]
     distance = np.abs(np.einsum("sij,sj->si", spokes, normal)).max(axis=1)
     return np.asarray(distance / mesh.mean_edge)
 

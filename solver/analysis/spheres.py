@@ -10,6 +10,10 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 # Radii are told apart from planes up to this many mean edges.
 _LARGEST_RADIUS = 1e5
 _STEPS = 12
+# Centres that move less, in radii, have been found; or below the second, and not less any more.
+_SETTLED, _ROUNDING = 1e-15, 1e-12
+# Keeps normal equations of stars that determine no sphere regular.
+_SINGULAR = 1e-15
 
 
 def star_curvatures(mesh: QuadMesh, diagonal: bool = False) -> tuple[FloatArray, FloatArray]:
@@ -26,8 +30,7 @@ def star_curvatures(mesh: QuadMesh, diagonal: bool = False) -> tuple[FloatArray,
     if not len(spokes):
         return np.zeros(0), np.zeros((0, 3))
     normal = mesh.vertex_normals[mesh.connectivity.stars[:, 0]]
-    first = unit_rows(np.cross(normal, unit_rows(spokes[:, 0])))
-    second = np.cross(normal, first)
+    _, first, second = np.moveaxis(_frame(normal, spokes[:, 0]), 1, 0)
     size = np.linalg.norm(spokes, axis=2).mean(axis=1)[:, None]
     system = np.stack(
         [
@@ -38,7 +41,7 @@ def star_curvatures(mesh: QuadMesh, diagonal: bool = False) -> tuple[FloatArray,
         axis=2,
     )
     right = np.einsum("sij,sj->si", spokes, normal)
-    solution = np.einsum("sij,sj->si", np.linalg.pinv(system), right)
+    solution = least_squares(system, right)
     tilted = normal + solution[:, :1] * first + solution[:, 1:2] * second
     stretch = np.linalg.norm(tilted, axis=1)
     return solution[:, 2] / size[:, 0] / stretch, tilted / stretch[:, None]
@@ -46,10 +49,11 @@ def star_curvatures(mesh: QuadMesh, diagonal: bool = False) -> tuple[FloatArray,
 
 def common_radius(mesh: QuadMesh, diagonal: bool = False) -> float:
     """Signed radius that the star spheres share best: one over the median curvature."""
-    curvatures, _ = star_curvatures(mesh, diagonal)
-    if not len(curvatures):
-        return np.inf
-    median = float(np.median(curvatures))
+    return _radius(star_curvatures(mesh, diagonal)[0])
+
+
+def _radius(curvatures: FloatArray) -> float:
+    median = float(np.median(curvatures)) if len(curvatures) else 0.0
     return 1.0 / median if median != 0.0 else np.inf
 
 
@@ -58,17 +62,54 @@ def star_centres(mesh: QuadMesh, radius: float, diagonal: bool = False) -> Float
 
     Relative to the star's own centre vertex.
     """
-    spokes = star_spokes(mesh, diagonal)
-    _, normal = star_curvatures(mesh, diagonal)
+    normal = star_curvatures(mesh, diagonal)[1]
+    return _centres(star_spokes(mesh, diagonal), normal, radius)
+
+
+def _centres(spokes: FloatArray, normal: FloatArray, radius: float) -> FloatArray:
+    """Centres of the nearest spheres, sought from ``radius`` along the (S, 3) normals."""
+    frame = _frame(normal, spokes[:, 0])
     centre = radius * normal
     points = np.concatenate([np.zeros_like(spokes[:, :1]), spokes], axis=1)
+    before = np.inf
     for _ in range(_STEPS):
         away = centre[:, None, :] - points
-        distance = np.linalg.norm(away, axis=2)
-        direction = away / distance[:, :, None]
-        miss = distance - abs(radius)
-        centre = centre - np.einsum("sij,sj->si", np.linalg.pinv(direction), miss)
+        distance = np.sqrt(np.einsum("sij,sij->si", away, away))
+        # In the star's own frame the columns differ in size only: flat stars are no special case.
+        direction = (away / distance[:, :, None]) @ frame.swapaxes(1, 2)
+        move = least_squares(direction, distance - abs(radius))
+        centre = centre - np.einsum("sk,skj->sj", move, frame)
+        longest = float(np.abs(move).max(initial=0.0))
+        rounding = longest <= _ROUNDING * abs(radius) and longest >= 0.5 * before
+        if rounding or longest <= _SETTLED * abs(radius):
+            break
+        before = longest
     return centre
+
+
+def _frame(normal: FloatArray, hint: FloatArray) -> FloatArray:
+    """(S, 3, 3) rows: the unit normals and two unit vectors across them."""
+    first = unit_rows(np.cross(normal, unit_rows(hint)))
+    return np.stack([normal, first, np.cross(normal, first)], axis=1)
+
+
+def least_squares(system: FloatArray, right: FloatArray) -> FloatArray:
+    """(S, 3) least-squares solutions of many (S, m, 3) systems; zero along what is not determined.
+
+    By normal equations of columns scaled to one length and Cramer's rule, and once more for what is
+    left, which restores the digits that squaring loses.
+    """
+    size = np.sqrt(np.einsum("smk,smk->sk", system, system))
+    scaled = system / np.where(size > 0, size, 1.0)[:, None, :]
+    a, b, c = np.moveaxis(scaled.swapaxes(1, 2) @ scaled + _SINGULAR * np.eye(3), 1, 0)
+    rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
+    inverse = rows / np.einsum("sk,sk->s", a, rows[:, 0])[:, None, None]
+    solution = np.zeros((len(system), 3))
+    for _ in range(2):
+        left = right - np.einsum("smk,sk->sm", scaled, solution)
+        slope = np.einsum("smk,sm->sk", scaled, left)
+        solution += np.einsum("skj,sj->sk", inverse, slope)
+    return solution / np.where(size > 0, size, 1.0)
 
 
 def cmc(mesh: QuadMesh, radius: float | None = None, diagonal: bool = False) -> FloatArray:
@@ -83,9 +124,10 @@ def cmc(mesh: QuadMesh, radius: float | None = None, diagonal: bool = False) -> 
     if not len(spokes):
         return np.zeros(0)
     limit = _LARGEST_RADIUS * mesh.mean_edge
-    wanted = common_radius(mesh, diagonal) if radius is None else radius
+    curvatures, normal = star_curvatures(mesh, diagonal)
+    wanted = _radius(curvatures) if radius is None else radius
     wanted = float(np.clip(wanted, -limit, limit))
-    centre = star_centres(mesh, wanted, diagonal)
+    centre = _centres(spokes, normal, wanted)
     points = np.concatenate([np.zeros_like(spokes[:, :1]), spokes], axis=1)
     distance = np.linalg.norm(centre[:, None, :] - points, axis=2)
     return np.asarray(np.abs(distance - abs(wanted)).max(axis=1) / mesh.mean_edge)

@@ -62,7 +62,11 @@ def multi_net_residual(mesh: QuadMesh) -> MultiNetResidual:
     Raises:
         InputError: the mesh is not of grid type.
     """
-    points = grid_of(mesh).points(mesh)
+    return multi_net_residual_of(grid_of(mesh).points(mesh))
+
+
+def multi_net_residual_of(points: FloatArray) -> MultiNetResidual:
+    """The same for an (M, N, 3) grid of points."""
     flat = points.reshape(-1, 3)
     points = (points - flat.mean(axis=0)) / size_of(flat)
     transposed = points.shape[1] > points.shape[0]

@@ -8,7 +8,7 @@ import pytest
 from solver import QuadMesh
 from solver.analysis import measures
 from solver.analysis.check import check
-from solver.analysis.spheres import cmc, common_radius, star_curvatures
+from solver.analysis.spheres import cmc, common_radius, least_squares, star_curvatures
 from tests.conftest import grid_faces, surface_of_revolution, wavy_grid
 
 
@@ -92,6 +92,38 @@ def test_check_names_the_worst_place_and_is_scale_free():
     for name, entry in result["measures"].items():
         assert scaled["measures"][name]["max"] == pytest.approx(entry["max"], rel=1e-9)
         assert scaled["measures"][name]["worst"] == entry["worst"]
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(12, 9), (80, 70)])
+def test_check_says_whether_a_mesh_is_a_multi_net(rows, columns):
+    # By Ivory's theorem confocal conics are one: every rectangle of them is orthogonal.
+    u, v = np.meshgrid(np.linspace(0.4, 1.6, rows), np.linspace(0.2, 1.2, columns), indexing="ij")
+    points = np.stack([np.cosh(u) * np.cos(v), np.sinh(u) * np.sin(v), 0 * u], axis=2)
+    mesh = QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(rows, columns))
+    found = check(mesh)["multi_net"]
+    assert found["is_multi_net"] and found["worst"] < 1e-14 and not found["at_least"]
+    lifted = mesh.vertices.copy()
+    lifted[0] += [0, 0, 0.1]
+    found = check(mesh.with_vertices(lifted))["multi_net"]
+    assert not found["is_multi_net"] and 0 in found["corners"]
+    # The corner is 0.1 higher above the vertex opposite to it, and nowhere else.
+    size = np.linalg.norm(np.ptp(lifted, axis=0))
+    assert found["worst"] == pytest.approx(0.1**2 / size**2, rel=1e-9)
+    assert found["at_least"] == (rows > 65)
+    three = QuadMesh.from_arrays(
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 1, 1], [0, 0, 1], [1, 0, 1]],
+        [[0, 1, 2, 3], [0, 3, 4, 5], [0, 5, 6, 1]],
+    )
+    assert check(three)["multi_net"] is None
+
+
+def test_many_small_least_squares_are_those_of_the_pseudo_inverse():
+    random = np.random.default_rng(1)
+    system, right = random.normal(size=(50, 5, 3)), random.normal(size=(50, 5))
+    system[:, :, 1] *= 1e-3
+    system[25:, :, 2] = 0.0
+    expected = np.einsum("sij,sj->si", np.linalg.pinv(system), right)
+    assert np.allclose(least_squares(system, right), expected, rtol=1e-9, atol=1e-11)
 
 
 def test_check_of_a_mesh_without_interior_vertices():
