@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from freecad_ortho.fabrication.pattern import polygon_area
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -87,3 +88,69 @@ class Polyhedron(Body):
     def pieces(self) -> tuple[Polyhedron, ...]:
         """The body itself, or what its convex hull contains of it."""
         return (self,)
+
+
+@dataclass(frozen=True, eq=False)
+class Divided(Polyhedron):
+    """A polyhedron with recesses that is known to lie in convex ones.
+
+    Attributes:
+        blocks: convex polyhedra that together contain the body.
+    """
+
+    blocks: tuple[Polyhedron, ...]
+
+    def pieces(self) -> tuple[Polyhedron, ...]:
+        """The blocks."""
+        return self.blocks
+
+
+@dataclass(frozen=True, eq=False)
+class Prism(Body):
+    """A convex outline along z, with an optional round hole.
+
+    Attributes:
+        outline: (N, 2) convex, counter-clockwise, mm.
+        low: z of the lower end.
+        high: z of the upper end.
+        bore: diameter of the hole along the z axis, 0 for none.
+    """
+
+    outline: FloatArray
+    low: float
+    high: float
+    bore: float = 0.0
+
+    @property
+    def points(self) -> FloatArray:
+        """(2 N, 3) the corners, lower ones first."""
+        ends = [np.full(len(self.outline), z) for z in (self.low, self.high)]
+        return np.concatenate([np.column_stack([self.outline, end]) for end in ends])
+
+    @property
+    def volume(self) -> float:
+        """Area of the outline less the hole, times the height."""
+        area = polygon_area(self.outline) - np.pi * self.bore**2 / 4
+        return float(area * (self.high - self.low))
+
+    def solid(self) -> cadquery.Solid:
+        """Build the closed solid."""
+        import cadquery
+
+        corners = [cadquery.Vector(x, y, self.low) for x, y in self.outline.tolist()]
+        holes = []
+        if self.bore > 0:
+            base, up = cadquery.Vector(0, 0, self.low), cadquery.Vector(0, 0, 1)
+            holes.append(cadquery.Wire.makeCircle(self.bore / 2, base, up))
+        outer = cadquery.Wire.makePolygon([*corners, corners[0]])
+        height = cadquery.Vector(0, 0, self.high - self.low)
+        return cadquery.Solid.extrudeLinear(outer, holes, height)
+
+    def pieces(self) -> tuple[Polyhedron, ...]:
+        """The prism without its hole."""
+        count = len(self.outline)
+        sides = tuple(
+            (k, (k + 1) % count, (k + 1) % count + count, k + count) for k in range(count)
+        )
+        ends = (tuple(range(count, 2 * count)), tuple(reversed(range(count))))
+        return (Polyhedron(self.points, (*ends, *sides)),)

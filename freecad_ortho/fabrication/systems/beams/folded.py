@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.bodies import Divided, Polyhedron
 from freecad_ortho.fabrication.pattern import Bend
 from solver.mesh.quadmesh import FloatArray
 
@@ -77,7 +77,7 @@ class FoldedPlate:
         height: of the lowest plate, mm.
     """
 
-    body: Polyhedron
+    body: Divided
     outline: FloatArray
     axis: FloatArray
     middles: FloatArray
@@ -94,6 +94,7 @@ class _Corner:
     left: int
     place: tuple[float, float]  # in the plane of the plate
     bent: bool = False
+    inward: bool = False  # the outline turns inwards here
 
 
 @dataclass
@@ -113,7 +114,7 @@ class _Points:
 def folded_plate(chain: Chain) -> FoldedPlate:
     """Compute corners, sides and flat pattern."""
     count = len(chain.frame)
-    points, loops = _Points(), []
+    points, loops, rings = _Points(), [], []
     low, high = [], []
     for plate in range(count):
         start_low, start_high = (_corners(chain, points, plate, 0, up) for up in (False, True))
@@ -121,6 +122,7 @@ def folded_plate(chain: Chain) -> FoldedPlate:
         bottom = [*start_low, *reversed(end_low)]
         top = [*end_high, *reversed(start_high)]
         ring = bottom + top
+        rings.append((bottom, top))
         loops.append(tuple(corner.right for corner in ring))
         loops.append(tuple(corner.left for corner in reversed(ring)))
         for chainlet in (bottom, top):
@@ -133,7 +135,9 @@ def folded_plate(chain: Chain) -> FoldedPlate:
         low.append([corner.place for corner in bottom])
         high.append([corner.place for corner in top])
     origin, frame = chain.vertices[0], chain.frame[0]
-    body = Polyhedron((np.array(points.rows) - origin) @ frame.T, tuple(loops))
+    corners = (np.array(points.rows) - origin) @ frame.T
+    blocks = [block for bottom, top in rings for block in _blocks(corners, bottom, top)]
+    body = Divided(corners, tuple(loops), tuple(blocks))
     return _unrolled(chain, body, low, high)
 
 
@@ -154,7 +158,8 @@ def _corners(chain: Chain, points: _Points, plate: int, end: int, up: bool) -> l
             points.add((node, plate, up, name, hand), middle + sign * chain.half * right)
             for hand, sign in (("right", 1.0), ("left", -1.0))
         ]
-        return _Corner(sides[0], None, sides[1], _flat(chain, plate, middle))
+        place = _flat(chain, plate, middle)
+        return _Corner(sides[0], None, sides[1], place, inward=name == "slot")
 
     slot = chain.slots[node]
     if slot is not None and slot.above == up:
@@ -222,6 +227,57 @@ def _inner(
     return [tip + deeper(-sign * (rises @ across) / (rises @ axis)) * axis for sign in (1.0, -1.0)]
 
 
+def _blocks(corners: FloatArray, bottom: list[_Corner], top: list[_Corner]) -> Iterator[Polyhedron]:
+    """A plate in convex blocks: cut along the axis where a slot begins."""
+    low, high = ([_across(corners, corner) for corner in side] for side in (bottom, top))
+    slots = [side[k].inward for side, k in ((top, -2), (bottom, 1), (top, 1), (bottom, -2))]
+    if slots[0]:
+        meeting = _opposite(low[0], low[1], high[-2], high[-3])
+        yield _block([low[0], meeting, high[-2], high[-1]])
+        low[0], high = meeting, high[:-2]
+    if slots[1]:
+        meeting = _opposite(high[-1], high[-2], low[1], low[2])
+        yield _block([low[0], low[1], meeting, high[-1]])
+        high[-1], low = meeting, low[2:]
+    if slots[2]:
+        meeting = _opposite(low[-1], low[-2], high[1], high[2])
+        yield _block([meeting, low[-1], high[0], high[1]])
+        low[-1], high = meeting, high[2:]
+    if slots[3]:
+        meeting = _opposite(high[0], high[1], low[-2], low[-3])
+        yield _block([low[-2], low[-1], high[0], meeting])
+        high[0], low = meeting, low[:-2]
+    yield _block([*low, *high])
+
+
+def _across(corners: FloatArray, corner: _Corner) -> FloatArray:
+    """(3, 3) the right, left and middle point of a corner."""
+    right, left = corners[corner.right], corners[corner.left]
+    middle = (right + left) / 2 if corner.middle is None else corners[corner.middle]
+    return np.stack([right, left, middle])
+
+
+def _opposite(one: FloatArray, two: FloatArray, slot: FloatArray, side: FloatArray) -> FloatArray:
+    """(3, 3) where the side of a slot, prolonged beyond its floor, meets the edge from one to two.
+
+    On the right and left; in the middle halfway between these.
+    """
+    met = []
+    for start, end, floor, tip in zip(one[:2], two[:2], slot[:2], side[:2], strict=True):
+        system = np.stack([end - start, tip - floor], axis=1)
+        along = np.linalg.lstsq(system, floor - start, rcond=None)[0][0]
+        met.append(start + along * (end - start))
+    return np.stack([*met, (met[0] + met[1]) / 2])
+
+
+def _block(ring: list[FloatArray]) -> Polyhedron:
+    """A convex block from the corners of its right side; middle points count as corners too."""
+    count = len(ring)
+    sides = tuple(((k + 1) % count, k, k + count, (k + 1) % count + count) for k in range(count))
+    ends = (tuple(range(count)), tuple(reversed(range(count, 2 * count))))
+    return Polyhedron(np.stack(ring, axis=1).reshape(-1, 3), (*ends, *sides))
+
+
 def _strip(one: _Corner, two: _Corner) -> Iterator[tuple[int, ...]]:
     """Sides across the plate between two consecutive corners of its right side."""
     halves = [
@@ -250,7 +306,7 @@ def _flat(chain: Chain, plate: int, point: FloatArray) -> tuple[float, float]:
 
 def _unrolled(
     chain: Chain,
-    body: Polyhedron,
+    body: Divided,
     low: list[list[tuple[float, float]]],
     high: list[list[tuple[float, float]]],
 ) -> FoldedPlate:
