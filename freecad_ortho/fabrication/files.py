@@ -14,6 +14,7 @@ from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
 from freecad_ortho.fabrication.production import Production, produce
 from freecad_ortho.fabrication.report import overview, report_page
 from freecad_ortho.fabrication.step import write_step
+from freecad_ortho.fabrication.stl import write_stl
 from freecad_ortho.fabrication.structure import Progress, Structure, build
 from freecad_ortho.fabrication.systems.system import System
 from freecad_ortho.fabrication.tables import write_nodes, write_parts, write_report, write_stock
@@ -32,6 +33,7 @@ FILES = (
     "report.html",
 )
 SHEETS = "sheets"
+JOINTS = "joints"
 
 
 def write(
@@ -53,7 +55,7 @@ def write(
         executor: for work on parts; the files are the same with any and without.
 
     Returns:
-        The files, in the order above, then those of the sheets.
+        The files, in the order above, then those of the sheets and of the joints to be printed.
 
     Raises:
         InputError: a part that does not fit the workshop's sizes.
@@ -75,9 +77,14 @@ def write(
             _write_sheets(staging / SHEETS, production)
         say(0.95, "lists and reports")
         write_lists(staging, production)
-        written = sorted(path.name for path in (staging / SHEETS).glob("*"))
+        _write_joints(staging / JOINTS, structure)
+        written = [
+            target / folder_name / path.name
+            for folder_name in (SHEETS, JOINTS)
+            for path in sorted((staging / folder_name).glob("*"))
+        ]
         say(1.0, "written")
-    return [target / name for name in FILES] + [target / SHEETS / name for name in written]
+    return [target / name for name in FILES] + written
 
 
 def write_lists(folder: Path, production: Production) -> None:
@@ -93,6 +100,14 @@ def write_lists(folder: Path, production: Production) -> None:
     write_stock(folder / "stock.csv", production.bars)
     write_report(folder / "report.json", production.report())
     (folder / "report.html").write_text(report_page(production), encoding="utf-8")
+
+
+def _write_joints(folder: Path, structure: Structure) -> None:
+    joints = [part for result in structure.results.values() for part in result.joints]
+    if joints:
+        folder.mkdir()
+    for part in joints:
+        write_stl(folder / f"{part.name}.stl", part)
 
 
 def _write_sheets(folder: Path, production: Production) -> None:

@@ -39,12 +39,14 @@ class SystemParts:
         report: its section of ``report.json``, ready for JSON; lengths in mm.
         messages: anything out of the ordinary, in plain words.
         geometry: arrays that systems built after this one may lie on.
+        joints: of the parts those to be printed, one of each shape.
     """
 
     parts: tuple[Part, ...]
     report: dict[str, Any] = field(default_factory=dict)
     messages: tuple[str, ...] = ()
     geometry: Any = None
+    joints: tuple[Part, ...] = ()
 
 
 class System(ABC):

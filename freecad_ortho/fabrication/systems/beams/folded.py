@@ -51,7 +51,7 @@ class Chain:
         half: half the plates' thickness.
         slots: at each node, None where there is none.
         ends: slopes (right, left) of the mitres at the start and end; for a closed line None.
-        tongue: how far a slotted end reaches behind its axis.
+        tongues: how far the start and end, where slotted, reach behind their axes.
     """
 
     vertices: FloatArray
@@ -61,7 +61,7 @@ class Chain:
     half: float
     slots: tuple[Slot | None, ...]
     ends: tuple[tuple[float, float], tuple[float, float]] | None
-    tongue: float
+    tongues: tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,12 +166,12 @@ def _corners(chain: Chain, points: _Points, plate: int, end: int, up: bool) -> l
         base = chain.vertices[node] + slot.floor * axis
         wide = slot.after if end == 0 else slot.before
         if outside and chain.ends is not None:
-            floor = pair("tongue", base - chain.tongue * inward)
+            floor = pair("tongue", base - chain.tongues[end] * inward)
         else:
             floor = _at_axis(chain, points, plate, node, ("floor",), base, [base, base])
         return [floor, pair("slot", base + wide * inward), pair("side", tip + wide * onward)]
     if outside and slot is not None and chain.ends is not None:
-        return [pair("end", tip - chain.tongue * onward)]
+        return [pair("end", tip - chain.tongues[end] * onward)]
     if outside and chain.ends is not None:
         slopes = chain.ends[end]
         sides = [

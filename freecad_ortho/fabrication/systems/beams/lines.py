@@ -28,12 +28,15 @@ class Crossings:
         below: (2E,) true where the slot opens downwards.
         clearance: around the plate in the slot, mm.
         present: (2E,) true where the half-edge's plate has a slot.
+        tongue: (2E,) how far a plate that ends there reaches behind the axis, flush with the outer
+            side of the plate that it ends on, mm.
     """
 
     width: FloatArray
     below: BoolArray
     clearance: float
     present: BoolArray
+    tongue: FloatArray
 
 
 def line_name(line: ParameterLine) -> str:
@@ -64,9 +67,12 @@ def half_laps(site: Site, around: Around, thickness: float, clearance: float) ->
     crosses = (rank[built] != rank[other]) & crossed[around.vertex[built]]
     one, two, angle = built[crosses], other[crosses], around.angle[built][crosses]
     reach = (thickness + clearance + thickness * np.abs(np.cos(angle))) / 2 / np.sin(angle)
+    flush = thickness * (1 - np.abs(np.cos(angle))) / 2 / np.sin(angle)
+    tongue = np.full(len(rank), thickness / 2)
     for half_edges in (one, two):
         np.maximum.at(beside, half_edges, reach)
-    return Crossings(beside, rank == most[around.vertex], clearance, beside > 0)
+        np.minimum.at(tongue, half_edges, flush)
+    return Crossings(beside, rank == most[around.vertex], clearance, beside > 0, tongue)
 
 
 def chain(
@@ -109,7 +115,9 @@ def chain(
         half=half,
         slots=tuple(slots),
         ends=None if line.closed else (first, last),
-        tongue=half,
+        tongues=(0.0, 0.0)
+        if laps is None
+        else (float(laps.tongue[leaving[0]]), float(laps.tongue[arriving[-1]])),
     )
 
 

@@ -1,0 +1,224 @@
+"""The system of nodes: settings, parts, equal ones, report."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from freecad_ortho.fabrication.bodies import Body
+from freecad_ortho.fabrication.part import Measures, Part, part_names
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.systems.beams.frames import (
+    Around,
+    Frames,
+    around_axes,
+    beam_frames,
+)
+from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, gaps_after, hub
+from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
+from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray, unit_rows
+
+KINDS = ("hub", "socket")
+# Nodes are equal within these: angles between beams, sizes.
+_SAME_RADIANS, _SAME_MM = np.radians(0.1), 0.5
+
+
+@dataclass(frozen=True)
+class Nodes(System):
+    """A joint at every vertex: a hub that beams are butted on, or a socket under a crossing.
+
+    Args:
+        kind: "hub", a prism about the axis with a face square to each beam, as high as the beams;
+            "socket", a printed disc under the beams with a slot for each plate.
+        diameter: of the hub across its faces, or of the disc, mm.
+        bore: diameter of a hole along the hub's axis, mm; 0 for none.
+        depth: how far plates stand in a socket, mm; its disc is a third as thick.
+        height: of the beams, mm.
+        thickness: of the beams, mm.
+        offset: of the beams.
+        clearance: on both sides of a plate in a socket together, and below it, mm.
+        boundary_beams: false where the edges of the boundary have no beams.
+
+    Raises:
+        InputError: a length that is not positive and finite, or an unknown choice.
+    """
+
+    kind: str = "hub"
+    diameter: float = 100.0
+    bore: float = 0.0
+    depth: float = 30.0
+    height: float = 200.0
+    thickness: float = 12.0
+    offset: str = "centre"
+    clearance: float = 1.0
+    boundary_beams: bool = True
+
+    name: ClassVar[str] = "nodes"
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("node", "hub", "what joins the beams", str, "|".join(KINDS)),
+        Option("hub_diameter", 100.0, "across the faces of hubs, or of sockets"),
+        Option("bore", 0.0, "hole along the axis of hubs, 0 for none"),
+        Option("socket_depth", 30.0, "how far plates stand in sockets"),
+        Option("height", 200.0, "of the beams"),
+        Option("thickness", 12.0, "of the plates"),
+        Option("offset", "centre", "where the plates lie", str, "|".join(OFFSETS)),
+        Option("clearance", 1.0, "in slots and at hubs"),
+        Option("no_boundary_beams", False, "leave the edges of the boundary out", bool),
+    )
+
+    def __post_init__(self) -> None:
+        if self.kind not in KINDS:
+            raise InputError(f"node: expected one of {', '.join(KINDS)}, got '{self.kind}'")
+        for words, value in (
+            ("hub diameter", self.diameter),
+            ("socket depth", self.depth),
+            ("beam height", self.height),
+            ("beam thickness", self.thickness),
+        ):
+            check_size(words, value)
+        check_offset(self.offset)
+        if not 0 <= self.clearance < float("inf"):
+            raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
+        if not 0 <= self.bore < 0.8 * self.diameter:
+            raise InputError(
+                f"bore: expected 0 to {0.8 * self.diameter:g} mm in a hub of {self.diameter:g} mm, "
+                f"got {self.bore:g}"
+            )
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> Nodes:
+        """Make the settings from options."""
+        given = dict(values)
+        given["boundary_beams"] = not given.pop("no_boundary_beams")
+        names = {"kind": "node", "diameter": "hub_diameter", "depth": "socket_depth"}
+        return cls(**{own: given.pop(option) for own, option in names.items()}, **given)
+
+    def build(self, site: Site) -> SystemParts:
+        """Work out the joints at the vertices of the chosen edges.
+
+        Raises:
+            InputError: a hub too small for its beams.
+        """
+        frames = beam_frames(site.mesh, site.axes)
+        built = site.chosen_edges.copy()
+        if not self.boundary_beams:
+            built &= ~site.mesh.connectivity.boundary_edges
+        around = around_axes(site.mesh, site.axes, frames.along, built)
+        names = part_names("N", len(site.mesh.vertices))
+        made = [
+            self._part(site, names[vertex], vertex, arms, turn)
+            for vertex, arms, turn in _stars(frames, around)
+        ]
+        parts = tuple(part for part, _ in made)
+        equal = _equal([angles for _, angles in made], [part.length for part in parts])
+        groups: dict[str, list[str]] = {}
+        for part, first in zip(parts, equal, strict=True):
+            groups.setdefault(parts[first].name, []).append(part.name)
+        report = {
+            "kind": self.kind,
+            "diameter_mm": self.diameter,
+            "different": len(groups),
+            "equal": {name: some for name, some in groups.items() if len(some) > 1},
+            **sums(parts),
+        }
+        joints = tuple(part for part in parts if part.name in groups)
+        return SystemParts(parts, report, joints=joints)
+
+    def _part(
+        self, site: Site, name: str, vertex: int, arms: FloatArray, turn: FloatArray
+    ) -> tuple[Part, FloatArray]:
+        """One joint, and the angles between its beams."""
+        axis = site.axes.directions[vertex]
+        length = float(np.linalg.norm(site.axes.offsets[vertex]))
+        body = self._body(name, turn, arms @ axis, length)
+        part = Part(
+            name=name,
+            kind="node",
+            body=body,
+            origin=site.mesh.vertices[vertex] + site.shift,
+            frame=_frame(arms[0], axis),
+            pattern=None,
+            length=float(np.ptp(body.points[:, 2])),
+            width=self.diameter,
+            thickness=self.diameter,
+            area=0.0,
+            volume=body.volume,
+            mass=site.material.mass(body.volume),
+            vertices=(vertex,),
+            measures=Measures(lean_deg=float(site.axes.lean_deg[vertex])),
+        )
+        return part, gaps_after(turn)
+
+    def _body(self, name: str, turn: FloatArray, rises: FloatArray, length: float) -> Body:
+        """Body of one joint: directions of its beams, their rise, and length of its offset."""
+        radius = self.diameter / 2
+        low, high = (level * length for level in offset_levels(self.offset, self.height))
+        if self.kind == "hub":
+            narrow = float(face_widths(turn, radius).min())
+            if narrow < self.thickness:
+                raise InputError(
+                    f"hub: {name} has {narrow:.1f} mm for beams {self.thickness:g} mm thick; take "
+                    f"at least {self.diameter * self.thickness / narrow:.0f} mm hub diameter"
+                )
+            return hub(turn, radius, low, high, self.bore)
+        half = (self.thickness + self.clearance) / 2
+        least = 1.2 * least_radius(turn, half)
+        if radius < least:
+            raise InputError(
+                f"hub: the socket {name} leaves no pillars between plates {self.thickness:g} mm "
+                f"thick; take at least {2 * least:.0f} mm hub diameter"
+            )
+        # Undersides of plates that slope down from the axis stay above the disc.
+        slopes = rises / np.sqrt(1 - rises**2)
+        floor = low + min(0.0, float(slopes.min())) * radius - self.clearance / 2
+        levels = np.array([floor - self.depth / 3, floor, floor + self.depth])
+        return socket(turn, radius, half, levels)
+
+
+def _stars(frames: Frames, around: Around) -> Iterator[tuple[int, FloatArray, FloatArray]]:
+    """For each vertex its number, the (K, 3) directions of its beams and (K,) their angles.
+
+    Counter-clockwise from the half-edge with the smallest number.
+    """
+    half_edges = np.flatnonzero(around.left >= 0)
+    order = half_edges[np.argsort(around.vertex[half_edges], kind="stable")]
+    for group in np.split(order, np.flatnonzero(np.diff(around.vertex[order])) + 1):
+        ring = [int(group.min())]
+        while (ahead := int(around.left[ring[-1]])) != ring[0]:
+            ring.append(ahead)
+        count = len(frames.along)
+        outward = np.where(np.array(ring) < count, 1.0, -1.0)[:, None]
+        turn = np.concatenate([[0.0], np.cumsum(around.angle[ring[:-1]])])
+        yield int(around.vertex[ring[0]]), outward * frames.along[np.array(ring) % count], turn
+
+
+def _frame(arm: FloatArray, axis: FloatArray) -> FloatArray:
+    """(3, 3) x towards the first beam, z along the axis."""
+    first = unit_rows((arm - (arm @ axis) * axis)[None])[0]
+    return np.stack([first, np.cross(axis, first), axis])
+
+
+def _equal(angles: list[FloatArray], lengths: list[float]) -> list[int]:
+    """For each node the first one that is congruent to it, turned about its axis."""
+    kinds = {count: np.empty((len(angles), count + 1)) for count in {len(own) for own in angles}}
+    firsts: dict[int, list[int]] = {count: [] for count in kinds}
+    result = []
+    for number, (own, length) in enumerate(zip(angles, lengths, strict=True)):
+        count = len(own)
+        known, table = firsts[count], kinds[count][: len(firsts[count])]
+        turns = np.stack([np.roll(own, k) for k in range(count)])
+        apart = np.abs(table[:, None, :-1] - turns).max(axis=2).min(axis=1)
+        same = (apart <= _SAME_RADIANS) & (np.abs(table[:, -1] - length) <= _SAME_MM)
+        if same.any():
+            result.append(known[int(same.argmax())])
+            continue
+        kinds[count][len(known)] = [*own, length]
+        known.append(number)
+        result.append(number)
+    return result
