@@ -146,7 +146,8 @@ def export_fabrication(
         folder: made if it is not there.
         workers: processes that share the work; for large structures.
         workshop: what parts are cut from and with, as on the command line: ``sheet="3000x1500"``,
-            ``spacing``, ``grain``, ``nesting``, ``seed``, ``stock``, ``saw``, ``kerf``; mm.
+            ``spacing``, ``grain``, ``nesting``, ``seed``, ``stock``, ``saw``, ``kerf``; lengths in
+            mm or with their unit.
 
     Returns:
         The files written.
@@ -161,11 +162,16 @@ def export_fabrication(
 
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
     structure = build.structure(chosen)
+    sizes = {
+        name: convert.millimetres(workshop[name], name)
+        for name in ("spacing", "stock", "saw", "kerf")
+        if workshop.get(name) is not None
+    }
     with (
         missing_package_named(),
         progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
     ):
-        return api.write_fabrication(structure, folder, say, workers=workers, **workshop)
+        return api.write_fabrication(structure, folder, say, workers=workers, **(workshop | sizes))
 
 
 def _option_properties(system: str, sizes: dict[str, Any]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -27,7 +27,13 @@ _BOX_SIDES: Loops = ((4, 5, 6, 7), (3, 2, 1, 0)) + tuple(
 
 
 class Body(ABC):
-    """The closed body of a part, in the part's own coordinates, mm."""
+    """The closed body of a part, in the part's own coordinates, mm.
+
+    Attributes:
+        quick: its solid is built faster than it travels between processes.
+    """
+
+    quick: ClassVar[bool] = False
 
     @property
     @abstractmethod
@@ -63,6 +69,8 @@ class Polyhedron(Body):
 
     corners: FloatArray
     loops: Loops
+
+    quick: ClassVar[bool] = True
 
     @property
     def points(self) -> FloatArray:

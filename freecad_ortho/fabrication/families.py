@@ -158,16 +158,21 @@ def _node_groups(nodes: Sequence[Node]) -> list[list[int]]:
 def _groups(
     rows: FloatArray, reach: float, same: Callable[[int, int], bool] | None = None
 ) -> list[list[int]]:
-    """Put each row into the group of the first leader within reach that is the same."""
+    """Groups of rows: the first free row leads all free ones within reach that are the same."""
     if not len(rows):
         return []
     tree = cKDTree(rows)
-    groups: dict[int, list[int]] = {}
-    for number, near in enumerate(tree.query_ball_point(rows, reach, p=np.inf)):
-        leaders = (other for other in sorted(near) if other in groups)
-        home = next((k for k in leaders if same is None or same(k, number)), number)
-        groups.setdefault(home, []).append(number)
-    return list(groups.values())
+    free = np.ones(len(rows), dtype=bool)
+    groups = []
+    for leader in range(len(rows)):
+        if not free[leader]:
+            continue
+        near = np.array(tree.query_ball_point(rows[leader], reach, p=np.inf))
+        others = np.sort(near[free[near] & (near > leader)]).tolist()
+        group = [leader] + [k for k in others if same is None or same(leader, k)]
+        free[group] = False
+        groups.append(group)
+    return groups
 
 
 def _kinds(parts: Iterable[Part]) -> list[str]:

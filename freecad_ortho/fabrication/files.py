@@ -67,7 +67,7 @@ def write(
     _refuse_folders_in_the_way(target)
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
     with _no_new_folders_on_failure(target), staged_folder(target) as staging:
-        structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words))
+        structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
         say(0.4, "structure.step")
         write_step(staging / "structure.step", structure.parts)
         say(0.8, "flat.dxf")

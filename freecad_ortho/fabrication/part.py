@@ -108,6 +108,17 @@ class Part:
 
         return placed(self.body.solid(), self.origin, self.frame)
 
+    def take_solid(self, data: bytes) -> None:
+        """Take over the solid of the body as another process built it."""
+        from freecad_ortho.fabrication.solids import placed, solid_from_bytes
+
+        self.__dict__["_solid"] = placed(solid_from_bytes(data), self.origin, self.frame)
+
+    @property
+    def has_solid(self) -> bool:
+        """True where the solid is built already."""
+        return "_solid" in self.__dict__
+
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the solid, which cannot leave its process."""
         return {name: value for name, value in self.__dict__.items() if name != "_solid"}

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Loops
+from freecad_ortho.fabrication.bodies import Body, Loops
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -86,6 +86,29 @@ def compound(solids: Iterable[cadquery.Solid]) -> cadquery.Compound:
     import cadquery
 
     return cadquery.Compound.makeCompound(list(solids))
+
+
+def solid_bytes(bodies: Sequence[Body]) -> list[bytes]:
+    """Build the solids of bodies, each as bytes that keep every digit and travel."""
+    from OCP.BinTools import BinTools
+
+    result = []
+    for body in bodies:
+        stream = BytesIO()
+        BinTools.Write_s(body.solid().wrapped, stream)
+        result.append(stream.getvalue())
+    return result
+
+
+def solid_from_bytes(data: bytes) -> cadquery.Solid:
+    """Read what ``solid_bytes`` wrote."""
+    import cadquery
+    from OCP.BinTools import BinTools
+    from OCP.TopoDS import TopoDS_Shape
+
+    shape = TopoDS_Shape()
+    BinTools.Read_s(shape, BytesIO(data))
+    return cadquery.Solid(shape)
 
 
 def brep_text(shape: cadquery.Shape) -> str:

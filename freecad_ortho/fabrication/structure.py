@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -13,6 +14,7 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Selection, Site
 from freecad_ortho.fabrication.systems.panels.geometry import diagonal_distances
 from freecad_ortho.fabrication.systems.system import System, SystemParts
+from freecad_ortho.fabrication.workers import in_chunks
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.axes import Axes
@@ -64,14 +66,33 @@ class Structure:
 
         return compound(self.solids(progress))
 
-    def solids(self, progress: Progress | None = None) -> list[cadquery.Solid]:
-        """Return the solids in the order of ``parts``, mm; built once."""
+    def solids(
+        self, progress: Progress | None = None, executor: Executor | None = None
+    ) -> list[cadquery.Solid]:
+        """Return the solids in the order of ``parts``, mm; built once.
+
+        Args:
+            progress: called with a fraction and words; may raise to stop.
+            executor: builds them elsewhere; those whose bodies are slow to build.
+        """
+        say = progress or (lambda fraction, words: None)
+        if executor is not None:
+            self._build_elsewhere(say, executor)
         result = []
         for number, part in enumerate(self.parts):
-            if progress is not None and number % 64 == 0:
-                progress(number / len(self.parts), f"solid {number + 1} of {len(self.parts)}")
+            if number % 64 == 0:
+                say(number / len(self.parts), f"solid {number + 1} of {len(self.parts)}")
             result.append(part.solid())
         return result
+
+    def _build_elsewhere(self, say: Progress, executor: Executor) -> None:
+        from freecad_ortho.fabrication.solids import solid_bytes
+
+        missing = [part for part in self.parts if not (part.has_solid or part.body.quick)]
+        bodies = [part.body for part in missing]
+        made = in_chunks(solid_bytes, bodies, executor, lambda done: say(0.0, "solids"))
+        for part, data in zip(missing, made, strict=True):
+            part.take_solid(data)
 
     def report(self) -> dict[str, Any]:
         """Return counts, accuracy, masses, verdict and remarks, ready for JSON; lengths in mm."""

@@ -78,6 +78,12 @@ class Workshop:
             InputError: a value that cannot be used.
         """
         given = dict(values)
+        known = [option.name for option in cls.options]
+        for name in given:
+            if name not in known:
+                raise InputError(
+                    f"{name}: the workshop has no such size; it has {', '.join(known)}"
+                )
         if isinstance(given.get("sheet"), str):
             given["sheet"] = sheet_size(given["sheet"])
         return cls(**given)

@@ -11,13 +11,24 @@ import numpy as np
 import pytest
 from ezdxf.enums import TextEntityAlignment
 
-from freecad_ortho.fabrication import FILES, Beams, Measures, build, files, stage_seconds, write
+from freecad_ortho.fabrication import (
+    FILES,
+    Beams,
+    Measures,
+    Panels,
+    Workshop,
+    build,
+    files,
+    stage_seconds,
+    write,
+)
 from freecad_ortho.fabrication.dxf import LAYERS, row_layout
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.tables import COLUMNS
 from solver.errors import OrthoError, OutputError
+from solver.mesh.primitives import primitive
 
 REQUIRED = (
     "name kind family line length_mm width_mm thickness_mm area_mm2 mass_kg gap_mm twist_deg "
@@ -231,6 +242,29 @@ def test_failure_leaves_nothing(small, tmp_path, monkeypatch, failing):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize("failing", ["write_sheet", "overview"])
+def test_failing_sheets_leave_the_old_ones(small, tmp_path, monkeypatch, failing):
+    shop = Workshop(sheet=(3000, 1500))
+    write(small, tmp_path, workshop=shop)
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    assert any(path.parent.name == "sheets" for path in before)
+
+    def fail(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(files, failing, fail)
+    with pytest.raises(OutputError, match=r"No space left on device.*free some space"):
+        write(small, tmp_path, workshop=shop)
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
+
+
+def test_a_file_in_the_place_of_the_sheets_is_said(small, tmp_path):
+    (tmp_path / "sheets").write_text("mine")
+    with pytest.raises(OutputError, match="sheets: is a file"):
+        write(small, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["sheets"]
+
+
 def test_failure_keeps_what_was_there(small, tmp_path, monkeypatch):
     before = {name: f"old {name}" for name in (*FILES, "notes.txt")}
     for name, text in before.items():
@@ -285,4 +319,14 @@ def test_stages_are_timed(roof):
     assert seconds["total"] == pytest.approx(
         sum(value for name, value in seconds.items() if name != "total")
     )
+    assert seconds["total"] <= 3 * seconds["step"]
+
+
+@pytest.mark.slow
+def test_two_thousand_parts_take_little_more_than_the_step_writer():
+    mesh = primitive("translational", 27, 27)
+    mesh = mesh.scaled(1000 / mesh.mean_edge)
+    seconds = stage_seconds(mesh, [Beams(200, 12), Panels(12, 10)])
+    ours = seconds["build"] + seconds["solids"] + seconds["dxf"] + seconds["step"]
+    assert ours <= 3 * seconds["step"]
     assert seconds["total"] <= 3 * seconds["step"]

@@ -159,6 +159,7 @@ def test_files_of_the_sheets(roof, tmp_path):
         ({"spacing": -1.0}, "spacing: expected 0 mm or more"),
         ({"kerf": math.nan}, "kerf: expected 0 mm or more"),
         ({"grain": "across"}, "grain: expected none or along"),
+        ({"colour": "red"}, "colour: the workshop has no such size; it has sheet, spacing"),
         ({"nesting": "tight"}, "nesting: expected boxes or outlines"),
     ],
 )

@@ -302,6 +302,22 @@ class TestExport(DocumentCase):
         alone = api.export_fabrication(panels, tools.SCRATCH / "alone")
         self.assertLessEqual(names, {path.name for path in alone})
 
+    def test_sheets_stock_and_workers(self):
+        # Not optimised: its beams twist, so the clash check has cuts to share among workers.
+        beams = api.add_beams(self.net())
+        sizes = {"sheet": "3000x1500", "stock": "6 m", "kerf": "0.2 mm"}
+        alone = api.export_fabrication(beams, tools.SCRATCH / "one", **sizes)
+        shared = api.export_fabrication(beams, tools.SCRATCH / "two", workers=2, **sizes)
+        self.assertIn("sheet-001.dxf", [path.name for path in alone])
+        for one, other in zip(alone, shared, strict=True):
+            self.assertEqual(one.read_bytes(), other.read_bytes(), one.name)
+        report = json.loads((tools.SCRATCH / "two" / "report.json").read_text(encoding="utf-8"))
+        self.assertGreater(report["clash_check"]["pairs_cut"], 0)
+        self.assertEqual(report["kerf_mm"], 0.2)
+        with self.assertRaises(InputError):
+            api.export_fabrication(beams, tools.SCRATCH / "three", sheet="300x150")
+        self.assertFalse((tools.SCRATCH / "three").exists())
+
     def test_what_does_not_go_together(self):
         net, other = self.net(), self.net(name="other")
         beams, beams_too, elsewhere = (api.add_beams(each) for each in (net, net, other))
