@@ -125,22 +125,32 @@ def _border(face: Part.Face) -> tuple[FloatArray, ...]:
     """Closed polylines along the border, without seams, close to it."""
     fine = _DEFLECTION * face.BoundBox.DiagonalLength
     near = 10 * fine
-    chains: list[list[FloatArray]] = []
-    for wire in face.Wires:
-        chains.append([])
-        for edge in wire.OrderedEdges:
-            if edge.isSeam(face) or edge.Length < near:
-                continue
-            points = convert.array(edge.discretize(Deflection=fine))
-            end = chains[-1][-1][-1] if chains[-1] else None
-            if end is not None and np.linalg.norm(points[-1] - end) < near:
-                points = points[::-1]
-            elif end is None or np.linalg.norm(points[0] - end) > near:
-                points = points[::-1] if edge.Orientation == "Reversed" else points
-                chains.append([])
-            chains[-1].append(points)
-    closed = [np.concatenate([part[:-1] for part in chain]) for chain in chains if chain]
-    return tuple(line for line in closed if len(line) > 2)
+    # Seams cut loops open, so loops are put together by their ends and not as the wires have them.
+    pieces = [
+        convert.array(edge.discretize(Deflection=fine))
+        for edge in face.Edges
+        if not edge.isSeam(face) and edge.Length > near
+    ]
+    loops = []
+    while pieces:
+        loop = [pieces.pop(0)]
+        while np.linalg.norm(loop[-1][-1] - loop[0][0]) > near:
+            following = _next(pieces, loop[-1][-1], near)
+            if following is None:
+                break
+            loop.append(following)
+        loops.append(np.concatenate([piece[:-1] for piece in loop]))
+    return tuple(loop for loop in loops if len(loop) > 2)
+
+
+def _next(pieces: list[FloatArray], end: FloatArray, near: float) -> FloatArray | None:
+    """Take the piece that goes on from an end, turned round where it has to be."""
+    for k, piece in enumerate(pieces):
+        for path in (piece, piece[::-1]):
+            if np.linalg.norm(path[0] - end) < near:
+                del pieces[k]
+                return path
+    return None
 
 
 def surface_triangles(faces: Sequence[Face]) -> tuple[FloatArray, IntArray]:

@@ -55,7 +55,11 @@ def _turns(line: FloatArray) -> FloatArray:
 
 
 def set_back(
-    mesh: QuadMesh, surface: TriangleSurface, border: Border | None, free: BoolArray | None = None
+    mesh: QuadMesh,
+    surface: TriangleSurface,
+    border: Border | None,
+    free: BoolArray | None = None,
+    held: BoolArray | None = None,
 ) -> QuadMesh:
     """Even out a mesh within a surface; border vertices stay on the border, corners on corners.
 
@@ -64,12 +68,13 @@ def set_back(
         surface: where inner vertices go.
         border: where border vertices go; None for a closed surface.
         free: (V,) inner vertices that may move; by default all.
+        held: (V,) border vertices that stay where they are; by default none.
     """
     net = mesh.connectivity
     rim = net.boundary_vertices
     positions = mesh.vertices.copy()
-    fixed = np.zeros(len(positions), dtype=bool)
-    if border is not None and rim.any():
+    fixed = np.zeros(len(positions), dtype=bool) if held is None else held.copy()
+    if border is not None and (rim & ~fixed).any():
         numbers = np.flatnonzero(rim)
         for place in border.corners:
             apart = np.linalg.norm(positions[numbers] - place, axis=1) + 1e9 * fixed[numbers]
@@ -77,7 +82,7 @@ def set_back(
             positions[nearest], fixed[nearest] = place, True
     inner_mean = _means(net.edges, len(positions))
     rim_mean = _means(net.edges[net.boundary_edges], len(positions))
-    moving_rim, inside = rim & ~fixed, ~rim if free is None else ~rim & free
+    moving_rim, inside = rim & ~fixed, ~rim & ~fixed if free is None else ~rim & ~fixed & free
     for _ in range(_SMOOTHINGS):
         smooth = positions + 0.5 * (inner_mean @ positions - positions)
         slid = positions + 0.5 * (rim_mean @ positions - positions)
@@ -88,10 +93,12 @@ def set_back(
     return mesh.with_vertices(positions)
 
 
-def fitted(mesh: QuadMesh, surface: TriangleSurface, border: Border) -> tuple[QuadMesh, int]:
+def fitted(
+    mesh: QuadMesh, surface: TriangleSurface, border: Border, held: BoolArray
+) -> tuple[QuadMesh, int]:
     """A mesh with a stepped border set onto a smooth one; faces that have no room there go.
 
-    Only vertices near the border move.
+    Only vertices near the border move; those that are held, (V,), do not.
 
     Returns:
         The mesh, and the number of faces that were left out.
@@ -105,13 +112,25 @@ def fitted(mesh: QuadMesh, surface: TriangleSurface, border: Border) -> tuple[Qu
         near = net.boundary_vertices.copy()
         for _ in range(3):
             near[start.faces[near[start.faces].any(axis=1)].ravel()] = True
-        done = set_back(start, surface, border, near)
+        done = set_back(start, surface, border, near, held)
         bad = _useless(done, surface)
         if not bad.any():
             return done, dropped
         dropped += int(bad.sum())
+        held = held[np.unique(start.faces[~bad])]
         start = compact(start, start.faces[~bad])
     return done, dropped
+
+
+def straight_corners(mesh: QuadMesh) -> int:
+    """How many faces have a corner of 180 degrees or more, up to half a degree."""
+    points = mesh.vertices[mesh.faces]
+    ahead = np.roll(points, -1, axis=1) - points
+    cross = np.cross(np.roll(ahead, 1, axis=1), ahead)
+    turn = np.einsum("fij,fj->fi", cross, mesh.face_normals)
+    lengths = np.linalg.norm(ahead, axis=2)
+    sine = turn / (lengths * np.roll(lengths, 1, axis=1))
+    return int((sine < np.sin(np.radians(0.5))).any(axis=1).sum())
 
 
 def _useless(mesh: QuadMesh, surface: TriangleSurface) -> BoolArray:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.border import Border, fitted
+from solver.mesh.border import Border, fitted, straight_corners
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import BoolArray
@@ -40,6 +40,7 @@ class SurfacePatch:
         inside: (k,) u and (k,) v to (k,) flags where a border trims the rectangle, else None.
         border: closed polylines (n, 3) along all borders of a trimmed patch.
         name: what messages call it.
+        cut: whether the first u, last u, first v, last v are cuts through a larger patch.
         foot: (k, 3) points near the surface to the nearest ones on it, where that is known exactly.
     """
 
@@ -50,15 +51,14 @@ class SurfacePatch:
     border: tuple[FloatArray, ...] = ()
     name: str = "face"
     foot: Callable[[FloatArray], FloatArray] | None = None
+    cut: tuple[bool, bool, bool, bool] = (False, False, False, False)
 
     def part(self, u: tuple[float, float], v: tuple[float, float]) -> SurfacePatch:
         """The patch between fractions 0 to 1 of its parameters.
 
         Raises:
-            InputError: fractions that do not rise from 0 towards 1, or a border that trims.
+            InputError: fractions that do not rise from 0 towards 1.
         """
-        if self.inside is not None and (*u, *v) != (0, 1, 0, 1):
-            raise InputError(f"{self.name}: has a border of its own; sample it whole, 0 to 1")
         ends = []
         for name, (low, high), (first, last) in (("u", self.u, u), ("v", self.v, v)):
             if not 0 <= first < last <= 1:
@@ -66,7 +66,8 @@ class SurfacePatch:
                     f"{name} part: expected 0 <= first < last <= 1, got {first:g} and {last:g}"
                 )
             ends.append((low + first * (high - low), low + last * (high - low)))
-        return replace(self, u=ends[0], v=ends[1])
+        cut = (u[0] > 0, u[1] < 1, v[0] > 0, v[1] < 1)
+        return replace(self, u=ends[0], v=ends[1], cut=cut)
 
     def points(self, u: FloatArray, v: FloatArray) -> FloatArray:
         """(m, n, 3) points at (m, n) parameters."""
@@ -123,6 +124,7 @@ def sampled(
     made, remarks = [], []
     for outline, count in zip(outlines, numbers, strict=True):
         mesh, words = _one(outline, count, spacing, blend, outside)
+        _refuse_crossing(mesh, outline.patch.name)
         made.append(mesh)
         remarks += words
     mesh = made[0]
@@ -133,7 +135,6 @@ def sampled(
             remarks.append(f"{parts} separate parts: not all faces meet along whole sides")
         elif left:
             remarks.append(f"{left} vertices lie beside a seam and could not be joined")
-    _refuse_crossing(mesh)
     return SampledNet(mesh, tuple(remarks))
 
 
@@ -273,31 +274,37 @@ def _one(
         kept = patch.inside(middle_u.ravel(), middle_v.ravel())
     if not kept.any():
         raise InputError(f"{patch.name}: no quad lies inside its border; take a finer sampling")
+    held = np.zeros((m, n), dtype=bool)
+    for k, line in enumerate((held[0], held[-1], held[:, 0], held[:, -1])):
+        line[:] |= patch.cut[k]
+    held = held.ravel()[np.unique(mesh.faces[kept])]
     mesh = compact(mesh, mesh.faces[kept])
-    if outside == "drop":
-        return mesh, []
-    return _snapped(outline, mesh)
+    return (mesh, []) if outside == "drop" else _snapped(patch, mesh, held)
 
 
-def _snapped(outline: _Outline, mesh: QuadMesh) -> tuple[QuadMesh, list[str]]:
-    patch = outline.patch
+def _snapped(patch: SurfacePatch, mesh: QuadMesh, held: BoolArray) -> tuple[QuadMesh, list[str]]:
+    """The net with its border vertices on the border of the patch."""
     fine = patch.grid(np.linspace(*patch.u, _STAND_IN), np.linspace(*patch.v, _STAND_IN))
     quads = grid_faces(_STAND_IN, _STAND_IN)
     surface = TriangleSurface(
         fine.reshape(-1, 3), np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     )
-    mesh, dropped = fitted(mesh, surface, Border.of_polylines(patch.border))
+    mesh, dropped = fitted(mesh, surface, Border.of_polylines(patch.border), held)
     if patch.foot is not None:
         mesh = mesh.with_vertices(patch.foot(mesh.vertices))
-    words = [f"{patch.name}: {dropped} quads at the border had no room and were left out"]
-    return mesh, words if dropped else []
+    words = []
+    if dropped:
+        words.append(f"{patch.name}: {dropped} quads at the border had no room and were left out")
+    if straight := straight_corners(mesh):
+        words.append(f"{patch.name}: {straight} quads at the border have a straight corner")
+    return mesh, words
 
 
-def _refuse_crossing(mesh: QuadMesh) -> None:
+def _refuse_crossing(mesh: QuadMesh, name: str) -> None:
     pairs = crossing_faces(mesh)
     if len(pairs):
         one, two = pairs[0]
         raise InputError(
-            f"faces: the sampled net meets itself at {len(pairs)} places, first where quads {one} "
-            f"and {two} cross; split the face there or sample a part of it"
+            f"{name}: the sampled net meets itself at {len(pairs)} places, first where quads {one} "
+            f"and {two} cross; split the face there, sample a part of it or more finely"
         )

@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from solver import QuadMesh
 from solver.analysis import measures
 from solver.errors import InputError
+from solver.mesh.border import straight_corners
 from solver.mesh.grid import grid_of
 from solver.mesh.intersections import crossing_faces
 from solver.mesh.patch import SurfacePatch, sampled
@@ -157,16 +159,29 @@ def test_a_part_of_a_face():
     assert np.abs(mesh.vertices[:, 2]).max() == pytest.approx(np.sin(0.4 * np.pi))
     with pytest.raises(InputError, match="0 <= first < last <= 1"):
         WHOLE.part((0.5, 0.2), (0, 1))
-    with pytest.raises(InputError, match="sample it whole"):
-        DISC.part((0, 0.5), (0, 1))
+
+
+def test_a_part_of_a_trimmed_face_is_cut_straight():
+    part = DISC.part((0, 0.5), (0, 1))
+    mesh = sampled([part], edge=0.2).mesh
+    rim = mesh.vertices[mesh.connectivity.boundary_vertices]
+    on_cut = rim[:, 0] == 2.0
+    assert on_cut.sum() > 5
+    radii = np.hypot(rim[~on_cut, 0] - 2, rim[~on_cut, 1] - 1.5)
+    np.testing.assert_allclose(radii, RADIUS, atol=1e-4)
+    assert mesh.vertices[:, 0].max() == 2.0
+
+
+def test_straight_corners_are_counted():
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]])
+    assert straight_corners(QuadMesh.from_arrays(corners, np.array([[0, 1, 2, 3]]))) == 1
+    assert straight_corners(rectangle(3, 3)) == 0
 
 
 def test_crossing_faces():
     flat = rectangle(4, 4, length=3.0, width=3.0)
     assert len(crossing_faces(flat)) == 0
     upright = flat.vertices[:, [0, 2, 1]] + [0.3, 0.2, 0.0]
-    from solver import QuadMesh
-
     both = QuadMesh.from_arrays(
         np.concatenate([flat.vertices, upright]), np.concatenate([flat.faces, flat.faces + 16])
     )
