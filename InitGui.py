@@ -13,7 +13,8 @@ class OrthoWorkbench(FreeCADGui.Workbench):
 
         FreeCADGui.addLanguagePath(resources.TRANSLATIONS)
         FreeCADGui.updateLocale()
-        FreeCADGui.addIcon("preferences-ortho", resources.icon("workbench"))
+        # FreeCAD looks there for the picture of the page, preferences-ortho.
+        FreeCADGui.addIconPath(resources.ICONS)
         FreeCADGui.addPreferencePage(resources.form("preferences"), "Ortho")
         self.__class__.Icon = resources.icon("workbench")
         self.__class__.MenuText = Qt.translate("Workbench", "Ortho")

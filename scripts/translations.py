@@ -3,10 +3,10 @@
 usage: python scripts/translations.py            collect the strings into the .ts files, compile
        python scripts/translations.py --check    only say what is missing; exit code 1 if anything
 
-A string is found where it is written: translate(CONTEXT, TEXT), QT_TRANSLATE_NOOP(CONTEXT, TEXT)
-and the texts of .ui files. A new one appears in the .ts files as unfinished; translate it there
-(or with Qt Linguist) and run this again. Compiling needs Qt's lrelease, in Debian
-qttools5-dev-tools.
+A string is found where it is written: translate(CONTEXT, TEXT), QT_TRANSLATE_NOOP(CONTEXT, TEXT),
+the texts of .ui files, and the catalogues that catalogue_words.py reads. A new one appears in the
+.ts files as unfinished; translate it there (or with Qt Linguist) and run this again. Compiling
+needs Qt's lrelease, in Debian qttools5-dev-tools.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 from pathlib import Path
+
+import catalogue_words
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "freecad_ortho" / "resources" / "translations"
@@ -45,6 +47,8 @@ def collect() -> dict[Key, str]:
         strings = _of_form if path.suffix == ".ui" else _of_code
         for key in strings(path):
             found.setdefault(key, path.relative_to(ROOT).as_posix())
+    for key in catalogue_words.words():
+        found.setdefault(key, "scripts/catalogue_words.py")
     return found
 
 

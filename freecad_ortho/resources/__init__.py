@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 _FOLDER = Path(__file__).resolve().parent
+ICONS = str(_FOLDER / "icons")
 TRANSLATIONS = str(_FOLDER / "translations")
 
 

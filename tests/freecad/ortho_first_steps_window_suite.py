@@ -2,7 +2,9 @@
 
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 import zipfile
+from pathlib import Path
 from unittest import mock
 
 import FreeCAD
@@ -34,6 +36,20 @@ class FirstStepsCase(unittest.TestCase):
         tools.close_all()
         wait()
 
+    def recorded(self, command, and_press=None):
+        lines, run = [], FreeCADGui.doCommand
+
+        def record(line):
+            lines.append(line)
+            run(line)
+
+        with mock.patch.object(FreeCADGui, "doCommand", record):
+            FreeCADGui.runCommand(command)
+            wait()
+            if and_press:
+                press(and_press)
+        return lines
+
 
 class TestExamples(FirstStepsCase):
     def test_each_opens_from_the_menu_and_is_recorded(self):
@@ -46,18 +62,6 @@ class TestExamples(FirstStepsCase):
                 )
                 self.check(FreeCAD.ActiveDocument)
                 tools.close_all()
-
-    def recorded(self, command):
-        lines, run = [], FreeCADGui.doCommand
-
-        def record(line):
-            lines.append(line)
-            run(line)
-
-        with mock.patch.object(FreeCADGui, "doCommand", record):
-            FreeCADGui.runCommand(command)
-        wait()
-        return lines
 
     def check(self, document):
         nets = [item for item in document.Objects if is_net(item)]
@@ -103,7 +107,7 @@ class TestPreferences(FirstStepsCase):
         self.addCleanup(self.forget)
 
     def forget(self):
-        for name in (*preferences.LENGTHS, "ImportUnit", "SparseSolver"):
+        for name in (*preferences.LENGTHS, "ImportUnit", "SparseSolver", "Workers"):
             preferences.group().RemFloat(name)
             preferences.group().RemInt(name)
         for name in preferences.COLOURS:
@@ -141,6 +145,7 @@ class TestPreferences(FirstStepsCase):
         self.assertEqual(preferences.solver_settings(), {"backend": "scipy"})
         for shown, wanted in zip(preferences.colour("NetColour"), (1.0, 0.2, 0.0), strict=True):
             self.assertAlmostEqual(shown, wanted, places=6)
+        self.assertEqual(preferences.workers(), 7)
         self.assertFalse(preferences.asks_for_packages())
 
     def fill_page(self):
@@ -154,6 +159,7 @@ class TestPreferences(FirstStepsCase):
             dialog.findChild(QtGui.QComboBox, "SparseSolver").setCurrentIndex(2)
             red = QtGui.QColor(255, 51, 0)
             dialog.findChild(QtGui.QWidget, "NetColour").setProperty("color", red)
+            dialog.findChild(QtGui.QSpinBox, "Workers").setValue(7)
             dialog.findChild(QtGui.QCheckBox, "AskForPackages").setChecked(False)
             self.filled = True
         finally:
@@ -180,6 +186,12 @@ class TestPreferences(FirstStepsCase):
         beams, panels = document.Beams, document.Panels
         sizes = [beams.Height, beams.Thickness, panels.Thickness, panels.Gap]
         self.assertEqual([size.Value for size in sizes], [31.0, 32.0, 33.0, 34.0])
+        group.SetInt("Workers", 2)
+        folder = tools.SCRATCH / "two-workers"
+        with mock.patch.object(dialogs, "ask_folder", lambda: str(folder)):
+            (line,) = self.recorded("Ortho_ExportFabrication", and_press="Ok")
+        self.assertIn("workers=2", line)
+        self.assertTrue((folder / "structure.step").is_file())
         for view, name in (
             (document.Net.ViewObject, "FaceColor"),
             (beams.ViewObject, "ShapeColor"),
@@ -187,6 +199,30 @@ class TestPreferences(FirstStepsCase):
         ):
             for shown, wanted in zip(getattr(view, name), (0.2, 0.4, 0.6), strict=False):
                 self.assertAlmostEqual(shown, wanted, places=5)
+
+
+class TestLanguages(FirstStepsCase):
+    def test_what_is_compiled_is_what_is_written(self):
+        for language in ("de", "fr"):
+            translator = QtCore.QTranslator()
+            self.assertTrue(translator.load(f"Ortho_{language}", resources.TRANSLATIONS))
+            words = ElementTree.parse(Path(resources.TRANSLATIONS) / f"Ortho_{language}.ts")
+            stale = [
+                message.findtext("source")
+                for context in words.getroot().iter("context")
+                for message in context.iter("message")
+                if message.find("translation").get("type") is None
+                and translator.translate(context.findtext("name"), message.findtext("source"))
+                != message.findtext("translation")
+            ]
+            self.assertEqual(stale, [], "run scripts/translations.py")
+
+    def test_freecad_switches_to_them(self):
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        for language, words in (("German", "Träger"), ("French", "Poutres")):
+            FreeCADGui.setLocale(language)
+            wait()
+            self.assertEqual(FreeCAD.Qt.translate("Ortho_Beams", "Beams"), words)
 
 
 def wheel(folder, name):

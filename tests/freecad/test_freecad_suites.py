@@ -38,9 +38,12 @@ needs_window = pytest.mark.skipif(
 
 
 # FreeCAD 1.1 greets a new user with a page that waits for an answer, unless it has been seen.
+# Documents are saved for recovery every minute, as ortho_recovery_window_suite expects.
 PREFERENCES = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
-<FCParamGroup Name="Preferences"><FCParamGroup Name="Mod"><FCParamGroup Name="Start">
+<FCParamGroup Name="Preferences">
+<FCParamGroup Name="Document"><FCInt Name="AutoSaveTimeout" Value="1"/></FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start">
 <FCBool Name="FirstStart2024" Value="0"/>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """

@@ -1,0 +1,3181 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+ <context>
+  <name>App::Property</name>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A point of the plane</source>
+   <translation>Ein Punkt der Ebene</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, force / mm2</source>
+   <translation>Längs der Normalen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angles about x, then y, then z</source>
+   <translation>Winkel um x, dann y, dann z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Axes to extend the net along by mirror images, as x,y</source>
+   <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Beams that the parts lie on or join; empty: the net</source>
+   <translation>Träger, auf denen die Teile liegen oder die sie verbinden; leer: das Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Blue at and below this value (mm, 1/m, 1/m2, degrees) if not automatic</source>
+   <translation>Blau bei und unter diesem Wert (mm, 1/m, 1/m2, Grad), wenn nicht automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cables of given force density, or constant stress</source>
+   <translation>Seile gegebener Kraftdichte, oder konstante Spannung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the inversion</source>
+   <translation>Zentrum der Inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the sphere</source>
+   <translation>Mittelpunkt der Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clearance: in slots and at hubs</source>
+   <translation>Spiel: in Schlitzen und an Naben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Colour of the edges</source>
+   <translation>Farbe der Kanten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Colour of the faces where no colour map is shown</source>
+   <translation>Farbe der Maschen, wo keine Farbkarte gezeigt wird</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Counts, accuracy and masses, as JSON</source>
+   <translation>Anzahlen, Genauigkeit und Massen, als JSON</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cross rise</source>
+   <translation>Querstich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curve of the two other coordinates</source>
+   <translation>Kurve der beiden anderen Koordinaten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Density in kg/m3; 0: that of the material</source>
+   <translation>Dichte in kg/m3; 0: die des Materials</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Elliptic coordinate in the role of t</source>
+   <translation>Elliptische Koordinate in der Rolle von t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends: how beams meet</source>
+   <translation>Enden: wie Träger sich treffen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even lengths or equal steps of the parameters</source>
+   <translation>Gleiche Längen oder gleiche Schritte der Parameter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Exchange u and v</source>
+   <translation>u und v vertauschen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Faces that the net is sampled from and stays linked to</source>
+   <translation>Flächen, aus denen das Netz abgetastet ist und mit denen es verknüpft bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Factor</source>
+   <translation>Faktor</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>File that the net came from</source>
+   <translation>Datei, aus der das Netz kam</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First</source>
+   <translation>Erster</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last angle around the axis</source>
+   <translation>Erster und letzter Winkel um die Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last latitude</source>
+   <translation>Erste und letzte Breite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t (0 and 0: clear of both ends)</source>
+   <translation>Erstes und letztes t (0 und 0: frei von beiden Enden)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t of the confocal family</source>
+   <translation>Erstes und letztes t der konfokalen Schar</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fixed point</source>
+   <translation>Fester Punkt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flange thickness: of the flanges where it differs</source>
+   <translation>Flanschdicke: der Flansche, wo sie abweicht</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Follow each change of the net; else only when asked to update</source>
+   <translation>Jeder Änderung des Netzes folgen; sonst nur auf Verlangen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of the cables, force / length</source>
+   <translation>Kraftdichte der Seile, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force in its border cable</source>
+   <translation>Kraft im Randseil</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the first of them</source>
+   <translation>Formel in s für die erste davon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the second</source>
+   <translation>Formel in s für die zweite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap: joint between panels</source>
+   <translation>Fuge: Fuge zwischen Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Height</source>
+   <translation>Höhe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Height: of the beams</source>
+   <translation>Höhe: der Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the net reaches over the surface</source>
+   <translation>Wie weit das Netz über die Fläche reicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times</source>
+   <translation>Wie oft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub diameter: across the faces of hubs</source>
+   <translation>Nabendurchmesser: über die Flächen der Naben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Its radius</source>
+   <translation>Ihr Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the last point with the first</source>
+   <translation>Den letzten Punkt mit dem ersten verbinden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Keep the last line where the step misses it</source>
+   <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Lengths, curvatures, angles: range from the values</source>
+   <translation>Längen, Krümmungen, Winkel: Bereich aus den Werten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Less moves the centre away</source>
+   <translation>Weniger rückt das Zentrum weg</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load at each vertex, force</source>
+   <translation>Last an jeder Ecke, Kraft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the edges, force / mm</source>
+   <translation>Last der Kanten, Kraft / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the faces, force / mm2</source>
+   <translation>Last der Maschen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Make the net anew when its source changes; off once its vertices were moved</source>
+   <translation>Das Netz neu machen, wenn seine Quelle sich ändert; aus, sobald seine Ecken bewegt wurden</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Mark inner vertices with more or fewer than four edges</source>
+   <translation>Innere Ecken mit mehr oder weniger als vier Kanten markieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Mark the supported vertices, those of the boundary</source>
+   <translation>Die gelagerten Ecken markieren, die des Randes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Material of all parts</source>
+   <translation>Material aller Teile</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Merge vertices nearer than this</source>
+   <translation>Ecken näher als dies verschmelzen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Midpoints, or smoothed</source>
+   <translation>Mittelpunkte, oder geglättet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Names of the parts, in the order of the solids</source>
+   <translation>Namen der Teile, in der Reihenfolge der Körper</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Narrowest</source>
+   <translation>Engste</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Net that the structure is built on</source>
+   <translation>Netz, auf dem das Tragwerk steht</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Nets that this one is made of</source>
+   <translation>Netze, aus denen dieses gemacht ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>No boundary beams: leave the edges of the boundary out</source>
+   <translation>Keine Randträger: die Kanten des Randes auslassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Normal of the plane</source>
+   <translation>Normale der Ebene</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Numbers of these parameter lines; empty: all</source>
+   <translation>Nummern dieser Parameterlinien; leer: alle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Offset: where the plates lie</source>
+   <translation>Lage: wo die Bleche liegen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/structure_view.py" />
+   <source>One colour for all parts, or green and red by their verdicts</source>
+   <translation>Eine Farbe für alle Teile, oder Grün und Rot nach ihrem Befund</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel thickness: of the panels where it differs</source>
+   <translation>Plattendicke: der Platten, wo sie abweicht</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Parameter lines that are built on: u, v or both</source>
+   <translation>Parameterlinien, auf denen gebaut wird: u, v oder beide</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of u that is sampled, 0 to 1</source>
+   <translation>Teil des Bereichs von u, der abgetastet wird, 0 bis 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of v that is sampled, 0 to 1</source>
+   <translation>Teil des Bereichs von v, der abgetastet wird, 0 bis 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range that is left free at the ends</source>
+   <translation>Teil des Bereichs, der an den Enden frei bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Periods</source>
+   <translation>Perioden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pitch</source>
+   <translation>Ganghöhe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points (radius, height) that are turned about z</source>
+   <translation>Punkte (Radius, Höhe), die um z gedreht werden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of the polyline, in the frame of the quadric</source>
+   <translation>Punkte des Linienzugs, im System der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points whose tangents make the sheet; empty for a helix</source>
+   <translation>Punkte, deren Tangenten das Blech bilden; leer für eine Helix</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Positions of the vertices, in mm</source>
+   <translation>Lage der Ecken, in mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quadric that carries the polyline</source>
+   <translation>Quadrik, die den Linienzug trägt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quads that the border cuts: set onto it, or left out</source>
+   <translation>Vierecke, die der Rand schneidet: auf ihn gesetzt, oder weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Quantity that colours the net, explained by the scale in the view</source>
+   <translation>Größe, die das Netz färbt, erklärt durch die Skala in der Ansicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius</source>
+   <translation>Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Red at and above this value (mm, 1/m, 1/m2, degrees) if not automatic</source>
+   <translation>Rot bei und über diesem Wert (mm, 1/m, 1/m2, Grad), wenn nicht automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Report of the last optimisation, as JSON</source>
+   <translation>Bericht der letzten Optimierung, als JSON</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Residuals: blue at and below 10 to this power</source>
+   <translation>Residuen: blau bei und unter 10 hoch diesem</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Residuals: red at and above 10 to this power</source>
+   <translation>Residuen: rot bei und über 10 hoch diesem</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings of faces at the border</source>
+   <translation>Ringe von Maschen am Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rise</source>
+   <translation>Stich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rows at the starts and ends of u and v</source>
+   <translation>Reihen an Anfang und Ende von u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second</source>
+   <translation>Zweiter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section width: of hollow sections and flanges</source>
+   <translation>Breite des Querschnitts: von Hohlprofilen und Flanschen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section: cross section</source>
+   <translation>Querschnitt: Querschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi axes</source>
+   <translation>Halbachsen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of lambda = 0, falling</source>
+   <translation>Halbachsen von lambda = 0, fallend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of the quadric</source>
+   <translation>Halbachsen der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show both diagonals of each face</source>
+   <translation>Beide Diagonalen jeder Masche zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show reflection lines instead of colours</source>
+   <translation>Reflexionslinien statt Farben zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show spheres through some of the vertex stars</source>
+   <translation>Kugeln durch einige der Eckensterne zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the colour scale in the 3D view</source>
+   <translation>Die Farbskala in der 3D-Ansicht zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the forces in the edges under equal loads, red for tension</source>
+   <translation>Die Kräfte in den Kanten unter gleichen Lasten zeigen, rot für Zug</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the lines between the midpoints of opposite edges</source>
+   <translation>Die Linien zwischen den Mittelpunkten gegenüberliegender Kanten zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the load of each free vertex</source>
+   <translation>Die Last jeder freien Ecke zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the normals of the faces on a sphere beside the net</source>
+   <translation>Die Normalen der Maschen auf einer Kugel neben dem Netz zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the parameter lines u and v in two colours</source>
+   <translation>Die Parameterlinien u und v in zwei Farben zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the rulings of strips along the parameter lines</source>
+   <translation>Die Erzeugenden von Streifen längs der Parameterlinien zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the torsion-free axes at the vertices</source>
+   <translation>Die torsionsfreien Achsen an den Ecken zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Squares of the semi-axes of the first ellipse</source>
+   <translation>Quadrate der Halbachsen der ersten Ellipse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Steps along u and v</source>
+   <translation>Schritte längs u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress of the membrane, force / length</source>
+   <translation>Spannung der Membran, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
+   <translation>Zuerst anzuhebende Lager, ECKE:HÖHE in mm, etwa 0:1500</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>That of the border's cables; 0: the same</source>
+   <translation>Die der Randseile; 0: dieselbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first holds the first vertex</source>
+   <translation>Das erste enthält die erste Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror image alone</source>
+   <translation>Nur das Spiegelbild</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>The shape waits to be built anew</source>
+   <translation>Die Form wartet darauf, neu gebaut zu werden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Thickness: of the plates</source>
+   <translation>Dicke: der Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Top radius</source>
+   <translation>Oberer Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Translation</source>
+   <translation>Verschiebung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turn the other side up</source>
+   <translation>Die andere Seite nach oben wenden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turning angle of the spine</source>
+   <translation>Drehwinkel der Leitkurve</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Unit of the file that the net came from</source>
+   <translation>Einheit der Datei, aus der das Netz kam</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Version of this object's properties</source>
+   <translation>Version der Eigenschaften dieses Objekts</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Vertex numbers of the quads, four a face</source>
+   <translation>Eckennummern der Vierecke, vier je Masche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertices along u and v</source>
+   <translation>Ecken längs u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Waist</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length; 0: by the sampling</source>
+   <translation>Gewünschte Kantenlänge; 0: nach der Abtastung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>What each part exceeds, 'ok' if nothing</source>
+   <translation>Was jedes Teil überschreitet, 'ok' wenn nichts</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>What is to be known about the net as it was made</source>
+   <translation>Was über das Netz, wie es gemacht wurde, zu wissen ist</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>What the net is built with</source>
+   <translation>Womit das Netz gebaut wird</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>What the net is made by</source>
+   <translation>Wodurch das Netz gemacht ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where the net stands and how it is turned</source>
+   <translation>Wo das Netz steht und wie es gedreht ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Which lines of the surface the net follows</source>
+   <translation>Welchen Linien der Fläche das Netz folgt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Widest</source>
+   <translation>Weiteste</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Width</source>
+   <translation>Breite</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Width of the edges in pixels</source>
+   <translation>Breite der Kanten in Pixeln</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Zigzag border, or closed by narrow quads</source>
+   <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boundary, corners or vertex numbers as 0,5,12</source>
+   <translation>boundary, corners oder Eckennummern wie 0,5,12</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho</name>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A membrane or cable net in equilibrium with its supports and loads</source>
+   <translation>Eine Membran oder ein Seilnetz im Gleichgewicht mit Lagern und Lasten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A point of the plane</source>
+   <translation>Ein Punkt der Ebene</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Add points</source>
+   <translation>Punkte hinzufügen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Along</source>
+   <translation>Entlang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, force / mm2</source>
+   <translation>Längs der Normalen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angles</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angles about x, then y, then z</source>
+   <translation>Winkel um x, dann y, dann z</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Another number gives another layout of quads</source>
+   <translation>Eine andere Zahl ergibt eine andere Anordnung der Vierecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Area load</source>
+   <translation>Flächenlast</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Asymptotic</source>
+   <translation>Asymptotisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>At</source>
+   <translation>Bei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Axes to extend the net along by mirror images, as x,y</source>
+   <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>Bake</source>
+   <translation>Festschreiben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Begin a new polyline: click its points on the quadric</source>
+   <translation>Einen neuen Linienzug beginnen: seine Punkte auf der Quadrik anklicken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bending radius</source>
+   <translation>Biegeradius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bent so that circles stay circles; place and size stay</source>
+   <translation>So gebogen, dass Kreise Kreise bleiben; Ort und Größe bleiben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border</source>
+   <translation>Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border density</source>
+   <translation>Randdichte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border force</source>
+   <translation>Randkraft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>CAD faces sampled along their own parameter lines</source>
+   <translation>CAD-Flächen, längs ihrer eigenen Parameterlinien abgetastet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cables of given force density, or constant stress</source>
+   <translation>Seile gegebener Kraftdichte, oder konstante Spannung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Catenoid around z, from -height / 2 to height / 2.</source>
+   <translation>Katenoid um z, von -Höhe / 2 bis Höhe / 2.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre</source>
+   <translation>Mitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the inversion</source>
+   <translation>Zentrum der Inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the sphere</source>
+   <translation>Mittelpunkt der Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/sources.py" />
+   <source>Change source</source>
+   <translation>Quelle ändern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev</source>
+   <translation>Tschebyschow</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Check</source>
+   <translation>Prüfen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular</source>
+   <translation>Zirkular</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular arch moved along another one; negative rises hang.</source>
+   <translation>Kreisbogen, längs eines anderen verschoben; negative Stiche hängen.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular cone around z, cut off at the top, rulings along v; isosceles trapezoids.</source>
+   <translation>Kreiskegel um z, oben abgeschnitten, Erzeugende längs v; gleichschenklige Trapeze.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular cylinder around z, rulings along v; faces are rectangles.</source>
+   <translation>Kreiszylinder um z, Erzeugende längs v; die Maschen sind Rechtecke.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clear</source>
+   <translation>Leeren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clearance</source>
+   <translation>Spiel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Click points on the quadric; right click or Esc ends.</source>
+   <translation>Punkte auf der Quadrik anklicken; Rechtsklick oder Esc beendet.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Clicks add points at the end; Backspace takes the last one away</source>
+   <translation>Klicks fügen am Ende Punkte an; die Rücktaste nimmt den letzten weg</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Close</source>
+   <translation>Schließen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Closed</source>
+   <translation>Geschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Closeness</source>
+   <translation>Nähe</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Colour map</source>
+   <translation>Farbkarte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Confocal ellipses x^2/(a + t) + y^2/(b + t) = 1 and their hyperbolas, flat; a multi-net.</source>
+   <translation>Konfokale Ellipsen x^2/(a + t) + y^2/(b + t) = 1 und ihre Hyperbeln, eben; ein Multinetz.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Conical</source>
+   <translation>Konisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cross rise</source>
+   <translation>Querstich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curvature lines of an ellipsoid around its longest axis, closed in u.</source>
+   <translation>Krümmungslinien eines Ellipsoids um seine längste Achse, in u geschlossen.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curvature lines of z = x^2 / (2 first) + y^2 / (2 second) over the quarter x, y &gt; 0.</source>
+   <translation>Krümmungslinien von z = x^2 / (2 erster) + y^2 / (2 zweiter) über dem Viertel x, y &gt; 0.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curve</source>
+   <translation>Kurve</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curve of the two other coordinates</source>
+   <translation>Kurve der beiden anderen Koordinaten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Density</source>
+   <translation>Dichte</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Diagonals</source>
+   <translation>Diagonalen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/display.py" />
+   <source>Display</source>
+   <translation>Anzeige</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Distance</source>
+   <translation>Abstand</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Double click: show it in colours</source>
+   <translation>Doppelklick: in Farben zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Draw</source>
+   <translation>Zeichnen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge</source>
+   <translation>Kante</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Edge length</source>
+   <translation>Kantenlänge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge load</source>
+   <translation>Kantenlast</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/source_net_view.py" />
+   <source>Edit source</source>
+   <translation>Quelle bearbeiten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Elliptic coordinate in the role of t</source>
+   <translation>Elliptische Koordinate in der Rolle von t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends</source>
+   <translation>Enden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Enneper's surface over the square |u|, |v| &lt;= reach (turned by 45 degrees for asymptotic).</source>
+   <translation>Enneper-Fläche über dem Quadrat |u|, |v| &lt;= Reichweite (für asymptotisch um 45 Grad gedreht).</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even lengths or equal steps of the parameters</source>
+   <translation>Gleiche Längen oder gleiche Schritte der Parameter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every</source>
+   <translation>Jede</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every k-th parameter line</source>
+   <translation>Jede k-te Parameterlinie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Exchange u and v</source>
+   <translation>u und v vertauschen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <source>Fabrication files written to {}</source>
+   <translation>Fertigungsdateien geschrieben nach {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Factor</source>
+   <translation>Faktor</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Fairness</source>
+   <translation>Glattheit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First</source>
+   <translation>Erster</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last angle around the axis</source>
+   <translation>Erster und letzter Winkel um die Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last latitude</source>
+   <translation>Erste und letzte Breite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t (0 and 0: clear of both ends)</source>
+   <translation>Erstes und letztes t (0 und 0: frei von beiden Enden)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t of the confocal family</source>
+   <translation>Erstes und letztes t der konfokalen Schar</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First formula</source>
+   <translation>Erste Formel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fixed point</source>
+   <translation>Fester Punkt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flange thickness</source>
+   <translation>Flanschdicke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat net in the plane z = 0, centred at the origin; rectangles, normals along +z.</source>
+   <translation>Ebenes Netz in z = 0, mittig im Ursprung; Rechtecke, Normalen längs +z.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Folder for the fabrication files</source>
+   <translation>Ordner für die Fertigungsdateien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force</source>
+   <translation>Kraft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of the cables, force / length</source>
+   <translation>Kraftdichte der Seile, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force in its border cable</source>
+   <translation>Kraft im Randseil</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Forces under equal loads</source>
+   <translation>Kräfte unter gleichen Lasten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the first of them</source>
+   <translation>Formel in s für die erste davon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the second</source>
+   <translation>Formel in s für die zweite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Four faces for each, parameter lines kept</source>
+   <translation>Vier Maschen aus jeder, Parameterlinien bleiben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>FreeCAD's Python was not found, or it has no pip. Install pip for Python {} with your system's package manager, then try again.</source>
+   <translation>Das Python von FreeCAD wurde nicht gefunden oder hat kein pip. Installieren Sie pip für Python {} mit der Paketverwaltung Ihres Systems und versuchen Sie es dann noch einmal.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>From</source>
+   <translation>Von</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap</source>
+   <translation>Fuge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap to reference</source>
+   <translation>Abstand zur Vorlage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gauss curvature</source>
+   <translation>Gaußsche Krümmung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Gauss image</source>
+   <translation>Gaußsches Bild</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Geodesic</source>
+   <translation>Geodätisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Height</source>
+   <translation>Höhe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Helicoid around z, radii from -radius to radius.</source>
+   <translation>Helikoid um z, Radien von -Radius bis Radius.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the net reaches over the surface</source>
+   <translation>Wie weit das Netz über die Fläche reicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times</source>
+   <translation>Wie oft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub diameter</source>
+   <translation>Nabendurchmesser</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>I</source>
+   <translation>I</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Image only</source>
+   <translation>Nur Bild</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Import quad mesh</source>
+   <translation>Vierecksnetz importieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Install</source>
+   <translation>Installieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Installed, but Python does not find it in {}.</source>
+   <translation>Installiert, aber Python findet es nicht in {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Installed. Start FreeCAD again to use everything.</source>
+   <translation>Installiert. Starten Sie FreeCAD neu, um alles zu nutzen.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Installing {}. This takes some minutes.</source>
+   <translation>{} wird installiert. Das dauert einige Minuten.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Inverted in a sphere</source>
+   <translation>An einer Kugel invertiert</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Irregular vertices</source>
+   <translation>Irreguläre Ecken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Its radius</source>
+   <translation>Ihr Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the last point with the first</source>
+   <translation>Den letzten Punkt mit dem ersten verbinden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Keep border</source>
+   <translation>Rand behalten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Keep in place</source>
+   <translation>Festhalten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Keep the last line where the step misses it</source>
+   <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kind</source>
+   <translation>Art</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Latitudes</source>
+   <translation>Breiten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Layout</source>
+   <translation>Anordnung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Lengths in mm, curvatures in 1/m, angles in degrees</source>
+   <translation>Längen in mm, Krümmungen in 1/m, Winkel in Grad</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Less moves the centre away</source>
+   <translation>Weniger rückt das Zentrum weg</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Levels</source>
+   <translation>Stufen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Lie on</source>
+   <translation>Liegen auf</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lift</source>
+   <translation>Anheben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Lines</source>
+   <translation>Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load at each vertex, force</source>
+   <translation>Last an jeder Ecke, Kraft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the edges, force / mm</source>
+   <translation>Last der Kanten, Kraft / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the faces, force / mm2</source>
+   <translation>Last der Maschen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Loads</source>
+   <translation>Lasten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Material</source>
+   <translation>Material</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Mean curvature</source>
+   <translation>Mittlere Krümmung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Measure</source>
+   <translation>Messen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Medial lines</source>
+   <translation>Mittellinien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Merge vertices nearer than this</source>
+   <translation>Ecken näher als dies verschmelzen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Mesh</source>
+   <translation>Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Midpoints of the edges: a parallelogram in each face</source>
+   <translation>Mittelpunkte der Kanten: ein Parallelogramm in jeder Masche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Midpoints, or smoothed</source>
+   <translation>Mittelpunkte, oder geglättet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Moebius transformation</source>
+   <translation>Möbius-Transformation</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Move</source>
+   <translation>Verschieben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Moved, turned and scaled</source>
+   <translation>Verschoben, gedreht und skaliert</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Moving</source>
+   <translation>Bewegt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Narrowest</source>
+   <translation>Engste</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Near?</source>
+   <translation>Nahe?</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Net</source>
+   <translation>Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>No boundary beams</source>
+   <translation>Keine Randträger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Node axes</source>
+   <translation>Knotenachsen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>None</source>
+   <translation>Keine</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Normal</source>
+   <translation>Normale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Normal of the plane</source>
+   <translation>Normale der Ebene</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Not now</source>
+   <translation>Jetzt nicht</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Numbers of parameter lines, such as 0, 3</source>
+   <translation>Nummern von Parameterlinien, etwa 0, 3</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Offset</source>
+   <translation>Lage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>One of the two meshes of face diagonals</source>
+   <translation>Eines der beiden Netze der Maschendiagonalen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Optimise</source>
+   <translation>Optimieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/requirements.py" />
+   <source>Ortho: these Python packages are missing: {}</source>
+   <translation>Ortho: diese Python-Pakete fehlen: {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonal multi-net in elliptic coordinates</source>
+   <translation>Orthogonales Multinetz in elliptischen Koordinaten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonal multi-net of a polyline drawn on a quadric</source>
+   <translation>Orthogonales Multinetz eines auf eine Quadrik gezeichneten Linienzugs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonality</source>
+   <translation>Orthogonalität</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Other side up, or families u and v exchanged</source>
+   <translation>Andere Seite nach oben, oder Scharen u und v vertauscht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Outside</source>
+   <translation>Außen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Overlays</source>
+   <translation>Überlagerungen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Packages for the Ortho workbench</source>
+   <translation>Pakete für den Arbeitsbereich Ortho</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel thickness</source>
+   <translation>Plattendicke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Parameter lines u and v</source>
+   <translation>Parameterlinien u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of u that is sampled, 0 to 1</source>
+   <translation>Teil des Bereichs von u, der abgetastet wird, 0 bis 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of v that is sampled, 0 to 1</source>
+   <translation>Teil des Bereichs von v, der abgetastet wird, 0 bis 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range that is left free at the ends</source>
+   <translation>Teil des Bereichs, der an den Enden frei bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Periods</source>
+   <translation>Perioden</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Picture (*.png)</source>
+   <translation>Bild (*.png)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Picture written to {}</source>
+   <translation>Bild geschrieben nach {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pitch</source>
+   <translation>Ganghöhe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Placement</source>
+   <translation>Platzierung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planarity</source>
+   <translation>Ebenheit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Point</source>
+   <translation>Punkt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points</source>
+   <translation>Punkte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points (radius, height) that are turned about z</source>
+   <translation>Punkte (Radius, Höhe), die um z gedreht werden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of the polyline, in the frame of the quadric</source>
+   <translation>Punkte des Linienzugs, im System der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points where the medial lines of the faces cross</source>
+   <translation>Punkte, in denen die Mittellinien der Maschen sich kreuzen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points whose tangents make the sheet; empty for a helix</source>
+   <translation>Punkte, deren Tangenten das Blech bilden; leer für eine Helix</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Power of ten, such as -6</source>
+   <translation>Zehnerpotenz, etwa -6</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pressure</source>
+   <translation>Druck</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile</source>
+   <translation>Profil</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile of (radius, height) points turned about z, n points along it by interpolation.</source>
+   <translation>Profil aus Punkten (Radius, Höhe), um z gedreht, n Punkte längs durch Interpolation.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Quad mesh (*.obj *.ply *.off *.json)</source>
+   <translation>Vierecksnetz (*.obj *.ply *.off *.json)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quadric</source>
+   <translation>Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quadric that carries the polyline</source>
+   <translation>Quadrik, die den Linienzug trägt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Quads from triangles</source>
+   <translation>Vierecke aus Dreiecken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quads that the border cuts: set onto it, or left out</source>
+   <translation>Vierecke, die der Rand schneidet: auf ihn gesetzt, oder weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius</source>
+   <translation>Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Reach</source>
+   <translation>Reichweite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Reflect</source>
+   <translation>Spiegeln</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Reflection lines</source>
+   <translation>Reflexionslinien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/sources.py" />
+   <source>Remeshing to quads</source>
+   <translation>Umbau in Vierecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Reverse</source>
+   <translation>Umkehren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings</source>
+   <translation>Ringe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings of faces at the border</source>
+   <translation>Ringe von Maschen am Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings or rows of faces cut off</source>
+   <translation>Ringe oder Reihen von Maschen abgeschnitten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rise</source>
+   <translation>Stich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rows</source>
+   <translation>Reihen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rows at the starts and ends of u and v</source>
+   <translation>Reihen an Anfang und Ende von u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rule</source>
+   <translation>Regel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Rulings of strips</source>
+   <translation>Erzeugende der Streifen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Running ...</source>
+   <translation>Läuft ...</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sampling</source>
+   <translation>Abtastung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Save picture</source>
+   <translation>Bild speichern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Scale</source>
+   <translation>Maßstab</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Scherk's surface z = ln(cos y / cos x) by its asymptotic lines.</source>
+   <translation>Scherk-Fläche z = ln(cos y / cos x) durch ihre Asymptotenlinien.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second</source>
+   <translation>Zweiter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second formula</source>
+   <translation>Zweite Formel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section</source>
+   <translation>Querschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section width</source>
+   <translation>Breite des Querschnitts</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi axes</source>
+   <translation>Halbachsen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of lambda = 0, falling</source>
+   <translation>Halbachsen von lambda = 0, fallend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of the quadric</source>
+   <translation>Halbachsen der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Several nets joined into one where their borders meet</source>
+   <translation>Mehrere Netze zu einem verbunden, wo ihre Ränder sich treffen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet of the tangents of a spine, by rulings (v) and involutes (u).</source>
+   <translation>Blech aus den Tangenten einer Leitkurve, durch Erzeugende (v) und Evolventen (u).</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Show the scale</source>
+   <translation>Die Skala zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spacing</source>
+   <translation>Teilung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sphere by meridians and parallels; planar, circular, equal diagonals, vertices on the sphere.</source>
+   <translation>Kugel durch Meridiane und Breitenkreise; eben, zirkular, gleiche Diagonalen, Ecken auf der Kugel.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Spheres of vertex stars</source>
+   <translation>Kugeln der Eckensterne</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spine</source>
+   <translation>Leitkurve</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Squares</source>
+   <translation>Quadrate</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Squares of the semi-axes of the first ellipse</source>
+   <translation>Quadrate der Halbachsen der ersten Ellipse</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Start</source>
+   <translation>Start</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Step</source>
+   <translation>Schritt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Steps along u and v</source>
+   <translation>Schritte längs u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Stop</source>
+   <translation>Stopp</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Stopped. Nothing was installed.</source>
+   <translation>Angehalten. Nichts wurde installiert.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Stopped. OK keeps this state, Start goes on.</source>
+   <translation>Angehalten. OK behält diesen Stand, Start fährt fort.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strength</source>
+   <translation>Stärke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress</source>
+   <translation>Spannung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress of the membrane, force / length</source>
+   <translation>Spannung der Membran, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Supports</source>
+   <translation>Lager</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
+   <translation>Zuerst anzuhebende Lager, ECKE:HÖHE in mm, etwa 0:1500</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Swap</source>
+   <translation>Tauschen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>T</source>
+   <translation>T</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>T range</source>
+   <translation>Bereich von t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>That of the border's cables; 0: the same</source>
+   <translation>Die der Randseile; 0: dieselbe</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>The Ortho workbench needs Python packages that FreeCAD does not find: {names}.
+
+Install downloads them with what they need, up to 2 GB on disk, into FreeCAD's own folder for add-ons:
+{folder}
+Nothing else on this computer is changed.</source>
+   <translation>Der Arbeitsbereich Ortho braucht Python-Pakete, die FreeCAD nicht findet: {names}.
+
+Installieren lädt sie und was sie brauchen, bis zu 2 GB auf der Platte, in FreeCADs eigenen Ordner für Erweiterungen:
+{folder}
+Sonst wird auf diesem Rechner nichts verändert.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first holds the first vertex</source>
+   <translation>Das erste enthält die erste Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror image alone</source>
+   <translation>Nur das Spiegelbild</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net and its mirror image, the seam merged</source>
+   <translation>Das Netz und sein Spiegelbild, die Naht verschmolzen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The net has changed meanwhile. Start begins anew.</source>
+   <translation>Das Netz hat sich inzwischen geändert. Start beginnt von vorn.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>The packages could not be installed:</source>
+   <translation>Die Pakete konnten nicht installiert werden:</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Thickness</source>
+   <translation>Dicke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Time a step</source>
+   <translation>Zeit je Schritt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Time limit (s)</source>
+   <translation>Zeitgrenze (s)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>To</source>
+   <translation>Bis</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Tolerance</source>
+   <translation>Toleranz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Top radius</source>
+   <translation>Oberer Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Translation</source>
+   <translation>Verschiebung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Triangle mesh (*.stl *.obj *.ply *.off *.glb)</source>
+   <translation>Dreiecksnetz (*.stl *.obj *.ply *.off *.glb)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Triangles</source>
+   <translation>Dreiecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turn</source>
+   <translation>Drehen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turn the other side up</source>
+   <translation>Die andere Seite nach oben wenden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turning angle of the spine</source>
+   <translation>Drehwinkel der Leitkurve</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Twist</source>
+   <translation>Verwindung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>U part</source>
+   <translation>Teil von u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Unduloid (Delaunay), mean curvature 1 / (widest + narrowest) as the mean of both principals.</source>
+   <translation>Unduloid (Delaunay), mittlere Krümmung 1 / (weiteste + engste) als Mittel beider Hauptkrümmungen.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <source>Update structures</source>
+   <translation>Tragwerke aktualisieren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>V part</source>
+   <translation>Teil von v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertex load</source>
+   <translation>Eckenlast</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Vertices / faces</source>
+   <translation>Ecken / Maschen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertices along u and v</source>
+   <translation>Ecken längs u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Vertices that do not move; numbers such as 0,5,12 work too</source>
+   <translation>Ecken, die sich nicht bewegen; auch Nummern wie 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Waist</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length; 0: by the sampling</source>
+   <translation>Gewünschte Kantenlänge; 0: nach der Abtastung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where the net stands and how it is turned</source>
+   <translation>Wo das Netz steht und wie es gedreht ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Which</source>
+   <translation>Welches</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Which lines of the surface the net follows</source>
+   <translation>Welchen Linien der Fläche das Netz folgt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Widest</source>
+   <translation>Weiteste</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Width</source>
+   <translation>Breite</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Width x height in pixels</source>
+   <translation>Breite x Höhe in Pixeln</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Worst</source>
+   <translation>Schlechteste</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <source>Writing fabrication files</source>
+   <translation>Fertigungsdateien schreiben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Zigzag border, or closed by narrow quads</source>
+   <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>above</source>
+   <translation>darüber</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>across the faces of hubs</source>
+   <translation>über die Flächen der Naben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>all</source>
+   <translation>alle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>aluminium</source>
+   <translation>Aluminium</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>arch</source>
+   <translation>Bogen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>asymptotic</source>
+   <translation>asymptotisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/fields.py" />
+   <source>automatic</source>
+   <translation>automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>below</source>
+   <translation>darunter</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>both families</source>
+   <translation>beide Scharen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>boundary</source>
+   <translation>Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boundary, corners or vertex numbers as 0,5,12</source>
+   <translation>boundary, corners oder Eckennummern wie 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cables</source>
+   <translation>Seile</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>catenoid</source>
+   <translation>Katenoid</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>catmull-clark</source>
+   <translation>Catmull-Clark</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>centre</source>
+   <translation>mittig</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>chebyshev</source>
+   <translation>Tschebyschow</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>checkerboard</source>
+   <translation>Schachbrett</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>circular</source>
+   <translation>zirkular</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cmc</source>
+   <translation>CMC</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>coarsen</source>
+   <translation>vergröbern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cone</source>
+   <translation>Kegel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>confocal-conics</source>
+   <translation>konfokale Kegelschnitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>conical</source>
+   <translation>konisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>corners</source>
+   <translation>Eckpunkte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cross section</source>
+   <translation>Querschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cylinder</source>
+   <translation>Zylinder</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>diagonal mesh</source>
+   <translation>Diagonalnetz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>dog</source>
+   <translation>diskret orthogonal geodätisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>drop</source>
+   <translation>weglassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>ellipsoid</source>
+   <translation>Ellipsoid</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>elliptic multi-net</source>
+   <translation>elliptisches Multinetz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>elliptic-paraboloid</source>
+   <translation>elliptisches Paraboloid</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>enneper</source>
+   <translation>Enneper</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>faces</source>
+   <translation>Flächen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>fill</source>
+   <translation>füllen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>first</source>
+   <translation>erstes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>form-finding</source>
+   <translation>Formfindung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>formulas</source>
+   <translation>Formeln</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>geodesic</source>
+   <translation>geodätisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>geodesic-chebyshev</source>
+   <translation>geodätisch und Tschebyschow</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>gfrp</source>
+   <translation>GFK</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>helicoid</source>
+   <translation>Helikoid</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>hollow</source>
+   <translation>hohl</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>how beams meet</source>
+   <translation>wie Träger sich treffen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>hub</source>
+   <translation>Nabe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>in slots and at hubs</source>
+   <translation>in Schlitzen und an Naben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>inversion</source>
+   <translation>Inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isometric</source>
+   <translation>isometrisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>joint between panels</source>
+   <translation>Fuge zwischen Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>lambda</source>
+   <translation>lambda</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>lapped</source>
+   <translation>verblattet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>leave the edges of the boundary out</source>
+   <translation>die Kanten des Randes auslassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>length</source>
+   <translation>Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>loop</source>
+   <translation>Schleife</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>medial mesh</source>
+   <translation>Mittelnetz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>membrane</source>
+   <translation>Membran</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>mirror</source>
+   <translation>spiegeln</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>mitred</source>
+   <translation>auf Gehrung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>mu</source>
+   <translation>mu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>multi-net</source>
+   <translation>Multinetz</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>no</source>
+   <translation>nein</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>nothing</source>
+   <translation>nichts</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>nothing (on the net itself)</source>
+   <translation>nichts (auf dem Netz selbst)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>nu</source>
+   <translation>nu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of hollow sections and flanges</source>
+   <translation>von Hohlprofilen und Flanschen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the beams</source>
+   <translation>der Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the flanges where it differs</source>
+   <translation>der Flansche, wo sie abweicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the panels where it differs</source>
+   <translation>der Platten, wo sie abweicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the plates</source>
+   <translation>der Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one-sheeted hyperboloid</source>
+   <translation>einschaliges Hyperboloid</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>orient</source>
+   <translation>orientieren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>orthogonal</source>
+   <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parameter</source>
+   <translation>Parameter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plain</source>
+   <translation>einfarbig</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plate</source>
+   <translation>Blech</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plywood</source>
+   <translation>Sperrholz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>principal</source>
+   <translation>Hauptkrümmung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>quarter</source>
+   <translation>Viertel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>range: give both numbers, or none for an automatic range</source>
+   <translation>Bereich: beide Zahlen angeben, oder keine für einen automatischen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>rectangle</source>
+   <translation>Rechteck</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>ring</source>
+   <translation>Ring</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>rotational</source>
+   <translation>rotatorisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>scherk</source>
+   <translation>Scherk</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>second</source>
+   <translation>zweites</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>snap</source>
+   <translation>anlegen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>snet</source>
+   <translation>S-Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>sphere</source>
+   <translation>Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>stainless</source>
+   <translation>Edelstahl</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>steel</source>
+   <translation>Stahl</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>straight</source>
+   <translation>gerade</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>stress</source>
+   <translation>Spannung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>subdivide</source>
+   <translation>unterteilen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tangent-developable</source>
+   <translation>Tangentenfläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>through-u</source>
+   <translation>u durchlaufend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>through-v</source>
+   <translation>v durchlaufend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>timber</source>
+   <translation>Holz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>transform</source>
+   <translation>abbilden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>translational</source>
+   <translation>Schiebfläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>trim</source>
+   <translation>beschneiden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>two-sheeted hyperboloid</source>
+   <translation>zweischaliges Hyperboloid</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>u lines</source>
+   <translation>u-Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>unduloid</source>
+   <translation>Unduloid</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>v lines</source>
+   <translation>v-Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>wave</source>
+   <translation>Welle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>weld</source>
+   <translation>verschweißen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>where the plates lie</source>
+   <translation>wo die Bleche liegen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>yes</source>
+   <translation>ja</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>{} (baked)</source>
+   <translation>{} (festgeschrieben)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>{} cannot be started.</source>
+   <translation>{} kann nicht gestartet werden.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>{} edges</source>
+   <translation>{} Kanten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>{} mesh</source>
+   <translation>{} Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>{} points</source>
+   <translation>{} Punkte</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/source_panel.py" />
+   <source>{} vertices, {} quads</source>
+   <translation>{} Ecken, {} Vierecke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>{}, diagonal</source>
+   <translation>{}, diagonal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>{}: {} vertices, {} quads, {} irregular, edge ratio {:.2f}</source>
+   <translation>{}: {} Ecken, {} Vierecke, {} irregulär, Kantenverhältnis {:.2f}</translation>
+  </message>
+ </context>
+ <context>
+  <name>OrthoPreferences</name>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Ask once a session, when the workbench is opened</source>
+   <translation>Einmal je Sitzung fragen, beim Öffnen des Arbeitsbereichs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Beams</source>
+   <translation>Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colour of new beams</source>
+   <translation>Farbe neuer Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colour of new panels</source>
+   <translation>Farbe neuer Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colour of the faces of a net where no colour map is shown</source>
+   <translation>Farbe der Maschen eines Netzes, wo keine Farbkarte gezeigt wird</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colours of new objects</source>
+   <translation>Farben neuer Objekte</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Computing</source>
+   <translation>Rechnen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Gap between panels</source>
+   <translation>Fuge zwischen Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>General</source>
+   <translation>Allgemein</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Height of beams</source>
+   <translation>Höhe der Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Height of new beams, along the axes</source>
+   <translation>Höhe neuer Träger, längs der Achsen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>How many processes share the work on large structures; each takes memory of its own</source>
+   <translation>Wie viele Prozesse sich die Arbeit an großen Tragwerken teilen; jeder braucht eigenen Speicher</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Import</source>
+   <translation>Import</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Nets</source>
+   <translation>Netze</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Offer to install missing Python packages</source>
+   <translation>Anbieten, fehlende Python-Pakete zu installieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Packages</source>
+   <translation>Pakete</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Panels</source>
+   <translation>Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Processes for fabrication files</source>
+   <translation>Prozesse für Fertigungsdateien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Sizes that panels start with</source>
+   <translation>Größen, mit denen die Eingabefelder beginnen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Sparse solver</source>
+   <translation>Dünnbesetzter Löser</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of beams</source>
+   <translation>Dicke der Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of new panels</source>
+   <translation>Dicke neuer Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of panels</source>
+   <translation>Dicke der Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of the plates of new beams</source>
+   <translation>Dicke der Bleche neuer Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Unit of imported meshes</source>
+   <translation>Einheit importierter Netze</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>What solves the linear system of each step; rslab is the faster one, where it is installed</source>
+   <translation>Was das Gleichungssystem jedes Schritts löst; rslab ist der schnellere, wo er installiert ist</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Which unit the numbers of a mesh file are in</source>
+   <translation>In welcher Einheit die Zahlen einer Netzdatei sind</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Width of the joint between neighbouring panels</source>
+   <translation>Breite der Fuge zwischen benachbarten Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>as the file says, else mm</source>
+   <translation>wie die Datei sagt, sonst mm</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>the fastest installed</source>
+   <translation>der schnellste installierte</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Bake</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Bake to plain features</source>
+   <translation>Als einfache Objekte festschreiben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Copy the selected nets and structures as Part features and meshes that need no add-on</source>
+   <translation>Gewählte Netze und Tragwerke als Part-Objekte und Netze kopieren, die keine Erweiterung brauchen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Beams</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Beams</source>
+   <translation>Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a torsion-free beam on every edge of the selected net</source>
+   <translation>Auf jede Kante des gewählten Netzes einen torsionsfreien Träger setzen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_ChangeNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>Derive, subdivide, transform or weld nets into a new one that follows</source>
+   <translation>Netze ableiten, unterteilen, abbilden oder verschweißen zu einem neuen, das folgt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>Net from nets</source>
+   <translation>Netz aus Netzen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Check</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Check</source>
+   <translation>Prüfen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Measure the selected net and say which kinds of nets it is near to</source>
+   <translation>Das gewählte Netz messen und sagen, welchen Arten von Netzen es nahe ist</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Derived</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Derived mesh</source>
+   <translation>Abgeleitetes Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>The diagonal, medial or checkerboard mesh of the selected net</source>
+   <translation>Das Diagonal-, Mittel- oder Schachbrettnetz des gewählten Netzes</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Display</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Choose the colour map and the overlays of the selected net</source>
+   <translation>Farbkarte und Überlagerungen des gewählten Netzes wählen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Display</source>
+   <translation>Anzeige</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_EllipticNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>An orthogonal multi-net from a curve in elliptic coordinates</source>
+   <translation>Ein orthogonales Multinetz aus einer Kurve in elliptischen Koordinaten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Multi-net in elliptic coordinates</source>
+   <translation>Multinetz in elliptischen Koordinaten</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Examples</name>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>A canopy made orthogonal and planar, with flat beams and panels</source>
+   <translation>Ein Dach, orthogonal und eben gemacht, mit ebenen Trägern und Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>A form-found dome, then flat panels that meet at right angles</source>
+   <translation>Eine Kuppel aus der Formfindung, dann ebene Platten, die sich rechtwinklig treffen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>A soap film and an asymptotic net on it: laths that unroll straight</source>
+   <translation>Eine Seifenhaut und ein asymptotisches Netz darauf: Lamellen, die gerade abwickeln</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Developable sheets</source>
+   <translation>Abwickelbare Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Four nets that are orthogonal exactly, in all their rectangles</source>
+   <translation>Vier Netze, die exakt orthogonal sind, in allen ihren Rechtecken</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Hanging net turned over</source>
+   <translation>Hängendes Netz, umgedreht</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Minimal gridshell</source>
+   <translation>Minimale Gitterschale</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>One curved sheet made developable in two ways, corners held</source>
+   <translation>Ein gekrümmtes Blech, auf zwei Arten abwickelbar gemacht, Ecken gehalten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Orthogonal multi-nets</source>
+   <translation>Orthogonale Multinetze</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Roof of beams and panels</source>
+   <translation>Dach aus Trägern und Platten</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_ExportFabrication</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <source>Export fabrication files</source>
+   <translation>Fertigungsdateien exportieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <source>Write solids (STEP), flat patterns (DXF) and the parts list (CSV) of the selected structures</source>
+   <translation>Körper (STEP), Abwicklungen (DXF) und Stückliste (CSV) der gewählten Tragwerke schreiben</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FaceNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Net on faces</source>
+   <translation>Netz auf Flächen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Sample the selected CAD faces along their parameter lines, joined where they meet</source>
+   <translation>Die gewählten CAD-Flächen längs ihrer Parameterlinien abtasten, verbunden, wo sie sich treffen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FormNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A membrane or cable net in equilibrium that starts from the selected net</source>
+   <translation>Eine Membran oder ein Seilnetz im Gleichgewicht, ausgehend vom gewählten Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Form-finding</source>
+   <translation>Formfindung</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_ImportNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/import_net.py" />
+   <source>Import quad mesh</source>
+   <translation>Vierecksnetz importieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/import_net.py" />
+   <source>Read an OBJ file and keep its quads as a net</source>
+   <translation>Eine OBJ-Datei lesen und ihre Vierecke als Netz behalten</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_InstallPackages</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/install_packages.py" />
+   <source>Install missing packages</source>
+   <translation>Fehlende Pakete installieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/install_packages.py" />
+   <source>Install the Python packages that the workbench needs and FreeCAD does not find</source>
+   <translation>Die Python-Pakete installieren, die der Arbeitsbereich braucht und FreeCAD nicht findet</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_MultiNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Draw a polyline on a quadric; the orthogonal multi-net that it determines follows at once</source>
+   <translation>Einen Linienzug auf eine Quadrik zeichnen; das orthogonale Multinetz, das er bestimmt, folgt sofort</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Multi-net</source>
+   <translation>Multinetz</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_NewNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>A net from numbers, CAD faces, triangles or form-finding</source>
+   <translation>Ein Netz aus Zahlen, CAD-Flächen, Dreiecken oder Formfindung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>New net</source>
+   <translation>Neues Netz</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Optimise</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Move the vertices of the selected net until its faces are orthogonal and planar</source>
+   <translation>Die Ecken des gewählten Netzes bewegen, bis seine Maschen orthogonal und eben sind</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Optimise</source>
+   <translation>Optimieren</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Panels</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Panels</source>
+   <translation>Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a flat panel in every face of the selected net</source>
+   <translation>In jede Masche des gewählten Netzes eine ebene Platte setzen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Primitive</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A net that is known exactly: sphere, catenoid, helicoid and others</source>
+   <translation>Ein exakt bekanntes Netz: Kugel, Katenoid, Helikoid und andere</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Primitive</source>
+   <translation>Grundform</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_QuadsFromMesh</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/remesh.py" />
+   <source>Quads from triangles</source>
+   <translation>Vierecke aus Dreiecken</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/remesh.py" />
+   <source>Remesh the selected triangle mesh, or an STL, OBJ, PLY or GLB file, to a net of quads</source>
+   <translation>Das gewählte Dreiecksnetz oder eine STL-, OBJ-, PLY- oder GLB-Datei in ein Netz aus Vierecken umbauen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Refine</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>More or fewer parameter lines of the selected net, or rows cut off</source>
+   <translation>Mehr oder weniger Parameterlinien des gewählten Netzes, oder Reihen abgeschnitten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Subdivide, coarsen, trim</source>
+   <translation>Unterteilen, vergröbern, beschneiden</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_SavePicture</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Save picture</source>
+   <translation>Bild speichern</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Save what the 3D view shows, at any size</source>
+   <translation>Speichern, was die 3D-Ansicht zeigt, in jeder Größe</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Transform</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Move, turn, scale, mirror, turn over or bend the selected net (Moebius transformation)</source>
+   <translation>Das gewählte Netz verschieben, drehen, skalieren, spiegeln, wenden oder biegen (Möbius-Transformation)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Transform net</source>
+   <translation>Netz abbilden</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_UpdateStructures</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Build those structures anew that do not follow their nets automatically</source>
+   <translation>Jene Tragwerke neu bauen, die ihren Netzen nicht von selbst folgen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Update structures</source>
+   <translation>Tragwerke aktualisieren</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Weld</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Join the selected nets into one where borders meet</source>
+   <translation>Die gewählten Netze zu einem verbinden, wo Ränder sich treffen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Weld nets</source>
+   <translation>Netze verschweißen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Workbench</name>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Examples</source>
+   <translation>&amp;Beispiele</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Ortho</source>
+   <translation>&amp;Ortho</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho</source>
+   <translation>Ortho</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Analyse</source>
+   <translation>Ortho Analyse</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Design</source>
+   <translation>Ortho Entwurf</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Fabricate</source>
+   <translation>Ortho Fertigung</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Optimise</source>
+   <translation>Ortho Optimierung</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Turn freeform quad meshes into buildings of flat beams and panels</source>
+   <translation>Aus freien Vierecksnetzen Bauten aus ebenen Trägern und Platten machen</translation>
+  </message>
+ </context>
+</TS>

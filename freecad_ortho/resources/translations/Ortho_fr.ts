@@ -1,0 +1,3181 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+ <context>
+  <name>App::Property</name>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A point of the plane</source>
+   <translation>Un point du plan</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, force / mm2</source>
+   <translation>Le long des normales, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angles about x, then y, then z</source>
+   <translation>Angles autour de x, puis y, puis z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Axes to extend the net along by mirror images, as x,y</source>
+   <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Beams that the parts lie on or join; empty: the net</source>
+   <translation>Poutres sur lesquelles les pièces reposent ou qu'elles relient ; vide : le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Blue at and below this value (mm, 1/m, 1/m2, degrees) if not automatic</source>
+   <translation>Bleu à cette valeur et en dessous (mm, 1/m, 1/m2, degrés) si non automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cables of given force density, or constant stress</source>
+   <translation>Câbles de densité de force donnée, ou contrainte constante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the inversion</source>
+   <translation>Centre de l'inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the sphere</source>
+   <translation>Centre de la sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clearance: in slots and at hubs</source>
+   <translation>Jeu : dans les encoches et aux moyeux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Colour of the edges</source>
+   <translation>Couleur des arêtes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Colour of the faces where no colour map is shown</source>
+   <translation>Couleur des faces sans carte de couleurs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Counts, accuracy and masses, as JSON</source>
+   <translation>Nombres, précision et masses, en JSON</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cross rise</source>
+   <translation>Flèche transversale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curve of the two other coordinates</source>
+   <translation>Courbe des deux autres coordonnées</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Density in kg/m3; 0: that of the material</source>
+   <translation>Densité en kg/m3 ; 0 : celle du matériau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Elliptic coordinate in the role of t</source>
+   <translation>Coordonnée elliptique dans le rôle de t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends: how beams meet</source>
+   <translation>Extrémités : comment les poutres se joignent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even lengths or equal steps of the parameters</source>
+   <translation>Longueurs égales ou pas égaux des paramètres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Exchange u and v</source>
+   <translation>Échanger u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Faces that the net is sampled from and stays linked to</source>
+   <translation>Faces dont le réseau est échantillonné et auxquelles il reste lié</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Factor</source>
+   <translation>Facteur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>File that the net came from</source>
+   <translation>Fichier d'où vient le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First</source>
+   <translation>Premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last angle around the axis</source>
+   <translation>Premier et dernier angle autour de l'axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last latitude</source>
+   <translation>Première et dernière latitude</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t (0 and 0: clear of both ends)</source>
+   <translation>Premier et dernier t (0 et 0 : à distance des deux bouts)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t of the confocal family</source>
+   <translation>Premier et dernier t de la famille homofocale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fixed point</source>
+   <translation>Point fixe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flange thickness: of the flanges where it differs</source>
+   <translation>Épaisseur des semelles : des semelles si elle diffère</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Follow each change of the net; else only when asked to update</source>
+   <translation>Suivre chaque changement du réseau ; sinon seulement sur demande</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of the cables, force / length</source>
+   <translation>Densité de force des câbles, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force in its border cable</source>
+   <translation>Force dans le câble de bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the first of them</source>
+   <translation>Formule en s pour la première</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the second</source>
+   <translation>Formule en s pour la seconde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap: joint between panels</source>
+   <translation>Joint : joint entre panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Height</source>
+   <translation>Hauteur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Height: of the beams</source>
+   <translation>Hauteur : des poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the net reaches over the surface</source>
+   <translation>Jusqu'où le réseau s'étend sur la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times</source>
+   <translation>Combien de fois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub diameter: across the faces of hubs</source>
+   <translation>Diamètre du moyeu : entre les faces des moyeux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Its radius</source>
+   <translation>Son rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the last point with the first</source>
+   <translation>Relier le dernier point au premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Keep the last line where the step misses it</source>
+   <translation>Garder la dernière ligne là où le pas la manque</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Length</source>
+   <translation>Longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Lengths, curvatures, angles: range from the values</source>
+   <translation>Longueurs, courbures, angles : plage d'après les valeurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Less moves the centre away</source>
+   <translation>Moins éloigne le centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load at each vertex, force</source>
+   <translation>Charge à chaque sommet, force</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the edges, force / mm</source>
+   <translation>Charge des arêtes, force / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the faces, force / mm2</source>
+   <translation>Charge des faces, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Make the net anew when its source changes; off once its vertices were moved</source>
+   <translation>Refaire le réseau quand sa source change ; désactivé dès que ses sommets ont bougé</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Mark inner vertices with more or fewer than four edges</source>
+   <translation>Marquer les sommets intérieurs qui n'ont pas quatre arêtes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Mark the supported vertices, those of the boundary</source>
+   <translation>Marquer les sommets appuyés, ceux du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Material of all parts</source>
+   <translation>Matériau de toutes les pièces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Merge vertices nearer than this</source>
+   <translation>Fusionner les sommets plus proches que cela</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Midpoints, or smoothed</source>
+   <translation>Milieux, ou lissé</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Names of the parts, in the order of the solids</source>
+   <translation>Noms des pièces, dans l'ordre des solides</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Narrowest</source>
+   <translation>Le plus étroit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Net that the structure is built on</source>
+   <translation>Réseau sur lequel la structure est construite</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Nets that this one is made of</source>
+   <translation>Réseaux dont celui-ci est fait</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>No boundary beams: leave the edges of the boundary out</source>
+   <translation>Sans poutres de bord : laisser de côté les arêtes du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Normal of the plane</source>
+   <translation>Normale du plan</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Numbers of these parameter lines; empty: all</source>
+   <translation>Numéros de ces lignes paramétriques ; vide : toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Offset: where the plates lie</source>
+   <translation>Décalage : où se trouvent les plats</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/structure_view.py" />
+   <source>One colour for all parts, or green and red by their verdicts</source>
+   <translation>Une couleur pour toutes les pièces, ou vert et rouge selon leur verdict</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel thickness: of the panels where it differs</source>
+   <translation>Épaisseur des panneaux : des panneaux si elle diffère</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Parameter lines that are built on: u, v or both</source>
+   <translation>Lignes paramétriques sur lesquelles on construit : u, v ou les deux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of u that is sampled, 0 to 1</source>
+   <translation>Part de la plage de u échantillonnée, 0 à 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of v that is sampled, 0 to 1</source>
+   <translation>Part de la plage de v échantillonnée, 0 à 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range that is left free at the ends</source>
+   <translation>Part de la plage laissée libre aux bouts</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Periods</source>
+   <translation>Périodes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pitch</source>
+   <translation>Pas</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points (radius, height) that are turned about z</source>
+   <translation>Points (rayon, hauteur) tournés autour de z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of the polyline, in the frame of the quadric</source>
+   <translation>Points de la polyligne, dans le repère de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points whose tangents make the sheet; empty for a helix</source>
+   <translation>Points dont les tangentes forment la feuille ; vide pour une hélice</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Positions of the vertices, in mm</source>
+   <translation>Positions des sommets, en mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quadric that carries the polyline</source>
+   <translation>Quadrique qui porte la polyligne</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quads that the border cuts: set onto it, or left out</source>
+   <translation>Quadrilatères coupés par le bord : posés dessus, ou omis</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Quantity that colours the net, explained by the scale in the view</source>
+   <translation>Grandeur qui colore le réseau, expliquée par l'échelle dans la vue</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius</source>
+   <translation>Rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Red at and above this value (mm, 1/m, 1/m2, degrees) if not automatic</source>
+   <translation>Rouge à cette valeur et au-dessus (mm, 1/m, 1/m2, degrés) si non automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Report of the last optimisation, as JSON</source>
+   <translation>Rapport de la dernière optimisation, en JSON</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Residuals: blue at and below 10 to this power</source>
+   <translation>Résidus : bleu à 10 à cette puissance et en dessous</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Residuals: red at and above 10 to this power</source>
+   <translation>Résidus : rouge à 10 à cette puissance et au-dessus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings of faces at the border</source>
+   <translation>Anneaux de faces au bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rise</source>
+   <translation>Flèche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rows at the starts and ends of u and v</source>
+   <translation>Rangées au début et à la fin de u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second</source>
+   <translation>Second</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section width: of hollow sections and flanges</source>
+   <translation>Largeur de la section : des profils creux et des semelles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section: cross section</source>
+   <translation>Section : section transversale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi axes</source>
+   <translation>Demi-axes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of lambda = 0, falling</source>
+   <translation>Demi-axes de lambda = 0, décroissants</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of the quadric</source>
+   <translation>Demi-axes de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show both diagonals of each face</source>
+   <translation>Montrer les deux diagonales de chaque face</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show reflection lines instead of colours</source>
+   <translation>Montrer des lignes de réflexion au lieu de couleurs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show spheres through some of the vertex stars</source>
+   <translation>Montrer des sphères par certaines étoiles de sommets</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the colour scale in the 3D view</source>
+   <translation>Montrer l'échelle de couleurs dans la vue 3D</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the forces in the edges under equal loads, red for tension</source>
+   <translation>Montrer les forces dans les arêtes sous charges égales, rouge pour la traction</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the lines between the midpoints of opposite edges</source>
+   <translation>Montrer les lignes entre les milieux d'arêtes opposées</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the load of each free vertex</source>
+   <translation>Montrer la charge de chaque sommet libre</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the normals of the faces on a sphere beside the net</source>
+   <translation>Montrer les normales des faces sur une sphère à côté du réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the parameter lines u and v in two colours</source>
+   <translation>Montrer les lignes paramétriques u et v en deux couleurs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the rulings of strips along the parameter lines</source>
+   <translation>Montrer les génératrices des bandes le long des lignes paramétriques</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show the torsion-free axes at the vertices</source>
+   <translation>Montrer les axes sans torsion aux sommets</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Squares of the semi-axes of the first ellipse</source>
+   <translation>Carrés des demi-axes de la première ellipse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Steps along u and v</source>
+   <translation>Pas selon u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress of the membrane, force / length</source>
+   <translation>Contrainte de la membrane, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
+   <translation>Appuis à relever d'abord, SOMMET:HAUTEUR en mm, par exemple 0:1500</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>That of the border's cables; 0: the same</source>
+   <translation>Celle des câbles de bord ; 0 : la même</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first holds the first vertex</source>
+   <translation>Le premier contient le premier sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror image alone</source>
+   <translation>L'image miroir seule</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>The shape waits to be built anew</source>
+   <translation>La forme attend d'être reconstruite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Thickness: of the plates</source>
+   <translation>Épaisseur : des plats</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Top radius</source>
+   <translation>Rayon supérieur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Translation</source>
+   <translation>Translation</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turn the other side up</source>
+   <translation>Tourner l'autre côté vers le haut</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turning angle of the spine</source>
+   <translation>Angle de rotation de la courbe directrice</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Unit of the file that the net came from</source>
+   <translation>Unité du fichier d'où vient le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Version of this object's properties</source>
+   <translation>Version des propriétés de cet objet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Vertex numbers of the quads, four a face</source>
+   <translation>Numéros des sommets des quadrilatères, quatre par face</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertices along u and v</source>
+   <translation>Sommets selon u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Waist</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length; 0: by the sampling</source>
+   <translation>Longueur d'arête souhaitée ; 0 : selon l'échantillonnage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>What each part exceeds, 'ok' if nothing</source>
+   <translation>Ce que chaque pièce dépasse, 'ok' si rien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>What is to be known about the net as it was made</source>
+   <translation>Ce qu'il faut savoir du réseau tel qu'il a été fait</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>What the net is built with</source>
+   <translation>Ce avec quoi le réseau est construit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>What the net is made by</source>
+   <translation>Ce par quoi le réseau est fait</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where the net stands and how it is turned</source>
+   <translation>Où se trouve le réseau et comment il est tourné</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Which lines of the surface the net follows</source>
+   <translation>Quelles lignes de la surface le réseau suit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Widest</source>
+   <translation>Le plus large</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Width</source>
+   <translation>Largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Width of the edges in pixels</source>
+   <translation>Largeur des arêtes en pixels</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Zigzag border, or closed by narrow quads</source>
+   <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boundary, corners or vertex numbers as 0,5,12</source>
+   <translation>boundary, corners ou numéros de sommets comme 0,5,12</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho</name>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A membrane or cable net in equilibrium with its supports and loads</source>
+   <translation>Une membrane ou un réseau de câbles en équilibre avec ses appuis et ses charges</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A point of the plane</source>
+   <translation>Un point du plan</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Add points</source>
+   <translation>Ajouter des points</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Along</source>
+   <translation>Le long de</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, force / mm2</source>
+   <translation>Le long des normales, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle</source>
+   <translation>Angle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angles</source>
+   <translation>Angles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angles about x, then y, then z</source>
+   <translation>Angles autour de x, puis y, puis z</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Another number gives another layout of quads</source>
+   <translation>Un autre nombre donne une autre disposition des quadrilatères</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Area load</source>
+   <translation>Charge surfacique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Asymptotic</source>
+   <translation>Asymptotique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>At</source>
+   <translation>À</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Axes to extend the net along by mirror images, as x,y</source>
+   <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>Bake</source>
+   <translation>Figer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Begin a new polyline: click its points on the quadric</source>
+   <translation>Commencer une polyligne : cliquer ses points sur la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bending radius</source>
+   <translation>Rayon de courbure</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bent so that circles stay circles; place and size stay</source>
+   <translation>Courbé de sorte que les cercles restent des cercles ; lieu et taille restent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border</source>
+   <translation>Bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border density</source>
+   <translation>Densité du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border force</source>
+   <translation>Force du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>CAD faces sampled along their own parameter lines</source>
+   <translation>Faces CAO échantillonnées le long de leurs propres lignes paramétriques</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cables of given force density, or constant stress</source>
+   <translation>Câbles de densité de force donnée, ou contrainte constante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Catenoid around z, from -height / 2 to height / 2.</source>
+   <translation>Caténoïde autour de z, de -hauteur / 2 à hauteur / 2.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre</source>
+   <translation>Centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the inversion</source>
+   <translation>Centre de l'inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Centre of the sphere</source>
+   <translation>Centre de la sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/sources.py" />
+   <source>Change source</source>
+   <translation>Modifier la source</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev</source>
+   <translation>Tchebychev</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Check</source>
+   <translation>Vérifier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular</source>
+   <translation>Circulaire</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular arch moved along another one; negative rises hang.</source>
+   <translation>Arc de cercle déplacé le long d'un autre ; les flèches négatives pendent.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular cone around z, cut off at the top, rulings along v; isosceles trapezoids.</source>
+   <translation>Cône circulaire autour de z, tronqué en haut, génératrices selon v ; trapèzes isocèles.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Circular cylinder around z, rulings along v; faces are rectangles.</source>
+   <translation>Cylindre circulaire autour de z, génératrices selon v ; les faces sont des rectangles.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clear</source>
+   <translation>Effacer</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clearance</source>
+   <translation>Jeu</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Click points on the quadric; right click or Esc ends.</source>
+   <translation>Cliquer des points sur la quadrique ; clic droit ou Échap termine.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Clicks add points at the end; Backspace takes the last one away</source>
+   <translation>Les clics ajoutent des points à la fin ; Retour arrière enlève le dernier</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Close</source>
+   <translation>Fermer</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Closed</source>
+   <translation>Fermé</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Closeness</source>
+   <translation>Proximité</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Colour map</source>
+   <translation>Carte de couleurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Confocal ellipses x^2/(a + t) + y^2/(b + t) = 1 and their hyperbolas, flat; a multi-net.</source>
+   <translation>Ellipses homofocales x^2/(a + t) + y^2/(b + t) = 1 et leurs hyperboles, planes ; un multi-réseau.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Conical</source>
+   <translation>Conique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cross rise</source>
+   <translation>Flèche transversale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curvature lines of an ellipsoid around its longest axis, closed in u.</source>
+   <translation>Lignes de courbure d'un ellipsoïde autour de son plus grand axe, fermées en u.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curvature lines of z = x^2 / (2 first) + y^2 / (2 second) over the quarter x, y &gt; 0.</source>
+   <translation>Lignes de courbure de z = x^2 / (2 premier) + y^2 / (2 second) sur le quart x, y &gt; 0.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curve</source>
+   <translation>Courbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Curve of the two other coordinates</source>
+   <translation>Courbe des deux autres coordonnées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Density</source>
+   <translation>Densité</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Diagonals</source>
+   <translation>Diagonales</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/display.py" />
+   <source>Display</source>
+   <translation>Affichage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Distance</source>
+   <translation>Distance</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Double click: show it in colours</source>
+   <translation>Double clic : l'afficher en couleurs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>Draw</source>
+   <translation>Dessiner</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge</source>
+   <translation>Arête</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Edge length</source>
+   <translation>Longueur d'arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge load</source>
+   <translation>Charge d'arête</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/source_net_view.py" />
+   <source>Edit source</source>
+   <translation>Éditer la source</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Elliptic coordinate in the role of t</source>
+   <translation>Coordonnée elliptique dans le rôle de t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends</source>
+   <translation>Extrémités</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Enneper's surface over the square |u|, |v| &lt;= reach (turned by 45 degrees for asymptotic).</source>
+   <translation>Surface d'Enneper sur le carré |u|, |v| &lt;= portée (tournée de 45 degrés pour asymptotique).</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even lengths or equal steps of the parameters</source>
+   <translation>Longueurs égales ou pas égaux des paramètres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every</source>
+   <translation>Chaque</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every k-th parameter line</source>
+   <translation>Une ligne paramétrique sur k</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Exchange u and v</source>
+   <translation>Échanger u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <source>Fabrication files written to {}</source>
+   <translation>Fichiers de fabrication écrits dans {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Factor</source>
+   <translation>Facteur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Fairness</source>
+   <translation>Lissage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First</source>
+   <translation>Premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last angle around the axis</source>
+   <translation>Premier et dernier angle autour de l'axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last latitude</source>
+   <translation>Première et dernière latitude</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t (0 and 0: clear of both ends)</source>
+   <translation>Premier et dernier t (0 et 0 : à distance des deux bouts)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First and last t of the confocal family</source>
+   <translation>Premier et dernier t de la famille homofocale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>First formula</source>
+   <translation>Première formule</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fixed point</source>
+   <translation>Point fixe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flange thickness</source>
+   <translation>Épaisseur des semelles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat net in the plane z = 0, centred at the origin; rectangles, normals along +z.</source>
+   <translation>Réseau plat dans le plan z = 0, centré à l'origine ; rectangles, normales selon +z.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Folder for the fabrication files</source>
+   <translation>Dossier des fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force</source>
+   <translation>Force</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of the cables, force / length</source>
+   <translation>Densité de force des câbles, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force in its border cable</source>
+   <translation>Force dans le câble de bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Forces under equal loads</source>
+   <translation>Forces sous charges égales</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the first of them</source>
+   <translation>Formule en s pour la première</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Formula of s for the second</source>
+   <translation>Formule en s pour la seconde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Four faces for each, parameter lines kept</source>
+   <translation>Quatre faces pour chacune, lignes paramétriques conservées</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>FreeCAD's Python was not found, or it has no pip. Install pip for Python {} with your system's package manager, then try again.</source>
+   <translation>Le Python de FreeCAD est introuvable ou n'a pas pip. Installez pip pour Python {} avec le gestionnaire de paquets de votre système, puis réessayez.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>From</source>
+   <translation>De</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap</source>
+   <translation>Joint</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap to reference</source>
+   <translation>Écart à la référence</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gauss curvature</source>
+   <translation>Courbure de Gauss</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Gauss image</source>
+   <translation>Image de Gauss</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Geodesic</source>
+   <translation>Géodésique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Height</source>
+   <translation>Hauteur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Helicoid around z, radii from -radius to radius.</source>
+   <translation>Hélicoïde autour de z, rayons de -rayon à rayon.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the net reaches over the surface</source>
+   <translation>Jusqu'où le réseau s'étend sur la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times</source>
+   <translation>Combien de fois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub diameter</source>
+   <translation>Diamètre du moyeu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>I</source>
+   <translation>I</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Image only</source>
+   <translation>Image seule</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Import quad mesh</source>
+   <translation>Importer un maillage de quadrilatères</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Install</source>
+   <translation>Installer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Installed, but Python does not find it in {}.</source>
+   <translation>Installé, mais Python ne le trouve pas dans {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Installed. Start FreeCAD again to use everything.</source>
+   <translation>Installé. Redémarrez FreeCAD pour tout utiliser.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Installing {}. This takes some minutes.</source>
+   <translation>Installation de {}. Cela prend quelques minutes.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Inverted in a sphere</source>
+   <translation>Inversé dans une sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Irregular vertices</source>
+   <translation>Sommets irréguliers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Its radius</source>
+   <translation>Son rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the last point with the first</source>
+   <translation>Relier le dernier point au premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Keep border</source>
+   <translation>Garder le bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Keep in place</source>
+   <translation>Garder en place</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Keep the last line where the step misses it</source>
+   <translation>Garder la dernière ligne là où le pas la manque</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kind</source>
+   <translation>Type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Latitudes</source>
+   <translation>Latitudes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Layout</source>
+   <translation>Disposition</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Length</source>
+   <translation>Longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Lengths in mm, curvatures in 1/m, angles in degrees</source>
+   <translation>Longueurs en mm, courbures en 1/m, angles en degrés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Less moves the centre away</source>
+   <translation>Moins éloigne le centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Levels</source>
+   <translation>Niveaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Lie on</source>
+   <translation>Posés sur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lift</source>
+   <translation>Relever</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Lines</source>
+   <translation>Lignes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load at each vertex, force</source>
+   <translation>Charge à chaque sommet, force</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the edges, force / mm</source>
+   <translation>Charge des arêtes, force / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of the faces, force / mm2</source>
+   <translation>Charge des faces, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Loads</source>
+   <translation>Charges</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Material</source>
+   <translation>Matériau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Mean curvature</source>
+   <translation>Courbure moyenne</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Measure</source>
+   <translation>Mesurer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Medial lines</source>
+   <translation>Lignes médianes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Merge vertices nearer than this</source>
+   <translation>Fusionner les sommets plus proches que cela</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Mesh</source>
+   <translation>Maillage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Midpoints of the edges: a parallelogram in each face</source>
+   <translation>Milieux des arêtes : un parallélogramme dans chaque face</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Midpoints, or smoothed</source>
+   <translation>Milieux, ou lissé</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Moebius transformation</source>
+   <translation>Transformation de Möbius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Move</source>
+   <translation>Déplacer</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Moved, turned and scaled</source>
+   <translation>Déplacé, tourné et mis à l'échelle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Moving</source>
+   <translation>Mobile</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Narrowest</source>
+   <translation>Le plus étroit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Near?</source>
+   <translation>Proche ?</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Net</source>
+   <translation>Réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>No boundary beams</source>
+   <translation>Sans poutres de bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Node axes</source>
+   <translation>Axes des nœuds</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>None</source>
+   <translation>Aucune</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Normal</source>
+   <translation>Normale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Normal of the plane</source>
+   <translation>Normale du plan</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Not now</source>
+   <translation>Pas maintenant</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Numbers of parameter lines, such as 0, 3</source>
+   <translation>Numéros de lignes paramétriques, par exemple 0, 3</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Offset</source>
+   <translation>Décalage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>One of the two meshes of face diagonals</source>
+   <translation>Un des deux maillages des diagonales de faces</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Optimise</source>
+   <translation>Optimiser</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/requirements.py" />
+   <source>Ortho: these Python packages are missing: {}</source>
+   <translation>Ortho : ces paquets Python manquent : {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonal multi-net in elliptic coordinates</source>
+   <translation>Multi-réseau orthogonal en coordonnées elliptiques</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonal multi-net of a polyline drawn on a quadric</source>
+   <translation>Multi-réseau orthogonal d'une polyligne dessinée sur une quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonality</source>
+   <translation>Orthogonalité</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Other side up, or families u and v exchanged</source>
+   <translation>L'autre côté en haut, ou familles u et v échangées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Outside</source>
+   <translation>Extérieur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Overlays</source>
+   <translation>Superpositions</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Packages for the Ortho workbench</source>
+   <translation>Paquets pour l'atelier Ortho</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel thickness</source>
+   <translation>Épaisseur des panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Parameter lines u and v</source>
+   <translation>Lignes paramétriques u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of u that is sampled, 0 to 1</source>
+   <translation>Part de la plage de u échantillonnée, 0 à 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range of v that is sampled, 0 to 1</source>
+   <translation>Part de la plage de v échantillonnée, 0 à 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Part of the range that is left free at the ends</source>
+   <translation>Part de la plage laissée libre aux bouts</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Periods</source>
+   <translation>Périodes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Picture (*.png)</source>
+   <translation>Image (*.png)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Picture written to {}</source>
+   <translation>Image écrite dans {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pitch</source>
+   <translation>Pas</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Placement</source>
+   <translation>Placement</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planarity</source>
+   <translation>Planéité</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Point</source>
+   <translation>Point</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points</source>
+   <translation>Points</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points (radius, height) that are turned about z</source>
+   <translation>Points (rayon, hauteur) tournés autour de z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of the polyline, in the frame of the quadric</source>
+   <translation>Points de la polyligne, dans le repère de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points where the medial lines of the faces cross</source>
+   <translation>Points où les lignes médianes des faces se croisent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points whose tangents make the sheet; empty for a helix</source>
+   <translation>Points dont les tangentes forment la feuille ; vide pour une hélice</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Power of ten, such as -6</source>
+   <translation>Puissance de dix, par exemple -6</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pressure</source>
+   <translation>Pression</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile</source>
+   <translation>Profil</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile of (radius, height) points turned about z, n points along it by interpolation.</source>
+   <translation>Profil de points (rayon, hauteur) tourné autour de z, n points le long par interpolation.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Quad mesh (*.obj *.ply *.off *.json)</source>
+   <translation>Maillage de quadrilatères (*.obj *.ply *.off *.json)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quadric</source>
+   <translation>Quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quadric that carries the polyline</source>
+   <translation>Quadrique qui porte la polyligne</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Quads from triangles</source>
+   <translation>Quadrilatères à partir de triangles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Quads that the border cuts: set onto it, or left out</source>
+   <translation>Quadrilatères coupés par le bord : posés dessus, ou omis</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius</source>
+   <translation>Rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Reach</source>
+   <translation>Portée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Reflect</source>
+   <translation>Refléter</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Reflection lines</source>
+   <translation>Lignes de réflexion</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/sources.py" />
+   <source>Remeshing to quads</source>
+   <translation>Remaillage en quadrilatères</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Reverse</source>
+   <translation>Inverser</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings</source>
+   <translation>Anneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings of faces at the border</source>
+   <translation>Anneaux de faces au bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rings or rows of faces cut off</source>
+   <translation>Anneaux ou rangées de faces coupés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rise</source>
+   <translation>Flèche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rows</source>
+   <translation>Rangées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rows at the starts and ends of u and v</source>
+   <translation>Rangées au début et à la fin de u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rule</source>
+   <translation>Règle</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Rulings of strips</source>
+   <translation>Génératrices des bandes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Running ...</source>
+   <translation>En cours ...</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sampling</source>
+   <translation>Échantillonnage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Save picture</source>
+   <translation>Enregistrer l'image</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Scale</source>
+   <translation>Échelle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Scherk's surface z = ln(cos y / cos x) by its asymptotic lines.</source>
+   <translation>Surface de Scherk z = ln(cos y / cos x) par ses lignes asymptotiques.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second</source>
+   <translation>Second</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second formula</source>
+   <translation>Seconde formule</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section</source>
+   <translation>Section</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Section width</source>
+   <translation>Largeur de la section</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi axes</source>
+   <translation>Demi-axes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of lambda = 0, falling</source>
+   <translation>Demi-axes de lambda = 0, décroissants</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Semi-axes of the quadric</source>
+   <translation>Demi-axes de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Several nets joined into one where their borders meet</source>
+   <translation>Plusieurs réseaux réunis en un seul où leurs bords se touchent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet of the tangents of a spine, by rulings (v) and involutes (u).</source>
+   <translation>Feuille des tangentes d'une courbe directrice, par génératrices (v) et développantes (u).</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Show the scale</source>
+   <translation>Montrer l'échelle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spacing</source>
+   <translation>Espacement</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sphere by meridians and parallels; planar, circular, equal diagonals, vertices on the sphere.</source>
+   <translation>Sphère par méridiens et parallèles ; plane, circulaire, diagonales égales, sommets sur la sphère.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Spheres of vertex stars</source>
+   <translation>Sphères des étoiles de sommets</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spine</source>
+   <translation>Courbe directrice</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Squares</source>
+   <translation>Carrés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Squares of the semi-axes of the first ellipse</source>
+   <translation>Carrés des demi-axes de la première ellipse</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Start</source>
+   <translation>Démarrer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Step</source>
+   <translation>Pas</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Steps along u and v</source>
+   <translation>Pas selon u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Stop</source>
+   <translation>Arrêter</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>Stopped. Nothing was installed.</source>
+   <translation>Arrêté. Rien n'a été installé.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Stopped. OK keeps this state, Start goes on.</source>
+   <translation>Arrêté. OK garde cet état, Démarrer continue.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strength</source>
+   <translation>Intensité</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress</source>
+   <translation>Contrainte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress of the membrane, force / length</source>
+   <translation>Contrainte de la membrane, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Supports</source>
+   <translation>Appuis</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
+   <translation>Appuis à relever d'abord, SOMMET:HAUTEUR en mm, par exemple 0:1500</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Swap</source>
+   <translation>Permuter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>T</source>
+   <translation>T</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>T range</source>
+   <translation>Plage de t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>That of the border's cables; 0: the same</source>
+   <translation>Celle des câbles de bord ; 0 : la même</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>The Ortho workbench needs Python packages that FreeCAD does not find: {names}.
+
+Install downloads them with what they need, up to 2 GB on disk, into FreeCAD's own folder for add-ons:
+{folder}
+Nothing else on this computer is changed.</source>
+   <translation>L'atelier Ortho a besoin de paquets Python que FreeCAD ne trouve pas : {names}.
+
+Installer les télécharge avec ce dont ils dépendent, jusqu'à 2 Go sur le disque, dans le dossier de FreeCAD pour les extensions :
+{folder}
+Rien d'autre n'est modifié sur cet ordinateur.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first holds the first vertex</source>
+   <translation>Le premier contient le premier sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror image alone</source>
+   <translation>L'image miroir seule</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net and its mirror image, the seam merged</source>
+   <translation>Le réseau et son image miroir, la couture fusionnée</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The net has changed meanwhile. Start begins anew.</source>
+   <translation>Le réseau a changé entre-temps. Démarrer recommence.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>The packages could not be installed:</source>
+   <translation>Les paquets n'ont pas pu être installés :</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Thickness</source>
+   <translation>Épaisseur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Time a step</source>
+   <translation>Temps par pas</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Time limit (s)</source>
+   <translation>Limite de temps (s)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>To</source>
+   <translation>À</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Tolerance</source>
+   <translation>Tolérance</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Top radius</source>
+   <translation>Rayon supérieur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Translation</source>
+   <translation>Translation</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Triangle mesh (*.stl *.obj *.ply *.off *.glb)</source>
+   <translation>Maillage de triangles (*.stl *.obj *.ply *.off *.glb)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <source>Triangles</source>
+   <translation>Triangles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turn</source>
+   <translation>Tourner</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turn the other side up</source>
+   <translation>Tourner l'autre côté vers le haut</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Turning angle of the spine</source>
+   <translation>Angle de rotation de la courbe directrice</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Twist</source>
+   <translation>Torsion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>U part</source>
+   <translation>Part de u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Unduloid (Delaunay), mean curvature 1 / (widest + narrowest) as the mean of both principals.</source>
+   <translation>Onduloïde (Delaunay), courbure moyenne 1 / (plus large + plus étroit), moyenne des deux principales.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <source>Update structures</source>
+   <translation>Mettre à jour les structures</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>V part</source>
+   <translation>Part de v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertex load</source>
+   <translation>Charge de sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Vertices / faces</source>
+   <translation>Sommets / faces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertices along u and v</source>
+   <translation>Sommets selon u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Vertices that do not move; numbers such as 0,5,12 work too</source>
+   <translation>Sommets qui ne bougent pas ; des numéros comme 0,5,12 conviennent aussi</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Waist</source>
+   <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length; 0: by the sampling</source>
+   <translation>Longueur d'arête souhaitée ; 0 : selon l'échantillonnage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where the net stands and how it is turned</source>
+   <translation>Où se trouve le réseau et comment il est tourné</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Which</source>
+   <translation>Lequel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Which lines of the surface the net follows</source>
+   <translation>Quelles lignes de la surface le réseau suit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Widest</source>
+   <translation>Le plus large</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Width</source>
+   <translation>Largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <source>Width x height in pixels</source>
+   <translation>Largeur x hauteur en pixels</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Worst</source>
+   <translation>Pire</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <source>Writing fabrication files</source>
+   <translation>Écriture des fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Zigzag border, or closed by narrow quads</source>
+   <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>above</source>
+   <translation>au-dessus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>across the faces of hubs</source>
+   <translation>entre les faces des moyeux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>all</source>
+   <translation>toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>aluminium</source>
+   <translation>aluminium</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>arch</source>
+   <translation>arc</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>asymptotic</source>
+   <translation>asymptotique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/fields.py" />
+   <source>automatic</source>
+   <translation>automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>below</source>
+   <translation>en dessous</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>both families</source>
+   <translation>les deux familles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>boundary</source>
+   <translation>bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boundary, corners or vertex numbers as 0,5,12</source>
+   <translation>boundary, corners ou numéros de sommets comme 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cables</source>
+   <translation>câbles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>catenoid</source>
+   <translation>caténoïde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>catmull-clark</source>
+   <translation>Catmull-Clark</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>centre</source>
+   <translation>au centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>chebyshev</source>
+   <translation>Tchebychev</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>checkerboard</source>
+   <translation>damier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>circular</source>
+   <translation>circulaire</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cmc</source>
+   <translation>CMC</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>coarsen</source>
+   <translation>grossir</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cone</source>
+   <translation>cône</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>confocal-conics</source>
+   <translation>coniques homofocales</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>conical</source>
+   <translation>conique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>corners</source>
+   <translation>coins</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cross section</source>
+   <translation>section transversale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cylinder</source>
+   <translation>cylindre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>diagonal mesh</source>
+   <translation>maillage diagonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>dog</source>
+   <translation>géodésique orthogonal discret</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>drop</source>
+   <translation>omettre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>ellipsoid</source>
+   <translation>ellipsoïde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>elliptic multi-net</source>
+   <translation>multi-réseau elliptique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>elliptic-paraboloid</source>
+   <translation>paraboloïde elliptique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>enneper</source>
+   <translation>Enneper</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>faces</source>
+   <translation>faces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>fill</source>
+   <translation>remplir</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>first</source>
+   <translation>premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>form-finding</source>
+   <translation>recherche de forme</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>formulas</source>
+   <translation>formules</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>geodesic</source>
+   <translation>géodésique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>geodesic-chebyshev</source>
+   <translation>géodésique et Tchebychev</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>gfrp</source>
+   <translation>PRV</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>helicoid</source>
+   <translation>hélicoïde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>hollow</source>
+   <translation>creux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>how beams meet</source>
+   <translation>comment les poutres se joignent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>hub</source>
+   <translation>moyeu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>in slots and at hubs</source>
+   <translation>dans les encoches et aux moyeux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>inversion</source>
+   <translation>inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isometric</source>
+   <translation>isométrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>joint between panels</source>
+   <translation>joint entre panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>lambda</source>
+   <translation>lambda</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>lapped</source>
+   <translation>à mi-bois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>leave the edges of the boundary out</source>
+   <translation>laisser de côté les arêtes du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>length</source>
+   <translation>longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>loop</source>
+   <translation>boucle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>medial mesh</source>
+   <translation>maillage médian</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>membrane</source>
+   <translation>membrane</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>mirror</source>
+   <translation>miroir</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>mitred</source>
+   <translation>à onglet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>mu</source>
+   <translation>mu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>multi-net</source>
+   <translation>multi-réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>no</source>
+   <translation>non</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>nothing</source>
+   <translation>rien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>nothing (on the net itself)</source>
+   <translation>rien (sur le réseau lui-même)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>nu</source>
+   <translation>nu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of hollow sections and flanges</source>
+   <translation>des profils creux et des semelles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the beams</source>
+   <translation>des poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the flanges where it differs</source>
+   <translation>des semelles si elle diffère</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the panels where it differs</source>
+   <translation>des panneaux si elle diffère</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the plates</source>
+   <translation>des plats</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one-sheeted hyperboloid</source>
+   <translation>hyperboloïde à une nappe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>orient</source>
+   <translation>orienter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>orthogonal</source>
+   <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parameter</source>
+   <translation>paramètre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plain</source>
+   <translation>uni</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plate</source>
+   <translation>plat</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plywood</source>
+   <translation>contreplaqué</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>principal</source>
+   <translation>principal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>quarter</source>
+   <translation>quart</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>range: give both numbers, or none for an automatic range</source>
+   <translation>plage : donner les deux nombres, ou aucun pour une plage automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>rectangle</source>
+   <translation>rectangle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>ring</source>
+   <translation>anneau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>rotational</source>
+   <translation>de révolution</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>scherk</source>
+   <translation>Scherk</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>second</source>
+   <translation>second</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>snap</source>
+   <translation>ajuster</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>snet</source>
+   <translation>S-réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>sphere</source>
+   <translation>sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>stainless</source>
+   <translation>inox</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>steel</source>
+   <translation>acier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>straight</source>
+   <translation>droit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>stress</source>
+   <translation>contrainte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>subdivide</source>
+   <translation>subdiviser</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tangent-developable</source>
+   <translation>développable de tangentes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>through-u</source>
+   <translation>u traversant</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>through-v</source>
+   <translation>v traversant</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>timber</source>
+   <translation>bois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>transform</source>
+   <translation>transformer</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>translational</source>
+   <translation>de translation</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>trim</source>
+   <translation>rogner</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>two-sheeted hyperboloid</source>
+   <translation>hyperboloïde à deux nappes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>u lines</source>
+   <translation>lignes u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>unduloid</source>
+   <translation>onduloïde</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>v lines</source>
+   <translation>lignes v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>wave</source>
+   <translation>onde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>weld</source>
+   <translation>souder</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>where the plates lie</source>
+   <translation>où se trouvent les plats</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>yes</source>
+   <translation>oui</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>{} (baked)</source>
+   <translation>{} (figé)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <source>{} cannot be started.</source>
+   <translation>{} ne peut pas être démarré.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>{} edges</source>
+   <translation>{} arêtes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/baking.py" />
+   <source>{} mesh</source>
+   <translation>{} maillage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
+   <source>{} points</source>
+   <translation>{} points</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/source_panel.py" />
+   <source>{} vertices, {} quads</source>
+   <translation>{} sommets, {} quadrilatères</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>{}, diagonal</source>
+   <translation>{}, diagonal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>{}: {} vertices, {} quads, {} irregular, edge ratio {:.2f}</source>
+   <translation>{} : {} sommets, {} quadrilatères, {} irréguliers, rapport d'arêtes {:.2f}</translation>
+  </message>
+ </context>
+ <context>
+  <name>OrthoPreferences</name>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Ask once a session, when the workbench is opened</source>
+   <translation>Demander une fois par session, à l'ouverture de l'atelier</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Beams</source>
+   <translation>Poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colour of new beams</source>
+   <translation>Couleur des nouvelles poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colour of new panels</source>
+   <translation>Couleur des nouveaux panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colour of the faces of a net where no colour map is shown</source>
+   <translation>Couleur des faces d'un réseau sans carte de couleurs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Colours of new objects</source>
+   <translation>Couleurs des nouveaux objets</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Computing</source>
+   <translation>Calcul</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Gap between panels</source>
+   <translation>Joint entre panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>General</source>
+   <translation>Général</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Height of beams</source>
+   <translation>Hauteur des poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Height of new beams, along the axes</source>
+   <translation>Hauteur des nouvelles poutres, le long des axes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>How many processes share the work on large structures; each takes memory of its own</source>
+   <translation>Combien de processus se partagent le travail sur les grandes structures ; chacun prend sa propre mémoire</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Import</source>
+   <translation>Importation</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Nets</source>
+   <translation>Réseaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Offer to install missing Python packages</source>
+   <translation>Proposer d'installer les paquets Python manquants</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Packages</source>
+   <translation>Paquets</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Panels</source>
+   <translation>Panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Processes for fabrication files</source>
+   <translation>Processus pour les fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Sizes that panels start with</source>
+   <translation>Dimensions par défaut des panneaux de saisie</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Sparse solver</source>
+   <translation>Solveur creux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of beams</source>
+   <translation>Épaisseur des poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of new panels</source>
+   <translation>Épaisseur des nouveaux panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of panels</source>
+   <translation>Épaisseur des panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Thickness of the plates of new beams</source>
+   <translation>Épaisseur des plats des nouvelles poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Unit of imported meshes</source>
+   <translation>Unité des maillages importés</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>What solves the linear system of each step; rslab is the faster one, where it is installed</source>
+   <translation>Ce qui résout le système linéaire de chaque pas ; rslab est le plus rapide, s'il est installé</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Which unit the numbers of a mesh file are in</source>
+   <translation>Dans quelle unité sont les nombres d'un fichier de maillage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Width of the joint between neighbouring panels</source>
+   <translation>Largeur du joint entre panneaux voisins</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>as the file says, else mm</source>
+   <translation>comme le dit le fichier, sinon mm</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>the fastest installed</source>
+   <translation>le plus rapide installé</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Bake</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Bake to plain features</source>
+   <translation>Figer en objets simples</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Copy the selected nets and structures as Part features and meshes that need no add-on</source>
+   <translation>Copier les réseaux et structures sélectionnés en objets Part et maillages qui n'ont besoin d'aucune extension</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Beams</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Beams</source>
+   <translation>Poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a torsion-free beam on every edge of the selected net</source>
+   <translation>Mettre une poutre sans torsion sur chaque arête du réseau sélectionné</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_ChangeNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>Derive, subdivide, transform or weld nets into a new one that follows</source>
+   <translation>Dériver, subdiviser, transformer ou souder des réseaux en un nouveau qui suit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>Net from nets</source>
+   <translation>Réseau à partir de réseaux</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Check</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Check</source>
+   <translation>Vérifier</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Measure the selected net and say which kinds of nets it is near to</source>
+   <translation>Mesurer le réseau sélectionné et dire de quels types de réseaux il est proche</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Derived</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Derived mesh</source>
+   <translation>Maillage dérivé</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>The diagonal, medial or checkerboard mesh of the selected net</source>
+   <translation>Le maillage diagonal, médian ou en damier du réseau sélectionné</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Display</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Choose the colour map and the overlays of the selected net</source>
+   <translation>Choisir la carte de couleurs et les superpositions du réseau sélectionné</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Display</source>
+   <translation>Affichage</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_EllipticNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>An orthogonal multi-net from a curve in elliptic coordinates</source>
+   <translation>Un multi-réseau orthogonal à partir d'une courbe en coordonnées elliptiques</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Multi-net in elliptic coordinates</source>
+   <translation>Multi-réseau en coordonnées elliptiques</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Examples</name>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>A canopy made orthogonal and planar, with flat beams and panels</source>
+   <translation>Un auvent rendu orthogonal et plan, avec des poutres et des panneaux plans</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>A form-found dome, then flat panels that meet at right angles</source>
+   <translation>Une coupole issue de la recherche de forme, puis des panneaux plans qui se joignent à angle droit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>A soap film and an asymptotic net on it: laths that unroll straight</source>
+   <translation>Un film de savon et un réseau asymptotique dessus : des lattes qui se déroulent droites</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Developable sheets</source>
+   <translation>Feuilles développables</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Four nets that are orthogonal exactly, in all their rectangles</source>
+   <translation>Quatre réseaux exactement orthogonaux, dans tous leurs rectangles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Hanging net turned over</source>
+   <translation>Réseau suspendu retourné</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Minimal gridshell</source>
+   <translation>Résille minimale</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>One curved sheet made developable in two ways, corners held</source>
+   <translation>Une feuille courbe rendue développable de deux façons, coins tenus</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Orthogonal multi-nets</source>
+   <translation>Multi-réseaux orthogonaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/examples.py" />
+   <source>Roof of beams and panels</source>
+   <translation>Toit de poutres et de panneaux</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_ExportFabrication</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <source>Export fabrication files</source>
+   <translation>Exporter les fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <source>Write solids (STEP), flat patterns (DXF) and the parts list (CSV) of the selected structures</source>
+   <translation>Écrire les solides (STEP), les développés (DXF) et la nomenclature (CSV) des structures sélectionnées</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FaceNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Net on faces</source>
+   <translation>Réseau sur des faces</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Sample the selected CAD faces along their parameter lines, joined where they meet</source>
+   <translation>Échantillonner les faces CAO sélectionnées le long de leurs lignes paramétriques, réunies où elles se touchent</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FormNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A membrane or cable net in equilibrium that starts from the selected net</source>
+   <translation>Une membrane ou un réseau de câbles en équilibre, à partir du réseau sélectionné</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Form-finding</source>
+   <translation>Recherche de forme</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_ImportNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/import_net.py" />
+   <source>Import quad mesh</source>
+   <translation>Importer un maillage de quadrilatères</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/import_net.py" />
+   <source>Read an OBJ file and keep its quads as a net</source>
+   <translation>Lire un fichier OBJ et garder ses quadrilatères comme réseau</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_InstallPackages</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/install_packages.py" />
+   <source>Install missing packages</source>
+   <translation>Installer les paquets manquants</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/install_packages.py" />
+   <source>Install the Python packages that the workbench needs and FreeCAD does not find</source>
+   <translation>Installer les paquets Python dont l'atelier a besoin et que FreeCAD ne trouve pas</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_MultiNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Draw a polyline on a quadric; the orthogonal multi-net that it determines follows at once</source>
+   <translation>Dessiner une polyligne sur une quadrique ; le multi-réseau orthogonal qu'elle détermine suit aussitôt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Multi-net</source>
+   <translation>Multi-réseau</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_NewNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>A net from numbers, CAD faces, triangles or form-finding</source>
+   <translation>Un réseau à partir de nombres, de faces CAO, de triangles ou d'une recherche de forme</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/groups.py" />
+   <source>New net</source>
+   <translation>Nouveau réseau</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Optimise</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Move the vertices of the selected net until its faces are orthogonal and planar</source>
+   <translation>Déplacer les sommets du réseau sélectionné jusqu'à ce que ses faces soient orthogonales et planes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Optimise</source>
+   <translation>Optimiser</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Panels</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Panels</source>
+   <translation>Panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a flat panel in every face of the selected net</source>
+   <translation>Mettre un panneau plan dans chaque face du réseau sélectionné</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Primitive</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A net that is known exactly: sphere, catenoid, helicoid and others</source>
+   <translation>Un réseau connu exactement : sphère, caténoïde, hélicoïde et autres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Primitive</source>
+   <translation>Primitive</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_QuadsFromMesh</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/remesh.py" />
+   <source>Quads from triangles</source>
+   <translation>Quadrilatères à partir de triangles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/remesh.py" />
+   <source>Remesh the selected triangle mesh, or an STL, OBJ, PLY or GLB file, to a net of quads</source>
+   <translation>Remailler le maillage de triangles sélectionné, ou un fichier STL, OBJ, PLY ou GLB, en un réseau de quadrilatères</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Refine</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>More or fewer parameter lines of the selected net, or rows cut off</source>
+   <translation>Plus ou moins de lignes paramétriques du réseau sélectionné, ou des rangées coupées</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Subdivide, coarsen, trim</source>
+   <translation>Subdiviser, grossir, rogner</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_SavePicture</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Save picture</source>
+   <translation>Enregistrer l'image</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/display.py" />
+   <source>Save what the 3D view shows, at any size</source>
+   <translation>Enregistrer ce que montre la vue 3D, à toute taille</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Transform</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Move, turn, scale, mirror, turn over or bend the selected net (Moebius transformation)</source>
+   <translation>Déplacer, tourner, mettre à l'échelle, refléter, retourner ou courber le réseau sélectionné (transformation de Möbius)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Transform net</source>
+   <translation>Transformer le réseau</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_UpdateStructures</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Build those structures anew that do not follow their nets automatically</source>
+   <translation>Reconstruire les structures qui ne suivent pas leurs réseaux d'elles-mêmes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Update structures</source>
+   <translation>Mettre à jour les structures</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Weld</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Join the selected nets into one where borders meet</source>
+   <translation>Réunir les réseaux sélectionnés en un seul là où les bords se touchent</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Weld nets</source>
+   <translation>Souder des réseaux</translation>
+  </message>
+ </context>
+ <context>
+  <name>Workbench</name>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Examples</source>
+   <translation>&amp;Exemples</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Ortho</source>
+   <translation>&amp;Ortho</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho</source>
+   <translation>Ortho</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Analyse</source>
+   <translation>Ortho Analyse</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Design</source>
+   <translation>Ortho Conception</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Fabricate</source>
+   <translation>Ortho Fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Ortho Optimise</source>
+   <translation>Ortho Optimisation</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>Turn freeform quad meshes into buildings of flat beams and panels</source>
+   <translation>Faire de maillages libres de quadrilatères des bâtiments de poutres et panneaux plans</translation>
+  </message>
+ </context>
+</TS>

@@ -1,0 +1,43 @@
+"""Words of the workbench that stand in its catalogues and not beside a call of ``translate``.
+
+Rooms without FreeCAD list them (nets, fields, sources, systems, materials); panels and property
+editors translate them when they are shown.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from freecad_ortho.fabrication import MATERIALS, SYSTEMS
+from freecad_ortho.sources import GROUPS, SOURCES
+from solver.analysis.fields import FIELDS
+from solver.nets import RECIPES
+
+_PANELS, _PROPERTIES = "Ortho", "App::Property"
+
+
+def words() -> Iterator[tuple[str, str]]:
+    """Give pairs of context and word; some come twice."""
+    for names in (RECIPES, FIELDS, ("None",), MATERIALS, *GROUPS.values()):
+        yield from ((_PANELS, name) for name in names)
+    for source in SOURCES.values():
+        yield _PANELS, source.meaning
+        for option in source.options:
+            yield from _option(option.label, option.meaning, option.choices)
+            yield _PROPERTIES, option.meaning
+    for system in SYSTEMS.values():
+        for entry in system.options:
+            label = entry.name.replace("_", " ").capitalize()
+            metavar = tuple(entry.metavar.split("|"))
+            yield from _option(label, entry.help, metavar if len(metavar) > 1 else ())
+            yield _PROPERTIES, f"{label}: {entry.help}"
+
+
+def _option(label: str, meaning: str, choices: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    yield _PANELS, label
+    yield _PANELS, meaning
+    yield from ((_PANELS, word) for word in choices)
