@@ -9,6 +9,7 @@ import ortho_suite_tools as tools
 import Part
 
 from freecad_ortho import api
+from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.objects.net import COLOUR_MAPS, is_net
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
@@ -157,6 +158,19 @@ class Sequence:
     def sampling(self):
         return self.dice.randint(3, 5), self.dice.randint(3, 5)
 
+    def add_flat_patterns(self):
+        if not self.structures() or self.document.getObject("FlatPatterns"):
+            return False
+        sheet = self.dice.choice([None, ("6 m", "3 m")])
+        chosen = self.dice.choice(self.structures())
+        self.allowed_to_fail(api.add_flat_patterns, chosen, sheet=sheet)
+
+    def add_drawing_page(self):
+        patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
+        if not patterns or self.dice.random() < 0.7:
+            return False
+        self.allowed_to_fail(api.add_drawing_page, self.dice.choice(patterns))
+
     def update_structures(self):
         self.allowed_to_fail(api.update_structures, self.document)
 
@@ -282,6 +296,8 @@ def snapshot(document):
             links = [getattr(link, "Name", None) for link in values(item, "Link")]
             words = values(item, "Enumeration", "Integer")
             found[item.Name] = (tuple(item.PartNames), *links, *words), numbers
+        elif is_flat_patterns(item):
+            found[item.Name] = tuple(item.PartNames), [item.Shape.Length, item.Shape.Area]
     return found
 
 

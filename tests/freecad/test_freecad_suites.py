@@ -162,7 +162,7 @@ def test_package_metadata():
     name = workbench.find("p:classname", space).text
     assert f"class {name}(" in (ROOT / "InitGui.py").read_text(encoding="utf-8")
     depends = {item.text for item in package.findall("p:depend", space)}
-    assert depends == {"numpy", "scipy", "cadquery", "ezdxf", "trimesh"}
+    assert depends == {"numpy", "scipy", "cadquery", "ezdxf", "shapely", "trimesh"}
 
 
 def test_icons_are_64_by_64():

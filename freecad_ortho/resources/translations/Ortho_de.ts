@@ -14,6 +14,11 @@
    <translation>Längs der Normalen, Kraft / mm2</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Along: parts keep their length along the sheet</source>
+   <translation>Along: Teile behalten ihre Länge längs der Tafel</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles about x, then y, then z</source>
    <translation>Winkel um x, dann y, dann z</translation>
@@ -34,6 +39,11 @@
    <translation>Blau bei und unter diesem Wert (mm, 1/m, 1/m2, Grad), wenn nicht automatisch</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Boxes: fast; outlines: denser, with a library</source>
+   <translation>Boxes: schnell; Outlines: dichter, mit einer Bibliothek</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Cables of given force density, or constant stress</source>
    <translation>Seile gegebener Kraftdichte, oder konstante Spannung</translation>
@@ -47,6 +57,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Centre of the sphere</source>
    <translation>Mittelpunkt der Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Clear distance of parts from each other and the rim</source>
+   <translation>Lichter Abstand der Teile voneinander und vom Rand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -189,6 +204,11 @@
    <translation>Höhe</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Height of a sheet</source>
+   <translation>Höhe einer Tafel</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Height: of the beams</source>
    <translation>Höhe: der Träger</translation>
@@ -284,6 +304,11 @@
    <translation>Mittelpunkte, oder geglättet</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Names of the parts, in the order of the shape</source>
+   <translation>Namen der Teile, in der Reihenfolge der Form</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Names of the parts, in the order of the solids</source>
    <translation>Namen der Teile, in der Reihenfolge der Körper</translation>
@@ -314,9 +339,19 @@
    <translation>Normale der Ebene</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Number of sheets</source>
+   <translation>Anzahl der Tafeln</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Numbers of these parameter lines; empty: all</source>
    <translation>Nummern dieser Parameterlinien; leer: alle</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Of the search for a dense nesting</source>
+   <translation>Der Suche nach dichter Schachtelung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -352,6 +387,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Part of the range that is left free at the ends</source>
    <translation>Teil des Bereichs, der an den Enden frei bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Part of the sheets that is left over, 0 to 1</source>
+   <translation>Teil der Tafeln, der übrig bleibt, 0 bis 1</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -504,6 +544,11 @@
    <translation>Die Last jeder freien Ecke zeigen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/flat_patterns_view.py" />
+   <source>Show the names of the parts</source>
+   <translation>Die Namen der Teile zeigen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Show the normals of the faces on a sphere beside the net</source>
    <translation>Die Normalen der Maschen auf einer Kugel neben dem Netz zeigen</translation>
@@ -542,6 +587,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Structures whose parts are shown</source>
+   <translation>Tragwerke, deren Teile gezeigt werden</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -599,7 +649,7 @@
    <translation>Einheit der Datei, aus der das Netz kam</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net.py" />
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Version of this object's properties</source>
    <translation>Version der Eigenschaften dieses Objekts</translation>
   </message>
@@ -644,6 +694,11 @@
    <translation>Wodurch das Netz gemacht ist</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Where the names stand</source>
+   <translation>Wo die Namen stehen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Where the net stands and how it is turned</source>
    <translation>Wo das Netz steht und wie es gedreht ist</translation>
@@ -662,6 +717,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Width</source>
    <translation>Breite</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Width of a sheet; 0: the parts lie in rows</source>
+   <translation>Breite einer Tafel; 0: die Teile liegen in Reihen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Width of the cut that outlines are compensated for</source>
+   <translation>Schnittbreite, um die Umrisse ausgeglichen werden</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -862,6 +927,11 @@
    <translation>Punkte auf der Quadrik anklicken; Rechtsklick oder Esc beendet.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/form_panel.py" />
+   <source>Click vertices in the 3D view to hold them; click again to free</source>
+   <translation>Ecken in der 3D-Ansicht anklicken, um sie zu halten; noch einmal, um sie zu lösen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Clicks add points at the end; Backspace takes the last one away</source>
    <translation>Klicks fügen am Ende Punkte an; die Rücktaste nimmt den letzten weg</translation>
@@ -952,6 +1022,11 @@
    <translation>Zeichnen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <source>Drawing page</source>
+   <translation>Zeichnungsblatt</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge</source>
    <translation>Kante</translation>
@@ -1007,7 +1082,12 @@
    <translation>u und v vertauschen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Export fabrication files</source>
+   <translation>Fertigungsdateien exportieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Fabrication files written to {}</source>
    <translation>Fertigungsdateien geschrieben nach {}</translation>
   </message>
@@ -1065,6 +1145,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat net in the plane z = 0, centred at the origin; rectangles, normals along +z.</source>
    <translation>Ebenes Netz in z = 0, mittig im Ursprung; Rechtecke, Normalen längs +z.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <source>Flat patterns</source>
+   <translation>Abwicklungen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
@@ -1140,6 +1225,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Geodesic</source>
    <translation>Geodätisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Grain</source>
+   <translation>Faserrichtung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1237,6 +1327,11 @@
    <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Kerf</source>
+   <translation>Schnittfuge</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Art</translation>
@@ -1255,6 +1350,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Length</source>
    <translation>Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Length of bars and strips; 0: automatic</source>
+   <translation>Länge von Stäben und Streifen; 0: automatisch</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1377,6 +1477,11 @@
    <translation>Nahe?</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Nest on sheets</source>
+   <translation>Auf Tafeln schachteln</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Net</source>
    <translation>Netz</translation>
@@ -1472,6 +1577,11 @@
    <translation>Pakete für den Arbeitsbereich Ortho</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Packing</source>
+   <translation>Packung</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Panel thickness</source>
    <translation>Plattendicke</translation>
@@ -1500,6 +1610,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Periods</source>
    <translation>Perioden</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/form_panel.py" />
+   <source>Pick supports</source>
+   <translation>Lager wählen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
@@ -1565,6 +1680,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Druck</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Processes that share the work</source>
+   <translation>Prozesse, die sich die Arbeit teilen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1717,6 +1837,11 @@
    <translation>Breite des Querschnitts</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Seed</source>
+   <translation>Startwert</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi axes</source>
    <translation>Halbachsen</translation>
@@ -1737,9 +1862,19 @@
    <translation>Mehrere Netze zu einem verbunden, wo ihre Ränder sich treffen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Sheet height</source>
+   <translation>Tafelhöhe</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Sheet of the tangents of a spine, by rulings (v) and involutes (u).</source>
    <translation>Blech aus den Tangenten einer Leitkurve, durch Erzeugende (v) und Evolventen (u).</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Sheet width</source>
+   <translation>Tafelbreite</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1752,7 +1887,7 @@
    <translation>Größe</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Spacing</source>
    <translation>Teilung</translation>
   </message>
@@ -1797,6 +1932,11 @@
    <translation>Schritte längs u und v</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Stock length</source>
+   <translation>Lagerlänge</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>Stop</source>
    <translation>Stopp</translation>
@@ -1825,6 +1965,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Structures</source>
+   <translation>Tragwerke</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2040,6 +2185,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Breite x Höhe in Pixeln</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Workers</source>
+   <translation>Prozesse</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Worst</source>
    <translation>Schlechteste</translation>
@@ -2068,6 +2218,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>all</source>
    <translation>alle</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>along the sheet</source>
+   <translation>längs der Tafel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2108,6 +2263,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>boundary, corners or vertex numbers as 0,5,12</source>
    <translation>boundary, corners oder Eckennummern wie 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>by boxes (fast)</source>
+   <translation>nach Rechtecken (schnell)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>by outlines (dense)</source>
+   <translation>nach Umrissen (dicht)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2420,6 +2585,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Parameter</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>parts may turn</source>
+   <translation>Teile dürfen drehen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plain</source>
    <translation>einfarbig</translation>
@@ -2664,8 +2834,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
-   <source>Computing</source>
-   <translation>Rechnen</translation>
+   <source>Fabrication files</source>
+   <translation>Fertigungsdateien</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -2689,11 +2859,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
-   <source>How many processes share the work on large structures; each takes memory of its own</source>
-   <translation>Wie viele Prozesse sich die Arbeit an großen Tragwerken teilen; jeder braucht eigenen Speicher</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Import</source>
    <translation>Import</translation>
   </message>
@@ -2709,6 +2874,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Optimisation</source>
+   <translation>Optimierung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Packages</source>
    <translation>Pakete</translation>
   </message>
@@ -2719,8 +2889,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
-   <source>Processes for fabrication files</source>
-   <translation>Prozesse für Fertigungsdateien</translation>
+   <source>Processes that share the work on parts; worth it from some hundred parts on</source>
+   <translation>Prozesse, die sich die Arbeit an Teilen teilen; lohnt sich ab einigen hundert Teilen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -2771,6 +2941,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Width of the joint between neighbouring panels</source>
    <translation>Breite der Fuge zwischen benachbarten Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Workers</source>
+   <translation>Prozesse</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -2862,6 +3037,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_DrawingPage</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Drawing page</source>
+   <translation>Zeichnungsblatt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Show the selected flat patterns on a page to print</source>
+   <translation>Die gewählten Abwicklungen auf einem Blatt zum Drucken zeigen</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_EllipticNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -2936,8 +3124,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
-   <source>Write solids (STEP), flat patterns (DXF) and the parts list (CSV) of the selected structures</source>
-   <translation>Körper (STEP), Abwicklungen (DXF) und Stückliste (CSV) der gewählten Tragwerke schreiben</translation>
+   <source>Write solids (STEP), flat patterns and sheets (DXF), lists (CSV) and reports of the selected structures</source>
+   <translation>Körper (STEP), Abwicklungen und Tafeln (DXF), Listen (CSV) und Berichte der gewählten Tragwerke schreiben</translation>
   </message>
  </context>
  <context>
@@ -2951,6 +3139,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/sources.py" />
    <source>Sample the selected CAD faces along their parameter lines, joined where they meet</source>
    <translation>Die gewählten CAD-Flächen längs ihrer Parameterlinien abtasten, verbunden, wo sie sich treffen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FlatPatterns</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Flat patterns</source>
+   <translation>Abwicklungen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Lay the parts of the selected structures flat, in rows or on sheets</source>
+   <translation>Die Teile der gewählten Tragwerke flach auslegen, in Reihen oder auf Tafeln</translation>
   </message>
  </context>
  <context>

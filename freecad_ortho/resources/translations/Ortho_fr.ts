@@ -14,6 +14,11 @@
    <translation>Le long des normales, force / mm2</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Along: parts keep their length along the sheet</source>
+   <translation>Along : les pièces gardent leur longueur le long de la tôle</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles about x, then y, then z</source>
    <translation>Angles autour de x, puis y, puis z</translation>
@@ -34,6 +39,11 @@
    <translation>Bleu à cette valeur et en dessous (mm, 1/m, 1/m2, degrés) si non automatique</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Boxes: fast; outlines: denser, with a library</source>
+   <translation>Boxes : rapide ; Outlines : plus dense, avec une bibliothèque</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Cables of given force density, or constant stress</source>
    <translation>Câbles de densité de force donnée, ou contrainte constante</translation>
@@ -47,6 +57,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Centre of the sphere</source>
    <translation>Centre de la sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Clear distance of parts from each other and the rim</source>
+   <translation>Distance libre des pièces entre elles et au bord</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -189,6 +204,11 @@
    <translation>Hauteur</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Height of a sheet</source>
+   <translation>Hauteur d'une tôle</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Height: of the beams</source>
    <translation>Hauteur : des poutres</translation>
@@ -284,6 +304,11 @@
    <translation>Milieux, ou lissé</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Names of the parts, in the order of the shape</source>
+   <translation>Noms des pièces, dans l'ordre de la forme</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Names of the parts, in the order of the solids</source>
    <translation>Noms des pièces, dans l'ordre des solides</translation>
@@ -314,9 +339,19 @@
    <translation>Normale du plan</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Number of sheets</source>
+   <translation>Nombre de tôles</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Numbers of these parameter lines; empty: all</source>
    <translation>Numéros de ces lignes paramétriques ; vide : toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Of the search for a dense nesting</source>
+   <translation>De la recherche d'une imbrication dense</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -352,6 +387,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Part of the range that is left free at the ends</source>
    <translation>Part de la plage laissée libre aux bouts</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Part of the sheets that is left over, 0 to 1</source>
+   <translation>Part des tôles qui reste, 0 à 1</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -504,6 +544,11 @@
    <translation>Montrer la charge de chaque sommet libre</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/flat_patterns_view.py" />
+   <source>Show the names of the parts</source>
+   <translation>Montrer les noms des pièces</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Show the normals of the faces on a sphere beside the net</source>
    <translation>Montrer les normales des faces sur une sphère à côté du réseau</translation>
@@ -542,6 +587,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Structures whose parts are shown</source>
+   <translation>Structures dont les pièces sont montrées</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -599,7 +649,7 @@
    <translation>Unité du fichier d'où vient le réseau</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net.py" />
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Version of this object's properties</source>
    <translation>Version des propriétés de cet objet</translation>
   </message>
@@ -644,6 +694,11 @@
    <translation>Ce par quoi le réseau est fait</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Where the names stand</source>
+   <translation>Où sont les noms</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Where the net stands and how it is turned</source>
    <translation>Où se trouve le réseau et comment il est tourné</translation>
@@ -662,6 +717,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Width</source>
    <translation>Largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Width of a sheet; 0: the parts lie in rows</source>
+   <translation>Largeur d'une tôle ; 0 : les pièces sont en rangées</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Width of the cut that outlines are compensated for</source>
+   <translation>Largeur de coupe compensée sur les contours</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -862,6 +927,11 @@
    <translation>Cliquer des points sur la quadrique ; clic droit ou Échap termine.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/form_panel.py" />
+   <source>Click vertices in the 3D view to hold them; click again to free</source>
+   <translation>Cliquer des sommets dans la vue 3D pour les tenir ; cliquer à nouveau pour les libérer</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Clicks add points at the end; Backspace takes the last one away</source>
    <translation>Les clics ajoutent des points à la fin ; Retour arrière enlève le dernier</translation>
@@ -952,6 +1022,11 @@
    <translation>Dessiner</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <source>Drawing page</source>
+   <translation>Page de dessin</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge</source>
    <translation>Arête</translation>
@@ -1007,7 +1082,12 @@
    <translation>Échanger u et v</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Export fabrication files</source>
+   <translation>Exporter les fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Fabrication files written to {}</source>
    <translation>Fichiers de fabrication écrits dans {}</translation>
   </message>
@@ -1065,6 +1145,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat net in the plane z = 0, centred at the origin; rectangles, normals along +z.</source>
    <translation>Réseau plat dans le plan z = 0, centré à l'origine ; rectangles, normales selon +z.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <source>Flat patterns</source>
+   <translation>Développés</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
@@ -1140,6 +1225,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Geodesic</source>
    <translation>Géodésique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Grain</source>
+   <translation>Sens du fil</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1237,6 +1327,11 @@
    <translation>Garder la dernière ligne là où le pas la manque</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Kerf</source>
+   <translation>Trait de coupe</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Type</translation>
@@ -1255,6 +1350,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Length</source>
    <translation>Longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Length of bars and strips; 0: automatic</source>
+   <translation>Longueur des barres et bandes ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1377,6 +1477,11 @@
    <translation>Proche ?</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Nest on sheets</source>
+   <translation>Imbriquer sur des tôles</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Net</source>
    <translation>Réseau</translation>
@@ -1472,6 +1577,11 @@
    <translation>Paquets pour l'atelier Ortho</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Packing</source>
+   <translation>Rangement</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Panel thickness</source>
    <translation>Épaisseur des panneaux</translation>
@@ -1500,6 +1610,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Periods</source>
    <translation>Périodes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/form_panel.py" />
+   <source>Pick supports</source>
+   <translation>Choisir les appuis</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
@@ -1565,6 +1680,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Pression</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Processes that share the work</source>
+   <translation>Processus qui se partagent le travail</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1717,6 +1837,11 @@
    <translation>Largeur de la section</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Seed</source>
+   <translation>Graine</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi axes</source>
    <translation>Demi-axes</translation>
@@ -1737,9 +1862,19 @@
    <translation>Plusieurs réseaux réunis en un seul où leurs bords se touchent</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Sheet height</source>
+   <translation>Hauteur de tôle</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Sheet of the tangents of a spine, by rulings (v) and involutes (u).</source>
    <translation>Feuille des tangentes d'une courbe directrice, par génératrices (v) et développantes (u).</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Sheet width</source>
+   <translation>Largeur de tôle</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1752,7 +1887,7 @@
    <translation>Taille</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Spacing</source>
    <translation>Espacement</translation>
   </message>
@@ -1797,6 +1932,11 @@
    <translation>Pas selon u et v</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Stock length</source>
+   <translation>Longueur de barre</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>Stop</source>
    <translation>Arrêter</translation>
@@ -1825,6 +1965,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Structures</source>
+   <translation>Structures</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2040,6 +2185,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Largeur x hauteur en pixels</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Workers</source>
+   <translation>Processus</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Worst</source>
    <translation>Pire</translation>
@@ -2068,6 +2218,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>all</source>
    <translation>toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>along the sheet</source>
+   <translation>le long de la tôle</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2108,6 +2263,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>boundary, corners or vertex numbers as 0,5,12</source>
    <translation>boundary, corners ou numéros de sommets comme 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>by boxes (fast)</source>
+   <translation>par boîtes (rapide)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>by outlines (dense)</source>
+   <translation>par contours (dense)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2420,6 +2585,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>paramètre</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>parts may turn</source>
+   <translation>les pièces peuvent tourner</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plain</source>
    <translation>uni</translation>
@@ -2664,8 +2834,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
-   <source>Computing</source>
-   <translation>Calcul</translation>
+   <source>Fabrication files</source>
+   <translation>Fichiers de fabrication</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -2689,11 +2859,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
-   <source>How many processes share the work on large structures; each takes memory of its own</source>
-   <translation>Combien de processus se partagent le travail sur les grandes structures ; chacun prend sa propre mémoire</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Import</source>
    <translation>Importation</translation>
   </message>
@@ -2709,6 +2874,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Optimisation</source>
+   <translation>Optimisation</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Packages</source>
    <translation>Paquets</translation>
   </message>
@@ -2719,8 +2889,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
-   <source>Processes for fabrication files</source>
-   <translation>Processus pour les fichiers de fabrication</translation>
+   <source>Processes that share the work on parts; worth it from some hundred parts on</source>
+   <translation>Processus qui se partagent le travail sur les pièces ; utile à partir de quelques centaines de pièces</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -2771,6 +2941,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Width of the joint between neighbouring panels</source>
    <translation>Largeur du joint entre panneaux voisins</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Workers</source>
+   <translation>Processus</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -2862,6 +3037,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_DrawingPage</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Drawing page</source>
+   <translation>Page de dessin</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Show the selected flat patterns on a page to print</source>
+   <translation>Montrer les développés sélectionnés sur une page à imprimer</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_EllipticNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -2936,8 +3124,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/export_fabrication.py" />
-   <source>Write solids (STEP), flat patterns (DXF) and the parts list (CSV) of the selected structures</source>
-   <translation>Écrire les solides (STEP), les développés (DXF) et la nomenclature (CSV) des structures sélectionnées</translation>
+   <source>Write solids (STEP), flat patterns and sheets (DXF), lists (CSV) and reports of the selected structures</source>
+   <translation>Écrire les solides (STEP), développés et tôles (DXF), listes (CSV) et rapports des structures sélectionnées</translation>
   </message>
  </context>
  <context>
@@ -2951,6 +3139,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/sources.py" />
    <source>Sample the selected CAD faces along their parameter lines, joined where they meet</source>
    <translation>Échantillonner les faces CAO sélectionnées le long de leurs lignes paramétriques, réunies où elles se touchent</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FlatPatterns</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Flat patterns</source>
+   <translation>Développés</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
+   <source>Lay the parts of the selected structures flat, in rows or on sheets</source>
+   <translation>Mettre à plat les pièces des structures sélectionnées, en rangées ou sur des tôles</translation>
   </message>
  </context>
  <context>
