@@ -26,6 +26,8 @@ DAMPING_START = 1e-3
 _DAMPING_MIN, _DAMPING_MAX = 1e-12, 1e8
 # Part of the step at which the second derivative is probed, and the longest bend that is trusted.
 _PROBE, _LONGEST_BEND = 0.1, 0.375
+# Steps that follow with the same factors; more of them lag visibly behind a dragged vertex.
+_REUSES = 3
 
 _Result = TypeVar("_Result")
 
@@ -64,6 +66,8 @@ class Stepper:
         self._system = system
         self._solver = solver
         self._solving = 0.0
+        self._last: Callable[[FloatArray], FloatArray] | None = None
+        self._last_weights, self._reused = np.zeros(0), 0
 
     def step(
         self,
@@ -84,6 +88,7 @@ class Stepper:
         diagonal = pattern.indptr[:-1]
         values = matrix[diagonal]
         self._solving, rejected = 0.0, False
+        self._last_weights, self._reused = weights.copy(), 0
         while True:
             matrix[diagonal] = values + damping
             solve, move = self._solve(matrix, gradient)
@@ -103,14 +108,46 @@ class Stepper:
             damping = max(8 * damping, 1e-9)
             rejected = True
 
+    def follow(
+        self,
+        terms: Sequence[Term],
+        x: FloatArray,
+        linearisations: list[Linearisation],
+        weights: FloatArray,
+        damping: float,
+    ) -> Step | None:
+        """Move ``x`` with the factors of the last step, at a fraction of its cost.
+
+        For a problem that has changed a little since, as while a vertex is dragged. None where the
+        factors are no help any more, or there are none; then :meth:`step` makes new ones.
+        """
+        worn = self._reused >= _REUSES or not np.array_equal(weights, self._last_weights)
+        if self._last is None or worn:
+            return None
+        before = energy_of(linearisations, weights)
+        self._solving = 0.0
+        move = self._timed(self._last, -self._system.gradient(linearisations, weights))
+        there = x.copy()
+        there[self._system.pattern.unknowns] += move
+        ahead = linearise(terms, there, linearisations, weights)
+        after = energy_of(ahead, weights)
+        if not after < before:
+            self._last = None
+            return None
+        self._reused += 1
+        length = float(np.abs(move).max(initial=0.0))
+        return Step(there, ahead, after, length, damping, self._solving, False)
+
     def _solve(
         self, matrix: FloatArray, gradient: FloatArray
     ) -> tuple[Callable[[FloatArray], FloatArray] | None, FloatArray]:
+        self._last = None
         try:
             solve = self._timed(self._solver.factor, matrix)
-            return solve, self._timed(solve, -gradient)
         except SingularSystemError:
             return None, np.full(len(gradient), np.nan)
+        self._last = solve
+        return solve, self._timed(solve, -gradient)
 
     def _bend(
         self,
@@ -157,9 +194,10 @@ def linearise(
 
 def energy_of(linearisations: list[Linearisation], weights: FloatArray) -> float:
     """Weighted sum of squares."""
+    # Not a dot product: its threads cost more than these sums where the machine is busy.
     return float(
         sum(
-            weight * np.vdot(part.residual, part.residual)
+            weight * np.einsum("nm,nm->", part.residual, part.residual)
             for weight, part in zip(weights, linearisations, strict=True)
             if weight > 0
         )

@@ -149,8 +149,11 @@ class Optimisation:
             self._decide(record)
         return record
 
-    def advance(self) -> StepRecord:
-        """Take one step without asking whether it was the last: for live editing."""
+    def advance(self, reuse: bool = False) -> StepRecord:
+        """Take one step without asking whether it was the last: for live editing.
+
+        With ``reuse`` the factors of the last step serve again as long as they help.
+        """
         begin = time.perf_counter()
         state = self._state
         used, damping = state.fade, state.damping
@@ -158,7 +161,8 @@ class Optimisation:
         if self.holding and state.held:
             step = self._relaxation.step(*system)
         else:
-            step = self._stepper.step(*system, bend=state.slow)
+            followed = self._stepper.follow(*system) if reuse else None
+            step = followed or self._stepper.step(*system, bend=state.slow and not reuse)
         state.x, state.linearisations, state.damping = step.x, step.linearisations, step.damping
         if step.stuck:
             state.idle = _PATIENCE

@@ -96,7 +96,7 @@ class Session:
             self._run.hold()
             self._aim(np.array(list(self.targets.values())))
         for _ in range(max(1, steps)):
-            record = self._run.advance()
+            record = self._run.advance(reuse=moved)
         return record
 
     def settle(self) -> Outcome:

@@ -66,7 +66,8 @@ def run(function: str, *arguments: Any, **settings: Any) -> None:
 
     Args:
         function: its name.
-        arguments: positional arguments: document objects, lists of them, or plain values.
+        arguments: positional arguments: document objects, plain values, or lists, tuples and
+            dictionaries of them.
         settings: keyword arguments of the same kinds.
     """
     words = [_source(value) for value in arguments]
@@ -87,6 +88,9 @@ def _source(value: Any) -> str:
         return "[" + ", ".join(map(_source, value)) + "]"
     if isinstance(value, tuple):
         return "(" + "".join(_source(item) + ", " for item in value).rstrip(" ") + ")"
+    if isinstance(value, dict):
+        pairs = (f"{_source(key)}: {_source(item)}" for key, item in value.items())
+        return "{" + ", ".join(pairs) + "}"
     if isinstance(value, FreeCAD.DocumentObject):
         return f"FreeCAD.getDocument({value.Document.Name!r}).getObject({value.Name!r})"
     return repr(value)

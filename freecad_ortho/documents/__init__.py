@@ -9,7 +9,14 @@ from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.examples import open_example
 from freecad_ortho.documents.flat_patterns import add_drawing_page, add_flat_patterns
-from freecad_ortho.documents.nets import import_net, keep_outcome, optimise_net
+from freecad_ortho.documents.nets import (
+    drag_net,
+    dragging,
+    import_net,
+    keep_outcome,
+    optimise_net,
+    set_net,
+)
 from freecad_ortho.documents.pictures import save_picture
 from freecad_ortho.documents.sources import (
     add_elliptic_net,
@@ -44,6 +51,8 @@ __all__ = [
     "bake",
     "change_net",
     "change_source",
+    "drag_net",
+    "dragging",
     "export_fabrication",
     "form_net",
     "import_net",
@@ -53,6 +62,7 @@ __all__ = [
     "optimise_net",
     "quads_from_mesh",
     "save_picture",
+    "set_net",
     "show_net",
     "update_structures",
     "weld_nets",

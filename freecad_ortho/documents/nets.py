@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import FreeCAD
+import numpy as np
 
 from freecad_ortho import convert
+from freecad_ortho.documents import net_settings
 from freecad_ortho.documents.common import document_or_new, require_net, transaction
 from freecad_ortho.objects import net as net_object
+from freecad_ortho.objects.net_settings import ALL
 from freecad_ortho.units import millimetres_per
+from solver.errors import InputError
 
 if TYPE_CHECKING:
-    from solver.mesh.quadmesh import FloatArray
+    from solver import Session
+    from solver.mesh.quadmesh import FloatArray, QuadMesh
 
+# A drag by hand takes the mesh along in small steps; a sheet buckles to the side it was led to.
+_DRAG_STEPS = 10
 # The result of a run that a task panel has just watched, for the one call that records it.
 _ready: dict[tuple[Any, ...], Any] = {}
 
@@ -55,16 +62,36 @@ def import_net(
     return net
 
 
-def optimise_net(target: FreeCAD.DocumentObject, /, close_to: Any = None, **settings: Any) -> Any:
+def set_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
+    """Say what a Net is to become and what holds it, without optimising yet.
+
+    Args:
+        target: the Net.
+        settings: as for :func:`optimise_net`; what is not given stays.
+
+    Raises:
+        InputError: a setting that cannot be used; the Net is unchanged.
+    """
+    require_net(target)
+    with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Settings of the net")):
+        _store(target, settings)
+
+
+def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     """Optimise a Net in its document; structures on it follow.
 
     A Net that was made by a source keeps the result and no longer follows that source.
 
     Args:
         target: the Net.
-        close_to: a surface to stay near: a shape, ``(shape, "Face1")``, a list of these, or a Net
-            that was sampled from faces.
-        settings: as for :func:`freecad_ortho.api.optimise` (``net``, ``fairness``, ...).
+        settings: what is given is kept in the Net's properties, the rest is taken from there:
+            ``net`` (name of the recipe); ``fix`` (``none``, ``corners``, ``boundary``, numbers, or
+            a list of both); ``glide`` (list of ``boundary``, ``z=0`` or ``(object, "Edge1")``, with
+            vertices as a third entry); ``close_to`` (the same kind of list); ``handles`` (places in
+            mm by vertex); ``symmetry``; ``diagonal``, ``angle``, ``radius``, ``length``,
+            ``per_family``, ``reference`` (a Net), ``load``, ``load_area``, ``load_length``,
+            ``forces``; the weights ``fairness``, ``closeness``, ``multi``, ``isometry``;
+            ``tolerance``. Any other as for :func:`freecad_ortho.api.optimise`, not kept.
 
     Returns:
         The outcome, its mesh in mm; the report is also in the Net's ``LastReport``.
@@ -76,26 +103,92 @@ def optimise_net(target: FreeCAD.DocumentObject, /, close_to: Any = None, **sett
 
     require_net(target)
     mesh = convert.quad_mesh(target)
-    if close_to is not None:
-        settings["constraints"] = _close_to(close_to, settings.get("constraints"))
-    outcome = _ready.pop(_key(target, settings, mesh.vertices), None)
-    if outcome is None:
-        outcome = api.optimise(mesh, **settings)
+    ready = _ready.pop(_key(target, settings, mesh.vertices), None)
+    kept = {word: value for word, value in settings.items() if net_settings.known(word)}
+    passed = {word: value for word, value in settings.items() if word not in kept}
     with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Optimise")):
-        convert.store_vertices(target, outcome.mesh.vertices)
-        target.LastReport = json.dumps(outcome.report.as_dict())
-        target.Document.recompute()
-    return outcome
+        _store(target, kept)
+        if ready is None:
+            ready = api.optimise(mesh, **{**net_settings.for_solver(target, mesh), **passed})
+        _keep(target, ready)
+    return ready
 
 
-def _close_to(surface: Any, constraints: Any) -> Any:
-    """Constraints with closeness to CAD faces, which stand as fine triangles."""
-    from freecad_ortho.objects import cad_faces
-    from solver import Constraints
+def drag_net(
+    target: FreeCAD.DocumentObject, places: Mapping[int, Sequence[float]], /, **settings: Any
+) -> Any:
+    """Drag vertices of a Net towards places; the others follow so that it stays its kind of net.
 
-    faces = getattr(surface, "CadFaces", None) or surface
-    triangles = cad_faces.surface_triangles(cad_faces.faces_of(faces))
-    return replace(constraints or Constraints(), close_to=triangles)
+    Args:
+        target: the Net.
+        places: where to, in mm, by vertex; soft: the net wins.
+        settings: as for :func:`optimise_net`.
+
+    Returns:
+        The outcome, its mesh in mm.
+
+    Raises:
+        InputError: a vertex that does not exist or is fixed, settings that do not fit the mesh; the
+            Net is unchanged.
+    """
+    require_net(target)
+    mesh = convert.quad_mesh(target)
+    given = {**settings, "drag": dict(places)}
+    ready = _ready.pop(_key(target, given, mesh.vertices), None)
+    with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Drag vertices")):
+        _store(target, settings)
+        if ready is None:
+            ready = _dragged(dragging(target, mesh, list(places)), mesh, places)
+        _keep(target, ready)
+    return ready
+
+
+def dragging(target: FreeCAD.DocumentObject, mesh: QuadMesh, handles: Sequence[int]) -> Session:
+    """Start a session in which vertices of a Net are dragged, with the Net's own settings.
+
+    Raises:
+        InputError: a vertex that does not exist or is fixed, settings that do not fit the mesh.
+    """
+    from solver import Session
+
+    settings = net_settings.for_solver(target, mesh)
+    return Session(mesh, handles, settings.pop("net"), **settings)
+
+
+def _dragged(session: Session, mesh: QuadMesh, places: Mapping[int, Sequence[float]]) -> Any:
+    """Drag all handles straight to their places, slowly, as by hand, and settle there."""
+    vertices, ends = (
+        list(places),
+        [np.asarray(place, dtype=np.float64) for place in places.values()],
+    )
+    for vertex, place in zip(vertices, ends, strict=True):
+        if place.shape != (3,) or not np.isfinite(place).all():
+            raise InputError(
+                f"drag: the place of vertex {vertex} is not a point; give x, y, z in mm"
+            )
+    begin, end = mesh.vertices[vertices], np.array(ends)
+    for part in np.linspace(0.0, 1.0, _DRAG_STEPS + 1)[1:]:
+        between = begin + part * (end - begin)
+        session.drag(dict(zip(vertices, between, strict=True)))
+    return session.settle()
+
+
+def _store(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
+    """Keep settings in the Net; where one is refused, also without undo, all are as before."""
+    before = [(item.name, getattr(target, item.name)) for item in ALL]
+    try:
+        net_settings.store(target, settings)
+        net_settings.for_solver(target, convert.quad_mesh(target))
+    except BaseException:
+        for name, value in before:
+            setattr(target, name, value)
+        raise
+
+
+def _keep(target: FreeCAD.DocumentObject, outcome: Any) -> None:
+    convert.store_vertices(target, outcome.mesh.vertices)
+    target.LastReport = json.dumps(outcome.report.as_dict())
+    target.Document.recompute()
 
 
 def keep_outcome(
@@ -105,7 +198,8 @@ def keep_outcome(
 
     Args:
         target: the Net.
-        settings: exactly the settings of the coming call.
+        settings: exactly the settings of the coming call; for :func:`drag_net` its places too, as
+            ``drag``.
         start: (V, 3) positions of the Net that the run began with.
         outcome: the result of the run.
     """
@@ -116,5 +210,9 @@ def keep_outcome(
 def _key(
     target: FreeCAD.DocumentObject, settings: dict[str, Any], start: FloatArray
 ) -> tuple[Any, ...]:
-    chosen = json.dumps(settings, sort_keys=True, default=str)
+    chosen = json.dumps(settings, sort_keys=True, default=_name)
     return target.Document.Name, target.Name, chosen, start.tobytes()
+
+
+def _name(value: Any) -> str:
+    return str(getattr(value, "Name", value))

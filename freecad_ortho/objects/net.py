@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import FreeCAD
 
+from freecad_ortho.objects import net_settings
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
 from solver.analysis.fields import FIELDS
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-VERSION = 1
+VERSION = 2
 COLOUR_MAPS = ("None", *FIELDS)
 
 NET_PROPERTIES = (
@@ -72,6 +73,7 @@ NET_PROPERTIES = (
         default=VERSION,
         flags=OUTPUT | HIDDEN,
     ),
+    *net_settings.ALL,
 )
 
 

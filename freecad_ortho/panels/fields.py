@@ -14,11 +14,12 @@ NARROW = 80
 class LengthField:
     """A field for a length that speaks the user's unit system; an optional one may stay 0."""
 
-    def __init__(self, millimetres: float, optional: bool = False) -> None:
+    def __init__(self, millimetres: float, optional: bool = False, signed: bool = False) -> None:
         self._optional = optional
         self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.widget.setProperty("unit", "mm")
-        self.widget.setProperty("minimum", 0.0)
+        if not signed:
+            self.widget.setProperty("minimum", 0.0)
         # Its own hint leaves room for the largest number there is, wider than the task panel.
         self.widget.setMinimumWidth(NARROW)
         self.millimetres = millimetres
@@ -57,6 +58,10 @@ class ChoiceField:
             if text == shown:
                 return word
         return shown
+
+    def choose(self, word: str) -> None:
+        """Show a word, or where it may be typed any text."""
+        self.widget.setCurrentText(self._words.get(word, word))
 
 
 class NumberField:

@@ -2,52 +2,56 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 from PySide import QtCore, QtGui
 
-from freecad_ortho import convert, documents, preferences
+from freecad_ortho import convert, documents
 from freecad_ortho.commands import context, messages
-from freecad_ortho.objects.structure import is_structure
-from freecad_ortho.panels.fields import ChoiceField, NumberField
+from freecad_ortho.documents import net_settings
+from freecad_ortho.panels.advanced_box import AdvancedBox
+from freecad_ortho.panels.constraint_box import ConstraintBox
+from freecad_ortho.panels.fields import NARROW
+from freecad_ortho.panels.net_choice import NetChoice
+from freecad_ortho.panels.residual_plot import ResidualPlot
 from freecad_ortho.panels.run import Run
+from freecad_ortho.panels.watch import NetWatch, cover, uncover
 from freecad_ortho.resources import icon
-from solver.nets import RECIPES
 
 translate = FreeCAD.Qt.translate
 
 
 class OptimisePanel:
-    """Settings, Start / Stop, and what the solver says; OK keeps the result, Cancel does not.
+    """Settings, Start / Stop / Step / Undo, and what the solver says; OK keeps the result.
 
     The document is not touched before OK: while the solver runs only the picture moves.
+
+    Attributes:
+        run: the run that was started last, None before and after Undo.
     """
 
     def __init__(self, net: FreeCAD.DocumentObject) -> None:
-        self._document, self._name = net.Document.Name, net.Name
+        self._document = net.Document.Name
         self._mesh = convert.quad_mesh(net)
         self._settings: dict[str, Any] = {}
         self.run: Run | None = None
-        self._visible = _uncover(net)
-        self._build_form(net.Label)
-        FreeCAD.addDocumentObserver(self)
+        self._visible = uncover(net)
+        self._build_form(net)
+        self._watch = NetWatch(net, self._leave, self._changed)
 
     @property
     def net(self) -> FreeCAD.DocumentObject | None:
         """The net, None when it or its document has gone meanwhile."""
-        if self._document not in FreeCAD.listDocuments():
-            return None
-        return FreeCAD.getDocument(self._document).getObject(self._name)
+        return self._watch.net
 
     def start(self) -> None:
         """Start a run, or resume the stopped one when the settings are still the same."""
         with messages.errors_shown():
-            settings = self.settings()
-            if self.run is None or settings != self._settings:
-                self._begin(settings)
+            self._prepare()
+            self._say(translate("Ortho", "Running ..."))
             self.run.resume()
         self._show_state()
 
@@ -58,28 +62,43 @@ class OptimisePanel:
             self._say(translate("Ortho", "Stopped. OK keeps this state, Start goes on."))
         self._show_state()
 
+    def step(self) -> None:
+        """Make a single step."""
+        with messages.errors_shown():
+            self._prepare()
+            self.run.stop()
+            self._say("")
+            self.run.once()
+        self._show_state()
+
+    def undo(self) -> None:
+        """Go back to the net as it was before Start."""
+        if self.run is not None:
+            self.run.stop()
+            self.run = None
+        if self.net is not None:
+            self.net.ViewObject.Proxy.show_stored()
+        self.plot.clear(self._tolerance())
+        self._say(translate("Ortho", "The net is as it was before."))
+        self._show_state()
+
     def settings(self) -> dict[str, Any]:
-        """The settings as freecad_ortho.api.optimise takes them; the automatic ones are left out.
+        """The settings as ``optimise_net`` takes them; those that the net has already are left out.
 
         Raises:
             InputError: a field does not hold a number.
         """
-        chosen = {
-            "fairness": self.fairness.number,
-            "closeness": self.closeness.number,
-            "tolerance": self.tolerance.number,
-        }
-        settings = {name: value for name, value in chosen.items() if value is not None}
+        wanted = {**self.choice.words, **self.constraints.words, **self.advanced.words}
+        stored = net_settings.words(self.net)
         return {
-            "net": self.net_type.word,
-            "fix": self.fix.word,
-            **settings,
-            **preferences.solver_settings(),
+            word: value
+            for word, value in wanted.items()
+            if word in ("net", "fix") or value != stored[word]
         }
 
     def accept(self) -> bool:
         """Keep what has been reached, as one undo step and one line of a macro."""
-        self._stop_watching()
+        self._end()
         if self.net is not None and self.run is not None and self.run.steps:
             with messages.errors_shown():
                 self._commit()
@@ -90,52 +109,58 @@ class OptimisePanel:
 
     def reject(self) -> bool:
         """Show the net as it was."""
-        self._stop_watching()
+        self._end()
         if self.net is not None:
             self.net.ViewObject.Proxy.show_stored()
         self._close()
         return True
 
-    def slotDeletedDocument(self, document: FreeCAD.Document) -> None:
-        """Leave quietly when the document is closed during a run."""
-        if document.Name == self._document:
-            self._leave()
+    def _prepare(self) -> None:
+        """Have a run for the settings: the one that there is, or a new one.
 
-    def slotDeletedObject(self, feature: FreeCAD.DocumentObject) -> None:
-        """Leave quietly when the net is deleted during a run."""
-        if feature.Name == self._name and feature.Document.Name == self._document:
-            self._leave()
-
-    def slotChangedObject(self, feature: FreeCAD.DocumentObject, name: str) -> None:
-        """Drop the run when something else moves the net, undo for one."""
-        if name not in ("Vertices", "Faces") or self.run is None:
-            return
-        if feature.Name == self._name and feature.Document.Name == self._document:
-            self.run.stop()
-            self.run = None
-            self._say(translate("Ortho", "The net has changed meanwhile. Start begins anew."))
-            self._show_state()
-
-    def _begin(self, settings: dict[str, Any]) -> None:
+        Raises:
+            InputError: settings that cannot be used.
+        """
         from freecad_ortho import api
 
-        self._settings = settings
+        settings = self.settings()
+        if self.run is not None and settings == self._settings:
+            return
+        self.constraints.end()
         self._mesh = convert.quad_mesh(self.net)
-        self.run = Run(api.start_optimisation(self._mesh, **settings), self._stepped, self._ended)
-        self._say(translate("Ortho", "Running ..."))
+        values = net_settings.words(self.net) | settings
+        optimisation = api.start_optimisation(
+            self._mesh, **net_settings.solver_settings(values, self._mesh)
+        )
+        if self.run is not None:
+            self.run.stop()
+        self._settings, self._shown_steps = settings, 0
+        self.run = Run(optimisation, self._stepped, self._ended)
+        self.plot.clear(values["tolerance"])
+        self._count()
 
     def _stepped(self, record: Any) -> None:
         if self.net is None:
             self._leave()
             return
-        self.net.ViewObject.Proxy.show_vertices(self.run.optimisation.vertices)
-        self._step_label.setText(str(record.step))
-        self._time_label.setText(f"{1000 * record.seconds:.1f} ms")
-        worst = max(record.residuals.values(), default=0.0)
-        self._residual_label.setText(
-            "\n".join(f"{name}  {value:.1e}" for name, value in record.residuals.items())
+        optimisation = self.run.optimisation
+        self.net.ViewObject.Proxy.show_vertices(optimisation.vertices)
+        fresh = optimisation.history[self._shown_steps :]
+        self._shown_steps += len(fresh)
+        self.plot.add(fresh)
+        self._count()
+
+    def _count(self) -> None:
+        """The line of the paper's table 2: size of the problem and time of a step."""
+        optimisation = self.run.optimisation
+        size = optimisation.original.size
+        seconds = [record.seconds for record in optimisation.history]
+        pace = f"{1000 * float(np.median(seconds)):.0f} ms" if seconds else "-"
+        self.statistics.setText(
+            translate("Ortho", "{:,} vertices, {:,} variables, {:,} constraints, {} a step").format(
+                len(self._mesh.vertices), size.auxiliary, size.equations, pace
+            )
         )
-        self._bar.setValue(_progress(worst, self._settings.get("tolerance", 1e-10)))
 
     def _ended(self, error: str | None) -> None:
         if error is None:
@@ -158,118 +183,91 @@ class OptimisePanel:
         context.run("optimise_net", self.net, **settings)
         messages.show_status(f"{self.net.Label}: {outcome.report.message}")
 
+    def _changed(self, name: str) -> None:
+        """Drop the run when something else moves the net, undo for one."""
+        if name in ("Vertices", "Faces") and self.run is not None:
+            self.run.stop()
+            self.run = None
+            self._say(translate("Ortho", "The net has changed meanwhile. Start begins anew."))
+            self._show_state()
+        if name == "Faces":
+            self.constraints.end()
+
     def _leave(self) -> None:
         """Stop when there is nothing left to work on; close when FreeCAD has done its part."""
-        self._stop_watching()
+        self._end()
         QtCore.QTimer.singleShot(0, self._close)
 
     def _close(self) -> None:
         """Show what was visible before, as far as it is still there, and close the panel."""
-        self._stop_watching()
-        if self._document in FreeCAD.listDocuments():
-            document = FreeCAD.getDocument(self._document)
-            for name, visible in self._visible.items():
-                feature = document.getObject(name)
-                if feature is not None:
-                    feature.ViewObject.Visibility = visible
+        self._end()
+        cover(self._document, self._visible)
         FreeCADGui.Control.closeDialog()
 
-    def _stop_watching(self) -> None:
+    def _end(self) -> None:
         if self.run is not None:
             self.run.stop()
-        if self._watching:
-            self._watching = False
-            FreeCAD.removeDocumentObserver(self)
+        self.constraints.end()
+        self._watch.end()
+
+    def _tolerance(self) -> float:
+        return float(self.net.TargetTolerance) if self.net is not None else 1e-10
 
     def _say(self, text: str) -> None:
-        self._message.setText(text)
+        self.message.setText(text)
+        self.message.setVisible(bool(text))
 
     def _show_state(self) -> None:
         running = self.run is not None and self.run.running
+        over = self.run is not None and self.run.optimisation.finished
         self.start_button.setEnabled(not running)
         self.stop_button.setEnabled(running)
+        self.step_button.setEnabled(not running and not over)
+        self.undo_button.setEnabled(self.run is not None)
+        for box in (self.choice.box, self.constraints.box, self.advanced.widget):
+            box.setEnabled(not running)
 
-    def _build_form(self, label: str) -> None:
-        self._watching = True
+    def _build_form(self, net: FreeCAD.DocumentObject) -> None:
+        stored = net_settings.words(net)
+        self.choice = NetChoice(net, stored)
+        self.constraints = ConstraintBox(net, lambda: convert.quad_mesh(net), stored)
+        self.advanced = AdvancedBox(stored)
+        self.plot = ResidualPlot()
+        self.statistics, self.message = QtGui.QLabel(), QtGui.QLabel()
+        for label in (self.statistics, self.message):
+            label.setWordWrap(True)
+        self.statistics.setText(
+            translate("Ortho", "{:,} vertices, {:,} faces").format(
+                len(self._mesh.vertices), len(self._mesh.faces)
+            )
+        )
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(translate("Ortho", "Optimise"))
+        self.form.setWindowTitle(translate("Ortho", "Optimise {}").format(net.Label))
         self.form.setWindowIcon(QtGui.QIcon(icon("optimise")))
-        rows = QtGui.QVBoxLayout(self.form)
-        rows.addLayout(self._settings_rows(label))
-        rows.addLayout(self._buttons_row())
-        rows.addLayout(self._progress_rows())
+        column = QtGui.QVBoxLayout(self.form)
+        for widget in (self.choice.box, self.constraints.box, self.advanced.widget):
+            column.addWidget(widget)
+        column.addLayout(self._buttons())
+        for widget in (self.plot, self.statistics, self.message):
+            column.addWidget(widget)
+        # What is asked first in a panel stands at hand under these names too.
+        self.net_type, self.fix = self.choice.net_type, self.constraints.fix
+        self.fairness, self.tolerance = self.advanced.fairness, self.advanced.tolerance
+        self._say("")
         self._show_state()
 
-    def _settings_rows(self, label: str) -> QtGui.QFormLayout:
-        self.net_type = ChoiceField(
-            {name: translate("Ortho", name) for name in RECIPES}, "principal"
-        )
-        self.fairness = NumberField("fairness")
-        self.closeness = NumberField("closeness")
-        self.fix = ChoiceField(
-            {
-                "none": translate("Ortho", "nothing"),
-                "corners": translate("Ortho", "corners"),
-                "boundary": translate("Ortho", "boundary"),
-            },
-            "none",
-            editable=True,
-        )
-        self.fix.widget.setToolTip(
-            translate("Ortho", "Vertices that do not move; numbers such as 0,5,12 work too")
-        )
-        self.tolerance = NumberField("tolerance", 1e-10)
-        form = QtGui.QFormLayout()
-        size = f"{len(self._mesh.vertices)} / {len(self._mesh.faces)}"
-        form.addRow(translate("Ortho", "Mesh"), QtGui.QLabel(label))
-        form.addRow(translate("Ortho", "Vertices / faces"), QtGui.QLabel(size))
-        form.addRow(translate("Ortho", "Net"), self.net_type.widget)
-        form.addRow(translate("Ortho", "Fairness"), self.fairness.widget)
-        form.addRow(translate("Ortho", "Closeness"), self.closeness.widget)
-        form.addRow(translate("Ortho", "Keep in place"), self.fix.widget)
-        form.addRow(translate("Ortho", "Tolerance"), self.tolerance.widget)
-        return form
-
-    def _buttons_row(self) -> QtGui.QHBoxLayout:
+    def _buttons(self) -> QtGui.QGridLayout:
         self.start_button = QtGui.QPushButton(translate("Ortho", "Start"))
         self.stop_button = QtGui.QPushButton(translate("Ortho", "Stop"))
+        self.step_button = QtGui.QPushButton(translate("Ortho", "Step"))
+        self.undo_button = QtGui.QPushButton(translate("Ortho", "Undo"))
         self.start_button.clicked.connect(self.start)
         self.stop_button.clicked.connect(self.stop)
-        row = QtGui.QHBoxLayout()
-        row.addWidget(self.start_button)
-        row.addWidget(self.stop_button)
-        return row
-
-    def _progress_rows(self) -> QtGui.QFormLayout:
-        self._step_label, self._time_label = QtGui.QLabel("0"), QtGui.QLabel("")
-        self._residual_label = QtGui.QLabel("")
-        self._bar = QtGui.QProgressBar()
-        self._bar.setRange(0, 100)
-        self._bar.setValue(0)
-        self._message = QtGui.QLabel("")
-        self._message.setWordWrap(True)
-        form = QtGui.QFormLayout()
-        form.addRow(self._bar)
-        form.addRow(translate("Ortho", "Step"), self._step_label)
-        form.addRow(translate("Ortho", "Time a step"), self._time_label)
-        form.addRow(translate("Ortho", "Worst"), self._residual_label)
-        form.addRow(self._message)
-        return form
-
-
-def _uncover(net: FreeCAD.DocumentObject) -> dict[str, bool]:
-    """Show a net and hide what stands on it; give what was visible before, by name."""
-    structures = [item for item in net.InList if is_structure(item)]
-    before = {item.Name: item.ViewObject.Visibility for item in (net, *structures)}
-    for item in structures:
-        item.ViewObject.Visibility = False
-    net.ViewObject.Visibility = True
-    return before
-
-
-def _progress(worst: float, tolerance: float) -> int:
-    """How much of the way from 1 to the tolerance is behind us, in decades, in percent."""
-    if worst <= tolerance:
-        return 100
-    decades = math.log10(worst) / math.log10(min(tolerance, 0.1))
-    return int(100 * min(max(decades, 0.0), 1.0))
+        self.step_button.clicked.connect(self.step)
+        self.undo_button.clicked.connect(self.undo)
+        buttons = (self.start_button, self.stop_button, self.step_button, self.undo_button)
+        grid = QtGui.QGridLayout()
+        for number, button in enumerate(buttons):
+            button.setMinimumWidth(NARROW)
+            grid.addWidget(button, number // 2, number % 2)
+        return grid

@@ -51,8 +51,17 @@ class Run(QtCore.QObject):
         """Make no further step."""
         self._timer.stop()
 
+    def once(self) -> None:
+        """Make one step."""
+        if not self.optimisation.finished:
+            self._advance(0.0)
+
     def _tick(self) -> None:
-        end = time.perf_counter() + _SECONDS_PER_TICK
+        self._advance(_SECONDS_PER_TICK)
+
+    def _advance(self, seconds: float) -> None:
+        """Make a step, and more of them while the time is not up."""
+        end = time.perf_counter() + seconds
         try:
             while not self.optimisation.finished:
                 record = self.optimisation.step()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
+import FreeCADGui
 import numpy as np
 from pivy import coin
 
@@ -78,6 +79,28 @@ class NetView(Stateless):
     def getIcon(self) -> str:
         """Icon in the tree."""
         return icon("net")
+
+    def doubleClicked(self, view_object: Any) -> bool:
+        """Begin to edit the net."""
+        feature = view_object.Object
+        return bool(FreeCADGui.getDocument(feature.Document.Name).setEdit(feature.Name))
+
+    def setEdit(self, view_object: Any, mode: int = 0) -> bool | None:
+        """Open the panel for live editing; modes other than the default one are FreeCAD's."""
+        if mode != 0:
+            return None
+        from freecad_ortho.panels import edit_panel
+
+        self._edit_panel = edit_panel.begin(view_object)
+        return self._edit_panel is not None
+
+    def unsetEdit(self, view_object: Any, mode: int = 0) -> bool | None:
+        """End live editing; doing it again changes nothing."""
+        panel, self._edit_panel = getattr(self, "_edit_panel", None), None
+        if panel is None:
+            return None
+        panel.end()
+        return True
 
     def updateData(self, feature: Any, name: str) -> None:
         """Follow a property of the net."""

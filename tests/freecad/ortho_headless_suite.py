@@ -12,7 +12,7 @@ import ortho_suite_tools as tools
 
 from freecad_ortho import api, convert
 from freecad_ortho.commands import open_file
-from freecad_ortho.objects.net import Net
+from freecad_ortho.objects.net import VERSION, Net
 from solver.errors import InputError, OutputError
 
 
@@ -72,7 +72,7 @@ class TestNet(DocumentCase):
         for _ in range(2):
             net.Proxy.onDocumentRestored(net)
             self.assertEqual(net.ColourMap, "Planarity")
-            self.assertEqual(net.Version, 1)
+            self.assertEqual(net.Version, VERSION)
         self.assertEqual(net.PropertiesList.count("ColourMap"), 1)
 
     def test_colour_map_does_not_make_structures_stale(self):

@@ -16,11 +16,24 @@ def wavy_mesh(name="wavy", rows=6, columns=7, unit="mm", edge=1500.0):
     i, j = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
     x, y = edge * (i + 0.2 * j), edge * j
     z = 0.1 * edge * rows * np.sin(0.37 * i + 0.3) * np.cos(0.27 * j - 0.2)
+    return write_grid(name, np.stack([x, y, z], axis=2), unit)
+
+
+def bent_sheet(name="sheet", rows=13, columns=11):
+    """Write a sheet bent to an arc of 10 m radius, unequally divided; give its path."""
+    angle = np.linspace(-0.7, 0.7, rows)
+    i, j = np.meshgrid(angle, 1e3 * np.arange(columns), indexing="ij")
+    return write_grid(name, np.stack([1e4 * np.sin(i), j, 1e4 * np.cos(i)], axis=2))
+
+
+def write_grid(name, points, unit="mm"):
+    """Write (rows, columns, 3) points as a quad mesh; give its path."""
+    rows, columns = points.shape[:2]
     corner = np.arange(rows * columns).reshape(rows, columns)
     quads = [corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]]
     faces = np.stack(quads, axis=2).reshape(-1, 4) + 1
     lines = [f"# unit: {unit}"]
-    lines += [f"v {a!r} {b!r} {c!r}" for a, b, c in np.stack([x, y, z], 2).reshape(-1, 3).tolist()]
+    lines += [f"v {a!r} {b!r} {c!r}" for a, b, c in points.reshape(-1, 3).tolist()]
     lines += ["f {} {} {} {}".format(*face) for face in faces.tolist()]
     return write(f"{name}.obj", "\n".join(lines))
 

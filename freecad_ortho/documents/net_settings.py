@@ -1,0 +1,231 @@
+"""From the words of a macro to the properties of a net, and from these to the solver's settings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import FreeCAD
+import numpy as np
+
+from freecad_ortho import convert
+from freecad_ortho.documents import guides
+from freecad_ortho.objects import net as net_object
+from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES, FORCES, NETS
+from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
+from solver.nets.constraints import Constraints
+from solver.nets.options import NetOptions
+from solver.nets.settings import fixed_vertices
+
+
+@dataclass(frozen=True)
+class _Plain:
+    """A keyword that is one property.
+
+    Attributes:
+        name: of the property.
+        read: from the property's value to the keyword's.
+        write: the other way; raises InputError.
+    """
+
+    name: str
+    read: Callable[[Any], Any] = lambda value: value
+    write: Callable[[Any], Any] = lambda value: value
+
+
+def _positive(word: str) -> _Plain:
+    """A length of which zero stands for free."""
+
+    def write(value: Any) -> float:
+        if value is None:
+            return 0.0
+        length = convert.millimetres(value, word)
+        if not (np.isfinite(length) and length > 0):
+            raise InputError(f"{word}: expected a positive length, got {value}")
+        return length
+
+    name = {"radius": "TargetRadius", "length": "TargetEdge"}[word]
+    return _Plain(name, lambda quantity: quantity.Value or None, write)
+
+
+def _weight(word: str) -> _Plain:
+    """A weight of which a negative number stands for automatic."""
+
+    def write(value: float | None) -> float:
+        if value is None:
+            return AUTOMATIC
+        if not (np.isfinite(value) and value >= 0):
+            raise InputError(f"{word}: expected a weight of zero or more, got {value}")
+        return float(value)
+
+    return _Plain(f"{word.capitalize()}Weight", lambda value: None if value < 0 else value, write)
+
+
+def _choice(word: str, name: str, choices: Iterable[str]) -> _Plain:
+    def write(value: str) -> str:
+        if value not in choices:
+            raise InputError(f"{word}: expected one of {', '.join(choices)}, got '{value}'")
+        return value
+
+    return _Plain(name, str, write)
+
+
+def _reference(value: Any) -> Any:
+    if value is not None and not net_object.is_net(value):
+        raise InputError(f"reference: expected a Net, got {getattr(value, 'Label', value)}")
+    return value
+
+
+def _symmetry(text: str) -> str:
+    letters = text.replace(",", "").replace(" ", "").lower()
+    if set(letters) - set("xyz"):
+        raise InputError(f"symmetry: expected letters out of x, y, z, got '{text}'")
+    return letters
+
+
+_PLAIN = {
+    "net": _choice("net", "NetType", NETS),
+    "diagonal": _Plain("DiagonalNet"),
+    "angle": _Plain("MedialAngle", lambda quantity: quantity.Value, float),
+    "radius": _positive("radius"),
+    "length": _positive("length"),
+    "per_family": _Plain("PerFamily"),
+    "reference": _Plain("IsometricTo", write=_reference),
+    "load": _Plain("VertexWeight", write=float),
+    "load_area": _Plain("AreaWeight", write=float),
+    "load_length": _Plain("EdgeWeight", write=float),
+    "forces": _choice("forces", "AllowedForces", FORCES),
+    "symmetry": _Plain("MirrorPlanes", write=_symmetry),
+    "fairness": _weight("fairness"),
+    "closeness": _weight("closeness"),
+    "multi": _weight("multi"),
+    "isometry": _weight("isometry"),
+    "tolerance": _Plain("TargetTolerance", write=float),
+}
+_OPTIONS = ("diagonal", "angle", "radius", "length", "per_family")
+_LOADS = ("load", "load_area", "load_length", "forces")
+_WEIGHTS = ("fairness", "closeness", "multi", "isometry", "tolerance")
+
+Fix = str | Sequence[int | str]
+
+
+def words(net: FreeCAD.DocumentObject) -> dict[str, Any]:
+    """All settings of a net as the keywords of :func:`freecad_ortho.api.optimise_net`."""
+    found = {word: item.read(getattr(net, item.name)) for word, item in _PLAIN.items()}
+    numbers = list(net.FixedVertices)
+    found["fix"] = net.FixRule if not numbers else _fix_words(net.FixRule, numbers)
+    places = (tuple(place) for place in net.HandlePlaces)
+    found["handles"] = dict(zip(net.Handles, places, strict=True))
+    found["glide"] = guides.glide_words(net)
+    found["close_to"] = guides.references(net.CloseTo)
+    return found
+
+
+def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
+    """Write settings into a net's properties; what is not given stays.
+
+    Raises:
+        InputError: a setting that cannot be used.
+    """
+    for word, value in given.items():
+        if word in _PLAIN:
+            item = _PLAIN[word]
+            setattr(net, item.name, item.write(value))
+        elif word == "fix":
+            net.FixRule, net.FixedVertices = _fix(value)
+        elif word == "handles":
+            vertices, places = _handles(value)
+            net.Handles, net.HandlePlaces = vertices, places
+        elif word == "glide":
+            guides.store_glide(net, value)
+        elif word == "close_to":
+            guides.store_close_to(net, value)
+        else:
+            raise InputError(f"settings: '{word}' is none; see the page on nets")
+
+
+def known(word: str) -> bool:
+    """Tell whether a keyword is kept in the net's properties."""
+    return word in _PLAIN or word in ("fix", "handles", "glide", "close_to")
+
+
+def for_solver(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> dict[str, Any]:
+    """Keyword arguments of ``solver.start_optimisation`` from the properties of a net.
+
+    Raises:
+        InputError: a guide that has gone, or settings that do not fit the mesh.
+    """
+    return solver_settings(words(net), mesh)
+
+
+def solver_settings(values: dict[str, Any], mesh: QuadMesh) -> dict[str, Any]:
+    """Keyword arguments of ``solver.start_optimisation`` from all that :func:`words` names.
+
+    Raises:
+        InputError: a guide that has gone, or settings that do not fit the mesh.
+    """
+    settings = {word: values[word] for word in _WEIGHTS if values[word] is not None}
+    options = {word: values[word] for word in _OPTIONS}
+    if values["net"] == "stress":
+        options.update({word: values[word] for word in _LOADS})
+    if values["reference"] is not None:
+        options["reference"] = convert.array(values["reference"].Vertices)
+    handles = {vertex: np.array(place) for vertex, place in values["handles"].items()}
+    constraints = Constraints(
+        handles=handles,
+        glide=guides.glides(values["glide"], mesh),
+        close_to=guides.close_to(values["close_to"], mesh),
+        symmetry=values["symmetry"],
+    )
+    settings.update(
+        net=values["net"],
+        fix=_numbers(mesh, *_fix(values["fix"]), values["net"]),
+        options=NetOptions(**options),
+    )
+    if handles or constraints.glide or constraints.close_to or constraints.symmetry:
+        settings["constraints"] = constraints
+    return settings
+
+
+def _numbers(mesh: QuadMesh, rule: str, vertices: list[int], net: str) -> str | list[int]:
+    """What the solver is to fix; a stress net needs supports, its boundary where none are named."""
+    if net == "stress" and rule == "none" and not vertices:
+        return "boundary"
+    if not vertices:
+        return rule
+    mask = fixed_vertices(mesh, rule) | fixed_vertices(mesh, vertices)
+    return np.flatnonzero(mask).tolist()
+
+
+def _fix_words(rule: str, vertices: list[int]) -> list[int | str]:
+    return vertices if rule == "none" else [rule, *vertices]
+
+
+def _fix(value: Fix) -> tuple[str, list[int]]:
+    """Take apart a rule, numbers, or a list of both."""
+    parts = value.replace(" ", "").split(",") if isinstance(value, str) else list(value)
+    rule, vertices = "none", []
+    for part in parts:
+        if part in FIX_RULES:
+            rule = part if rule == "none" else rule
+            continue
+        try:
+            vertices.append(int(part))
+        except (TypeError, ValueError):
+            raise InputError(
+                f"fix: expected {', '.join(FIX_RULES)} or vertex numbers such as 0,5,12, got "
+                f"'{value}'"
+            ) from None
+    return rule, sorted(set(vertices))
+
+
+def _handles(value: Any) -> tuple[list[int], list[FreeCAD.Vector]]:
+    try:
+        pairs = sorted((int(vertex), FreeCAD.Vector(*place)) for vertex, place in value.items())
+    except (AttributeError, TypeError, ValueError):
+        raise InputError(
+            f"handles: expected places by vertex such as {{12: (0, 0, 3500)}}, got {value}"
+        ) from None
+    return [vertex for vertex, _ in pairs], [place for _, place in pairs]

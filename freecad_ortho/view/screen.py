@@ -1,0 +1,81 @@
+"""Between the model and the pixels of a 3D view: what is under the mouse, where it aims."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pivy import coin
+
+from solver.mesh.quadmesh import FloatArray
+
+# Of vertices under the mouse, those further behind than this part of the scene are hidden.
+_BEHIND = 0.02
+
+
+@dataclass(frozen=True)
+class Ray:
+    """A half line into the scene, (3,) each; the direction is a unit vector."""
+
+    origin: FloatArray
+    direction: FloatArray
+
+
+@dataclass(frozen=True)
+class Screen:
+    """How a view shows the model at one moment.
+
+    Attributes:
+        matrix: (4, 4), a row (x, y, z, 1) times it gives what the screen shows, from -1 to 1.
+        size: width and height in pixels; pixels count from the lower left corner.
+    """
+
+    matrix: FloatArray
+    size: tuple[int, int]
+
+    @classmethod
+    def of_event(cls, node: Any) -> Screen:
+        """The view in which the event of a SoEventCallback happened."""
+        action = node.getAction()
+        volume = coin.SoViewVolumeElement.get(action.getState())
+        region = action.getViewportRegion().getViewportSizePixels().getValue()
+        return cls(np.array(volume.getMatrix().getValue()), (int(region[0]), int(region[1])))
+
+    def pixels(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """(N, 2) pixels and (N,) depths (small is near) of (N, 3) points.
+
+        Points behind the camera are infinitely far away.
+        """
+        ones = np.ones((len(points), 1))
+        seen = np.hstack([points, ones]) @ self.matrix
+        ahead = seen[:, 3] > 0
+        flat = seen[:, :3] / np.where(ahead, seen[:, 3], 1.0)[:, None]
+        places = 0.5 * (flat[:, :2] + 1.0) * np.array(self.size)
+        places[~ahead] = np.inf
+        return places, flat[:, 2]
+
+    def ray(self, pixel: FloatArray) -> Ray:
+        """The half line of all points that lie under a pixel, from the near end of the view."""
+        x, y = 2.0 * np.asarray(pixel, dtype=np.float64) / np.array(self.size) - 1.0
+        ends = np.array([[x, y, -1.0, 1.0], [x, y, 1.0, 1.0]]) @ np.linalg.inv(self.matrix)
+        near, far = ends[:, :3] / ends[:, 3:]
+        way = far - near
+        return Ray(near, way / np.linalg.norm(way))
+
+    def vertex_at(self, pixel: FloatArray, points: FloatArray, reach: float) -> int | None:
+        """Number of the vertex within ``reach`` pixels, the nearest of those that are in front."""
+        places, depths = self.pixels(points)
+        distance = np.linalg.norm(places - np.asarray(pixel), axis=1)
+        near = np.flatnonzero(distance <= reach)
+        if not len(near):
+            return None
+        spread = np.ptp(depths[np.isfinite(places[:, 0])])
+        front = near[depths[near] <= depths[near].min() + _BEHIND * spread]
+        return int(front[np.argmin(distance[front])])
+
+    def vertices_in(self, one: FloatArray, other: FloatArray, points: FloatArray) -> list[int]:
+        """Numbers of the vertices in the rectangle between two pixels, hidden ones too."""
+        places, _ = self.pixels(points)
+        low, high = np.minimum(one, other), np.maximum(one, other)
+        return np.flatnonzero(((places >= low) & (places <= high)).all(axis=1)).tolist()

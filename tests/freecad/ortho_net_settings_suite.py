@@ -1,0 +1,214 @@
+"""What a net is to become and what holds it: properties, macros, files. Run by FreeCAD."""
+
+import unittest
+
+import FreeCAD
+import numpy as np
+import ortho_suite_tools as tools
+import Part
+from ortho_suite_tools import vertices
+
+from freecad_ortho import api, convert, sources
+from freecad_ortho.documents import net_settings
+from freecad_ortho.objects import net_settings as table
+from freecad_ortho.objects.net import NET_PROPERTIES
+from solver.errors import InputError
+from solver.nets import RECIPES
+
+
+class SettingsCase(unittest.TestCase):
+    def setUp(self):
+        self.document = FreeCAD.newDocument("Test")
+        self.document.UndoMode = 1
+
+    def tearDown(self):
+        tools.close_all()
+
+    def net(self, **mesh):
+        return api.import_net(tools.wavy_mesh(**mesh), self.document)
+
+    def shape(self, shape, name="Guide"):
+        feature = self.document.addObject("Part::Feature", name)
+        feature.Shape = shape
+        self.document.recompute()
+        return feature
+
+
+class TestTable(SettingsCase):
+    def test_every_recipe_can_be_chosen(self):
+        self.assertEqual(set(table.NETS), set(RECIPES))
+
+    def test_no_source_has_a_property_of_that_name(self):
+        names = {item.name for item in NET_PROPERTIES}
+        for entry in sources.SOURCES.values() if hasattr(sources.SOURCES, "values") else ():
+            parts = {part for option in entry.options for part in option.parts}
+            self.assertEqual(names & parts, set(), entry.name)
+
+    def test_words_go_in_and_come_out(self):
+        net, twin = self.net(), self.net(name="twin")
+        box = self.shape(Part.makeBox(1e4, 1e4, 10))
+        given = {
+            "net": "isometric",
+            "diagonal": True,
+            "angle": 80.0,
+            "radius": 2000.0,
+            "length": 150.0,
+            "per_family": True,
+            "reference": twin,
+            "load": 2.0,
+            "load_area": 3.0,
+            "load_length": 4.0,
+            "forces": "tension",
+            "symmetry": "",
+            "fairness": 0.5,
+            "closeness": 0.0,
+            "multi": None,
+            "isometry": 10.0,
+            "tolerance": 1e-9,
+            "fix": ["corners", 8],
+            "handles": {9: (1.0, 2.0, 3.0)},
+            "glide": ["boundary", (box, "Edge1", [0, 1]), (box, "Face6")],
+            "close_to": [(box, "Face1"), (box, "Face6")],
+        }
+        net_settings.store(net, given)
+        self.assertEqual(net_settings.words(net), given)
+        path = str(tools.SCRATCH / "settings.FCStd")
+        self.document.saveAs(path)
+        name, label = net.Name, box.Name
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        again = net_settings.words(self.document.getObject(name))
+        box = self.document.getObject(label)
+        self.assertEqual(again["glide"][1:], [(box, "Edge1", [0, 1]), (box, "Face6")])
+        self.assertEqual(again["close_to"], [(box, "Face1"), (box, "Face6")])
+        for word in set(given) - {"glide", "close_to", "reference"}:
+            self.assertEqual(again[word], given[word], word)
+
+    def test_set_net_is_one_step_and_refusals_change_nothing(self):
+        net = self.net()
+        steps = self.document.UndoCount
+        api.set_net(net, net="geodesic", fix="corners")
+        self.assertEqual((net.NetType, net.FixRule), ("geodesic", "corners"))
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.document.undo()
+        self.assertEqual((net.NetType, net.FixRule), ("principal", "none"))
+        box = self.shape(Part.makeBox(10, 10, 10))
+        box.Placement.Base.x = 1e7
+        before = net_settings.words(net)
+        for mode in (1, 0):
+            self.document.UndoMode = mode
+            for wrong in (
+                {"net": "fishing"},
+                {"fix": "0,x"},
+                {"fix": [9999]},
+                {"radius": -1},
+                {"isometry": -2},
+                {"forces": "both"},
+                {"symmetry": "w"},
+                {"handles": [1, 2]},
+                {"glide": ["q=3"]},
+                {"glide": [(box, "Edge99")]},
+                {"glide": [(box, "Edge1")]},
+                {"close_to": [(box, "Edge1")]},
+                {"reference": box},
+                {"speed": 3},
+            ):
+                with self.subTest(mode=mode, wrong=str(wrong)), self.assertRaises(InputError):
+                    api.set_net(net, **{"net": "cmc", **wrong})
+                self.assertEqual(net_settings.words(net), before)
+
+
+class TestGuides(SettingsCase):
+    def test_boundary_glides_on_a_real_curve(self):
+        net = self.net()
+        mesh = convert.quad_mesh(net)
+        side = mesh.vertices[:7]
+        poles = [FreeCAD.Vector(*point) for point in side]
+        curve = Part.BSplineCurve()
+        curve.interpolate(poles)
+        edge = self.shape(curve.toShape())
+        api.optimise_net(net, glide=[(edge, "Edge1")])
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        shape = edge.Shape.Edge1
+        misses = [shape.distToShape(Part.Vertex(p))[0] for p in net.Vertices[:7]]
+        self.assertLess(max(misses), 1e-3 * mesh.mean_edge)
+        self.assertEqual(net_settings.words(net)["glide"], [(edge, "Edge1")])
+
+    def test_boundary_glides_on_an_oblique_plane(self):
+        net = self.net()
+        mesh = convert.quad_mesh(net)
+        side = mesh.vertices[:7]
+        # A plane through the side's chord that leans outwards.
+        normal = np.cross(side[-1] - side[0], [0.3, 0.0, 1.0])
+        normal /= np.linalg.norm(normal)
+        offset = (side @ normal).mean()
+        plane = Part.makePlane(10, 10, FreeCAD.Vector(*(normal * offset)), FreeCAD.Vector(*normal))
+        face = self.shape(plane)
+        api.optimise_net(net, glide=[(face, "Face1", list(range(7)))])
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        np.testing.assert_allclose(vertices(net)[:7] @ normal, offset, atol=1e-5)
+
+    def test_all_vertices_glide_on_a_curved_face(self):
+        i, j = np.meshgrid(np.linspace(-0.4, 0.4, 7), np.linspace(0, 6000, 6), indexing="ij")
+        points = np.stack([1e4 * np.sin(i + j / 4e4), j, 1e4 * np.cos(i + j / 4e4)], axis=2)
+        net = api.import_net(tools.write_grid("barrel", points), self.document)
+        cylinder = Part.makeCylinder(
+            1e4, 8000, FreeCAD.Vector(0, -1000, 0), FreeCAD.Vector(0, 1, 0)
+        )
+        guide = self.shape(cylinder)
+        number = next(
+            k + 1 for k, f in enumerate(cylinder.Faces) if f.Surface.TypeId == "Part::GeomCylinder"
+        )
+        api.optimise_net(net, net="orthogonal", glide=[(guide, f"Face{number}")])
+        radius = np.linalg.norm(vertices(net)[:, [0, 2]], axis=1)
+        # The face is followed to a thousandth of a mean edge.
+        np.testing.assert_allclose(radius, 1e4, atol=2e-3 * convert.quad_mesh(net).mean_edge)
+
+    def test_a_guide_that_has_gone(self):
+        net = self.net()
+        box = self.shape(Part.makeBox(1e5, 1e5, 10))
+        api.set_net(net, close_to=[(box, "Face6")])
+        self.document.removeObject(box.Name)
+        self.document.recompute()
+        self.assertEqual(net_settings.words(net)["close_to"], [])
+        api.optimise_net(net)
+
+    def test_a_guide_does_not_make_the_net_stale(self):
+        net = self.net()
+        box = self.shape(Part.makeBox(1e5, 1e5, 10))
+        api.set_net(net, close_to=[(box, "Face6")])
+        beams = api.add_beams(net)
+        box.Shape = Part.makeBox(10, 10, 10)
+        self.document.recompute()
+        self.assertIn("Up-to-date", beams.State)
+
+
+class TestDragNet(SettingsCase):
+    def test_one_step_that_is_a_net_and_undoes(self):
+        net = self.net()
+        api.optimise_net(net)
+        start, steps = vertices(net), self.document.UndoCount
+        place = start[24] + [0, 0, 800]
+        api.drag_net(net, {24: tuple(place), 0: tuple(start[0])})
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        self.assertLess(np.linalg.norm(vertices(net)[24] - place), 300)
+        self.document.undo()
+        self.assertEqual(vertices(net).tobytes(), start.tobytes())
+
+    def test_refusals_change_nothing(self):
+        net = self.net()
+        api.set_net(net, fix=[0])
+        before, steps = vertices(net), self.document.UndoCount
+        for wrong in ({999: (0, 0, 0)}, {}, {3: (0, 0)}, {3: (0, 0, np.nan)}, {0: (0, 0, 1)}):
+            with self.subTest(wrong), self.assertRaises(InputError):
+                api.drag_net(net, wrong)
+        self.assertEqual(vertices(net).tobytes(), before.tobytes())
+        self.assertEqual(self.document.UndoCount, steps)
+
+    def test_a_vertex_can_be_a_handle_of_an_optimisation_too(self):
+        net = self.net()
+        place = vertices(net)[24] + [0, 0, 500]
+        api.optimise_net(net, handles={24: tuple(place)})
+        self.assertLess(np.linalg.norm(vertices(net)[24] - place), 300)
+        self.assertEqual(net.Handles, [24])
