@@ -6,15 +6,28 @@ from collections.abc import Mapping
 from typing import Any
 
 from freecad_ortho.fabrication.systems.beams import Beams
+from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from freecad_ortho.fabrication.systems.panels import Panels
 from freecad_ortho.fabrication.systems.system import Option, System, SystemParts
 from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
-SYSTEMS: dict[str, type[System]] = {system.name: system for system in (Beams, Nodes, Panels)}
+SYSTEMS: dict[str, type[System]] = {
+    system.name: system for system in (Beams, Nodes, Panels, Louvres)
+}
 
-__all__ = ["SYSTEMS", "Beams", "Nodes", "Option", "Panels", "System", "SystemParts", "systems_of"]
+__all__ = [
+    "SYSTEMS",
+    "Beams",
+    "Louvres",
+    "Nodes",
+    "Option",
+    "Panels",
+    "System",
+    "SystemParts",
+    "systems_of",
+]
 
 
 def systems_of(names: str, values: Mapping[str, Any]) -> list[System]:

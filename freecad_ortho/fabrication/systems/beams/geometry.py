@@ -80,6 +80,7 @@ class BeamGeometry:
         height: (E,) of the beam.
         twist_mm: (E,) largest distance of the axes' ends from the beam's middle plane.
         levels: lower and upper level along the axes, mm from the mesh.
+        section_half: half the width of the section, mm.
     """
 
     points: FloatArray
@@ -94,6 +95,7 @@ class BeamGeometry:
     height: FloatArray
     twist_mm: FloatArray
     levels: tuple[float, float]
+    section_half: float
 
     def ring(self, up: FloatArray, half: float) -> FloatArray:
         """(E, 6, 3) corners at heights ``up`` (E,) in the beam's own coordinates, see ``LOOPS``."""
@@ -166,6 +168,7 @@ def beam_geometry(
         height=(levels[1] - levels[0]) * frames.rise,
         twist_mm=np.abs(frames.miss).max(axis=1) * max(abs(level) for level in levels),
         levels=levels,
+        section_half=width / 2,
     )
     rings = np.concatenate([geometry.ring(geometry.up(k), width / 2) for k in (0, 1)], axis=1)
     points = geometry.start[:, None] + np.einsum("epc,eck->epk", rings, geometry.frame)

@@ -4,6 +4,9 @@ The gap is measured on the mesh. Where neighbours lean together, their plates co
 at one of their levels: by ``2 z tan(theta / 2)`` at level ``z`` for faces that meet at an angle
 ``theta``. Each side shrinks by half the gap, and by more only where otherwise less than half of the
 gap would stay clear; so a flat pattern is the face less half the gap unless the plates would touch.
+
+With bevelled edges the sides of the plates are parallel to the planes of the beams instead, which
+contain the node axes: the gap is the same at every level, and half of it lies on each side.
 """
 
 from __future__ import annotations
@@ -35,7 +38,8 @@ class PanelGeometry:
         points: (F, 8, 3) lower corners, then upper corners, counter-clockwise from above.
         origin: (F, 3) where the lower left corner of the flat pattern's box is.
         frame: (F, 3, 3) rows along the first side, across it, normal.
-        outline: (F, 4, 2) the plate in its plane, the first side of the face along x.
+        outline: (F, 4, 2) the plate to cut in its plane, the first side of the face along x.
+        upper: (F, 4, 2) outline of the upper side, less than the plate where bevels lean in.
         sides: (F, 4) how far each side moved inwards.
         clear: (F, 4) gap that stays clear at the tightest level, inf at the boundary.
         lift: (F,) from the parallel mesh to the plate's lower face; 0 without beams.
@@ -45,13 +49,18 @@ class PanelGeometry:
     origin: FloatArray
     frame: FloatArray
     outline: FloatArray
+    upper: FloatArray
     sides: FloatArray
     clear: FloatArray
     lift: FloatArray
 
 
 def panel_geometry(
-    mesh: QuadMesh, levels: tuple[float, float], gap: float, beams: BeamGeometry | None = None
+    mesh: QuadMesh,
+    levels: tuple[float, float],
+    gap: float,
+    beams: BeamGeometry | None = None,
+    inward: FloatArray | None = None,
 ) -> PanelGeometry:
     """Compute the corners of all panels.
 
@@ -60,6 +69,8 @@ def panel_geometry(
         levels: lower and upper level along the face normal, mm from the mesh.
         gap: joint between neighbours, mm.
         beams: when given, panels lie on them, lifted until no beam's upper side cuts a panel.
+        inward: (F, 4, 3) normals of the planes that bevelled sides are parallel to, into the face;
+            without it sides are square.
 
     Raises:
         InputError: a face that the gap leaves nothing of.
@@ -80,20 +91,54 @@ def panel_geometry(
         lift = _lift(mesh.connectivity, beams, middle, normal)
         lower = lift
     upper = lower + thickness
-    bend = _half_angle_tangents(mesh.connectivity, normal, side)
-    closing = np.maximum(np.maximum(-lower[:, None] * bend, -upper[:, None] * bend), 0.0)
-    sides = np.maximum(gap / 2, closing + gap / 4)
-    sides = np.where(np.isnan(bend), gap / 2, sides)
-    clear = np.where(np.isnan(bend), np.inf, 2 * (sides - closing))
-
-    outline = _inset(flat, sides)
-    _refuse_gap(gap, thickness, flat, outline)
-    plane = middle[:, None] + np.einsum("fcd,fdk->fck", outline, frame[:, :2])
-    rings = [plane + (level[:, None] * normal)[:, None] for level in (lower, upper)]
+    if inward is None:
+        sides, clear = _square_sides(mesh.connectivity, normal, side, (lower, upper), gap)
+        rings = [inset(flat, sides)] * 2
+        outline = rings[0]
+    else:
+        by_level = [_bevelled_sides(frame, inward, level, gap) for level in (lower, upper)]
+        rings = [inset(flat, sides) for sides in by_level]
+        sides = np.minimum(*by_level)
+        outline = inset(flat, sides)
+        clear = np.full(sides.shape, gap)
+    for ring in rings:
+        _refuse_gap(gap, thickness, flat, ring)
+    points = np.concatenate(
+        [
+            middle[:, None]
+            + np.einsum("fcd,fdk->fck", ring, frame[:, :2])
+            + (level[:, None] * normal)[:, None]
+            for ring, level in zip(rings, (lower, upper), strict=True)
+        ],
+        axis=1,
+    )
     low = np.concatenate([outline.min(axis=1), lower[:, None]], axis=1)
     origin = middle + np.einsum("fd,fdk->fk", low, frame)
-    points = np.concatenate(rings, axis=1)
-    return PanelGeometry(points, origin, frame, outline, sides, clear, lift)
+    return PanelGeometry(points, origin, frame, outline, rings[1], sides, clear, lift)
+
+
+def _square_sides(
+    connectivity: Connectivity,
+    normal: FloatArray,
+    side: FloatArray,
+    levels: tuple[FloatArray, FloatArray],
+    gap: float,
+) -> tuple[FloatArray, FloatArray]:
+    """How far square sides move inwards, and the gap that stays clear, (F, 4) each."""
+    bend = half_angle_tangents(connectivity, normal, side)
+    closing = np.max([-level[:, None] * bend for level in levels] + [0 * bend], axis=0)
+    sides = np.maximum(gap / 2, closing + gap / 4)
+    sides = np.where(np.isnan(bend), gap / 2, sides)
+    return sides, np.where(np.isnan(bend), np.inf, 2 * (sides - closing))
+
+
+def _bevelled_sides(
+    frame: FloatArray, inward: FloatArray, level: FloatArray, gap: float
+) -> FloatArray:
+    """(F, 4) how far sides parallel to these planes move inwards at a level (F,)."""
+    flat = np.linalg.norm(np.einsum("fck,fdk->fcd", inward, frame[:, :2]), axis=2)
+    up = np.einsum("fck,fk->fc", inward, frame[:, 2])
+    return np.asarray((gap / 2 - up * level[:, None]) / flat)
 
 
 def diagonal_distances(mesh: QuadMesh) -> FloatArray:
@@ -108,7 +153,7 @@ def neighbours(connectivity: Connectivity) -> IntArray:
     return np.where(twins >= 0, twins // 4, -1).reshape(-1, 4)
 
 
-def _half_angle_tangents(
+def half_angle_tangents(
     connectivity: Connectivity, normal: FloatArray, side: FloatArray
 ) -> FloatArray:
     """(F, 4) tan(theta / 2) across each side, positive at a ridge, NaN at the boundary."""
@@ -135,7 +180,7 @@ def _lift(
     return np.maximum(above.max(axis=(1, 2)), 0.0)
 
 
-def _inset(polygon: FloatArray, distance: FloatArray) -> FloatArray:
+def inset(polygon: FloatArray, distance: FloatArray) -> FloatArray:
     """Move side k of each polygon (F, 4, 2) inwards by ``distance[:, k]``."""
     along = unit_rows(np.roll(polygon, -1, axis=1) - polygon)
     before = np.roll(along, 1, axis=1)

@@ -11,6 +11,9 @@ from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.panels.geometry import LOOPS, PanelGeometry, neighbours
 from solver.mesh.quadmesh import FloatArray
 
+# Bevels narrower than this, mm, are not drawn.
+_SEEN = 0.05
+
 
 def panel_parts(
     site: Site, geometry: PanelGeometry, thickness: float, gaps: FloatArray
@@ -32,14 +35,15 @@ def panel_parts(
     parts = []
     for face, name in enumerate(names):
         beside = [names[other] if other >= 0 else "" for other in across[face]]
-        pattern = _flat_pattern(name, geometry.outline[face], beside)
+        pattern = _flat_pattern(name, geometry.outline[face], geometry.upper[face], beside)
         length, width = pattern.size.tolist()
-        volume = pattern.area * thickness
+        body = Polyhedron(corners[face], LOOPS)
+        volume = body.volume
         parts.append(
             Part(
                 name=name,
                 kind="panel",
-                body=Polyhedron(corners[face], LOOPS),
+                body=body,
                 origin=geometry.origin[face] + site.shift,
                 frame=geometry.frame[face],
                 pattern=pattern,
@@ -57,8 +61,14 @@ def panel_parts(
     return tuple(parts)
 
 
-def _flat_pattern(name: str, outline: FloatArray, beside: list[str]) -> FlatPattern:
-    """Outline seen from above, neighbours' names along the sides, a tick at the first corner."""
+def _flat_pattern(
+    name: str, outline: FloatArray, upper: FloatArray, beside: list[str]
+) -> FlatPattern:
+    """Outline seen from above, neighbours' names along the sides, a tick at the first corner.
+
+    Sides of the upper side that lie inside the outline are drawn through: bevels begin there.
+    """
+    upper = upper - outline.min(axis=0)
     corner = outline - outline.min(axis=0)
     side = np.roll(corner, -1, axis=0) - corner
     length = np.linalg.norm(side, axis=1)
@@ -69,6 +79,9 @@ def _flat_pattern(name: str, outline: FloatArray, beside: list[str]) -> FlatPatt
     radius = float(np.abs(np.einsum("kd,kd->k", inward, middle - corner)).min())
     tick = corner[0] + 0.15 * (middle - corner[0])
     marks = [Mark(np.stack([corner[0], tick]))]
+    leans_in = np.einsum("kd,kd->k", upper - corner, inward) > _SEEN
+    for k in np.flatnonzero(leans_in).tolist():
+        marks.append(Mark(upper[[k, (k + 1) % 4]]))
     for k, text in enumerate(beside):
         if text:
             size = fitted_text_size(text, 0.5 * float(length[k]), 0.3 * radius, 12.0)

@@ -11,6 +11,7 @@ import numpy as np
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.panels.geometry import (
     PanelGeometry,
     diagonal_distances,
@@ -18,6 +19,10 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 )
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+
+EDGES = ("square", "bevel")
 
 # Distance between diagonals above which a face is visibly not planar, mm.
 _GAP_WORTH_SAYING = 0.1
@@ -32,6 +37,7 @@ class Panels(System):
         gap: joint between neighbours measured on the mesh, mm; each side shrinks by half of it.
         offset: along the face normal the panels occupy ``[0, thickness]`` (above), half to each
             side (centre) or ``[-thickness, 0]`` (below); with beams they lie on top instead.
+        edge: "square" to the panel, or "bevel": parallel to the beams, towards the node axes.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown offset.
@@ -40,6 +46,7 @@ class Panels(System):
     thickness: float
     gap: float
     offset: str = "centre"
+    edge: str = "square"
 
     name: ClassVar[str] = "panels"
     options: ClassVar[tuple[Option, ...]] = (
@@ -47,19 +54,22 @@ class Panels(System):
         Option("panel_thickness", None, "of the panels where it differs"),
         Option("gap", 10.0, "joint between panels"),
         Option("offset", "centre", "where the plates lie", str, "|".join(OFFSETS)),
+        Option("panel_edge", "square", "sides of the panels", str, "|".join(EDGES)),
     )
 
     def __post_init__(self) -> None:
         check_size("panel thickness", self.thickness)
         check_size("gap", self.gap)
         check_offset(self.offset)
+        if self.edge not in EDGES:
+            raise InputError(f"panel edge: expected one of {', '.join(EDGES)}, got '{self.edge}'")
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Panels:
         """Make the settings from options; panels are as thick as the beams unless told."""
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
-        return cls(plate, values["gap"], values["offset"])
+        return cls(plate, values["gap"], values["offset"], values["panel_edge"])
 
     @property
     def levels(self) -> tuple[float, float]:
@@ -76,7 +86,8 @@ class Panels(System):
         if "beams" in site.done:
             beams = site.done["beams"].geometry
             mesh = mesh.with_vertices(mesh.vertices + beams.levels[1] * site.axes.offsets)
-        geometry = panel_geometry(mesh, self.levels, self.gap, beams)
+        inward = _inward(site) if self.edge == "bevel" else None
+        geometry = panel_geometry(mesh, self.levels, self.gap, beams, inward)
         gaps = diagonal_distances(site.mesh)
         parts = panel_parts(site, geometry, self.thickness, gaps)
         report = self._report(geometry, parts, beams is not None)
@@ -91,10 +102,21 @@ class Panels(System):
             "gap_mm": self.gap,
             "offset": "on the beams" if on_beams else self.offset,
             "clear_gap_min_mm": clear if np.isfinite(clear) else None,
-            "sides_shrunk_more": int((geometry.sides > self.gap / 2 * (1 + 1e-9)).sum()),
+            "edge": self.edge,
+            "sides_shrunk_more": int((geometry.sides > self.gap / 2 * (1 + 1e-9)).sum())
+            if self.edge == "square"
+            else 0,
             "lift_max_mm": float(geometry.lift.max()),
             **sums(parts),
         }
+
+
+def _inward(site: Site) -> FloatArray:
+    """(F, 4, 3) normals of the beams' planes at the sides of each face, into the face."""
+    net = site.mesh.connectivity
+    left = beam_frames(site.mesh, site.axes).left[net.face_edges]
+    on_left = net.edge_faces[net.face_edges, 0] == np.arange(len(net.faces))[:, None]
+    return np.where(on_left[:, :, None], left, -left)
 
 
 def _messages(report: dict[str, Any], gap: float) -> tuple[str, ...]:
