@@ -72,7 +72,8 @@ def test_louvres_are_rhombi_between_midpoints(roof, axis, tilt):
         corner = roof.vertices[roof.faces[part.face]]
         points = (corner + np.roll(corner, -1, axis=0)) / 2
         assert part.area == pytest.approx(inset_area(points, 7.0))
-        angle = np.arccos(abs(part.frame[2] @ roof.face_normals[part.face]))
+        normal = roof.face_normals[part.face]
+        angle = np.arcsin(np.linalg.norm(np.cross(part.frame[2], normal)))
         assert np.degrees(angle) == pytest.approx(abs(tilt), abs=1e-5)
         # The axis runs through two opposite midpoints, along its family.
         lines = [points[0] - points[2], points[1] - points[3]]
