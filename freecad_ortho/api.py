@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from freecad_ortho.step_faces import net_from_step
 from freecad_ortho.units import millimetres_per
 from solver import QuadMesh, optimise, start_optimisation
 from solver.analysis.check import check
@@ -39,6 +40,7 @@ __all__ = [
     "fabricate",
     "find_form",
     "multi_net",
+    "net_from_step",
     "offset_mesh",
     "optimise",
     "primitive",

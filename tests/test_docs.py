@@ -86,6 +86,9 @@ def workplace(tmp_path, monkeypatch):
     assert main(shlex.split("multinet --axes 9,5,2 --moving nu --sampling 9x7 -o nearly.obj")) == 0
     api.write_mesh("left.obj", primitive("sphere", 5, 5, angles=(0, 180)), "m")
     api.write_mesh("right.obj", primitive("sphere", 5, 5, angles=(180, 360)), "m")
+    cadquery = pytest.importorskip("cadquery")
+    hall = cadquery.Workplane().box(24000, 16000, 6000)
+    cadquery.exporters.export(hall, "hall.step")
     (tmp_path / "drawn.txt").write_text("2.9 .2 .1\n2.2 1.4 .4\n1.2 1.7 .8\n.3 1.5 1.1\n")
 
 

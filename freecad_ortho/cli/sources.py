@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 
 from freecad_ortho import api
-from freecad_ortho.cli import fitting, forming, offsetting, remeshing, reporting, values
+from freecad_ortho.cli import faces, fitting, forming, offsetting, remeshing, reporting, values
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.io.points import read_points
@@ -32,6 +32,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     forming.add(commands.add_parser("formfind", help="a membrane or cable net in equilibrium"))
     offsetting.add(commands.add_parser("offset", help="a parallel mesh at a distance"))
     fitting.add(commands.add_parser("fit-multinet", help="the multi-net nearest to a mesh"))
+    faces.add(commands.add_parser("faces", help="a net on CAD faces of a STEP file"))
     remeshing.add(commands.add_parser("quads", help="a triangle mesh remeshed to quads"))
 
 

@@ -13,6 +13,7 @@ from freecad_ortho import convert
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
+from solver.mesh.border import closed_loops
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.patch import SurfacePatch
 from solver.mesh.quadmesh import FloatArray
@@ -131,26 +132,7 @@ def _border(face: Part.Face) -> tuple[FloatArray, ...]:
         for edge in face.Edges
         if not edge.isSeam(face) and edge.Length > near
     ]
-    loops = []
-    while pieces:
-        loop = [pieces.pop(0)]
-        while np.linalg.norm(loop[-1][-1] - loop[0][0]) > near:
-            following = _next(pieces, loop[-1][-1], near)
-            if following is None:
-                break
-            loop.append(following)
-        loops.append(np.concatenate([piece[:-1] for piece in loop]))
-    return tuple(loop for loop in loops if len(loop) > 2)
-
-
-def _next(pieces: list[FloatArray], end: FloatArray, near: float) -> FloatArray | None:
-    """Take the piece that goes on from an end, turned round where it has to be."""
-    for k, piece in enumerate(pieces):
-        for path in (piece, piece[::-1]):
-            if np.linalg.norm(path[0] - end) < near:
-                del pieces[k]
-                return path
-    return None
+    return closed_loops(pieces, near)
 
 
 def surface_triangles(faces: Sequence[Face]) -> tuple[FloatArray, IntArray]:

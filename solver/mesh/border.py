@@ -54,6 +54,38 @@ def _turns(line: FloatArray) -> FloatArray:
     return np.asarray(np.arctan2(cross, (before * after).sum(axis=1)))
 
 
+def closed_loops(pieces: Sequence[FloatArray], near: float) -> tuple[FloatArray, ...]:
+    """Closed polylines put together from pieces (n, 3) whose ends meet, in any order and direction.
+
+    Args:
+        pieces: polylines; closed ones repeat their start.
+        near: how far apart ends may be that are the same, in the model's unit.
+
+    Returns:
+        Polylines of three points or more, which do not repeat their start.
+    """
+    left, loops = [piece for piece in pieces if len(piece) > 1], []
+    while left:
+        loop = [left.pop(0)]
+        while np.linalg.norm(loop[-1][-1] - loop[0][0]) > near:
+            following = _following(left, loop[-1][-1], near)
+            if following is None:
+                break
+            loop.append(following)
+        loops.append(np.concatenate([piece[:-1] for piece in loop]))
+    return tuple(loop for loop in loops if len(loop) > 2)
+
+
+def _following(pieces: list[FloatArray], end: FloatArray, near: float) -> FloatArray | None:
+    """Take the piece that goes on from an end, turned round where it has to be."""
+    for k, piece in enumerate(pieces):
+        for path in (piece, piece[::-1]):
+            if np.linalg.norm(path[0] - end) < near:
+                del pieces[k]
+                return path
+    return None
+
+
 def set_back(
     mesh: QuadMesh,
     surface: TriangleSurface,

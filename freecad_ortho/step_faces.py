@@ -1,0 +1,146 @@
+"""Faces of STEP files as surfaces to sample, through cadquery; needs no FreeCAD."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.mesh.border import closed_loops
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.patch import SampledNet, SurfacePatch, sampled
+from solver.mesh.quadmesh import FloatArray
+
+if TYPE_CHECKING:
+    import cadquery
+
+_SAME_AREA = 1e-6
+# How far polylines stray from edges, in parts of the face's size.
+_DEFLECTION = 2e-5
+_TOLERANCE = 1e-7
+
+
+def net_from_step(
+    path: str | os.PathLike[str],
+    faces: Sequence[int] = (),
+    *,
+    counts: tuple[int, int] | None = None,
+    edge: float | None = None,
+    spacing: str = "length",
+    outside: str = "snap",
+    u_part: tuple[float, float] = (0.0, 1.0),
+    v_part: tuple[float, float] = (0.0, 1.0),
+) -> SampledNet:
+    """Sample a net, in mm, from faces of a STEP file, joined where they meet.
+
+    Args:
+        path: the STEP file.
+        faces: numbers from 1, in the order of the file; by default all.
+        counts: vertices along u and v of the first face.
+        edge: wanted edge length in mm instead.
+        spacing: ``length`` or ``parameter``.
+        outside: ``snap`` or ``drop`` what a border cuts.
+        u_part: part of each face's range of u, 0 to 1.
+        v_part: the same for v.
+
+    Raises:
+        InputError: no such file or face, or a face that cannot be sampled so.
+    """
+    patches = [patch.part(u_part, v_part) for patch in step_patches(path, faces)]
+    return sampled(patches, counts=counts, edge=edge, spacing=spacing, outside=outside)
+
+
+def step_patches(path: str | os.PathLike[str], faces: Sequence[int] = ()) -> list[SurfacePatch]:
+    """Faces of a STEP file, numbered from 1; by default all.
+
+    Raises:
+        InputError: the file is missing or holds no faces, cadquery is missing, or no such face.
+    """
+    if not Path(path).is_file():
+        raise InputError(f"{path}: no such file; check the path")
+    try:
+        import cadquery
+    except ImportError:
+        raise InputError(f"{path}: reading STEP needs cadquery; install it") from None
+    try:
+        found = cadquery.importers.importStep(os.fspath(path)).faces().vals()
+    except Exception as error:  # cadquery raises whatever its kernel raises
+        reason = (str(error).splitlines() or ["damaged"])[0][:80]
+        raise InputError(f"{path}: cannot be read as STEP ({reason}); export it again") from None
+    if not found:
+        raise InputError(f"{path}: holds no faces; export surfaces or solids")
+    numbers = list(faces) or list(range(1, len(found) + 1))
+    for number in numbers:
+        if not 1 <= number <= len(found):
+            raise InputError(f"faces: {path} has faces 1 to {len(found)}, not {number}")
+    return [_patch(found[number - 1], f"face {number}") for number in numbers]
+
+
+def _patch(face: cadquery.Face, name: str) -> SurfacePatch:
+    from OCP.BRepAdaptor import BRepAdaptor_Surface
+    from OCP.BRepTopAdaptor import BRepTopAdaptor_FClass2d
+    from OCP.gp import gp_Pnt, gp_Pnt2d
+    from OCP.ShapeAnalysis import ShapeAnalysis_Surface
+    from OCP.TopAbs import TopAbs_Orientation, TopAbs_State
+
+    surface = BRepAdaptor_Surface(face.wrapped)
+    domain = BRepTopAdaptor_FClass2d(face.wrapped, _TOLERANCE)
+    geometry = face._geomAdaptor()
+    feet = ShapeAnalysis_Surface(geometry)
+    u = surface.FirstUParameter(), surface.LastUParameter()
+    v = surface.FirstVParameter(), surface.LastVParameter()
+    turned = face.wrapped.Orientation() == TopAbs_Orientation.TopAbs_REVERSED
+
+    def places(first: FloatArray, second: FloatArray) -> Any:
+        # Backwards along u where the face shows its surface's other side.
+        first = u[0] + u[1] - first if turned else first
+        return zip(first.tolist(), second.tolist(), strict=True)
+
+    def evaluate(first: FloatArray, second: FloatArray) -> FloatArray:
+        return np.array([_xyz(surface.Value(*pair)) for pair in places(first, second)])
+
+    def inside(first: FloatArray, second: FloatArray) -> BoolArray:
+        states = (domain.Perform(gp_Pnt2d(*pair)) for pair in places(first, second))
+        return np.array([state != TopAbs_State.TopAbs_OUT for state in states], dtype=bool)
+
+    def foot(points: FloatArray) -> FloatArray:
+        found = (feet.ValueOfUV(gp_Pnt(*point), _TOLERANCE) for point in points.tolist())
+        return np.array([_xyz(surface.Value(place.X(), place.Y())) for place in found])
+
+    trimmed = _is_trimmed(face, geometry, (*u, *v))
+    border = _border(face) if trimmed else ()
+    return SurfacePatch(evaluate, u, v, inside if trimmed else None, border, name, foot)
+
+
+def _is_trimmed(face: cadquery.Face, geometry: Any, ends: tuple[float, ...]) -> bool:
+    import cadquery
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
+
+    whole = cadquery.Face(BRepBuilderAPI_MakeFace(geometry, *ends, _TOLERANCE).Face()).Area()
+    return bool(abs(whole - face.Area()) > _SAME_AREA * whole)
+
+
+def _border(face: cadquery.Face) -> tuple[FloatArray, ...]:
+    """Closed polylines along the border, without seams, close to it."""
+    from OCP.BRep import BRep_Tool
+    from OCP.BRepAdaptor import BRepAdaptor_Curve
+    from OCP.GCPnts import GCPnts_QuasiUniformDeflection
+
+    fine = _DEFLECTION * face.BoundingBox().DiagonalLength
+    pieces = []
+    for edge in face.Edges():
+        if BRep_Tool.IsClosed_s(edge.wrapped, face.wrapped) or BRep_Tool.Degenerated_s(
+            edge.wrapped
+        ):
+            continue
+        made = GCPnts_QuasiUniformDeflection(BRepAdaptor_Curve(edge.wrapped), fine)
+        pieces.append(np.array([_xyz(made.Value(k + 1)) for k in range(made.NbPoints())]))
+    return closed_loops(pieces, 10 * fine)
+
+
+def _xyz(point: Any) -> tuple[float, float, float]:
+    return point.X(), point.Y(), point.Z()
