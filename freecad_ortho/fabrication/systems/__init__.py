@@ -14,7 +14,7 @@ from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
-    system.name: system for system in (Beams, Nodes, Panels, Louvres)
+    system.name: system for system in (Beams, Panels, Louvres, Nodes)
 }
 
 __all__ = [
