@@ -224,3 +224,23 @@ def test_the_admissible_range_is_said_and_is_sharp():
             if np.isfinite(outside):
                 with pytest.raises(InputError, match="narrow the range"):
                     net.points(np.array([0.0]), np.array([outside]))
+
+
+@pytest.mark.parametrize("make", [Quadric.ellipsoid, Quadric.one_sheeted, Quadric.two_sheeted])
+def test_lines_hit_a_quadric(make):
+    turn = Rotation.from_euler("xyz", [20, -40, 70], degrees=True).as_matrix()
+    quadric = make((3.0, 2.0, 1.5), turn, (0.5, -1.0, 2.0))
+    random = np.random.default_rng(4)
+    found = 0
+    for _ in range(50):
+        origin, direction = random.normal(size=(2, 3)) * [[4.0], [1.0]]
+        hits = quadric.hits(origin, direction)
+        along = (hits - origin) @ direction / (direction @ direction)
+        assert np.allclose(origin + along[:, None] * direction, hits)
+        assert (np.diff(along) > 0).all()
+        assert np.allclose(quadric.value(hits), 1.0, atol=1e-9)
+        found += len(hits)
+    assert found >= 10
+    away = quadric.from_frame(np.array([0.0, 50.0, 50.0]))
+    if make == Quadric.ellipsoid:
+        assert len(quadric.hits(away, turn[:, 0])) == 0

@@ -1,0 +1,103 @@
+"""The tables of sources: every one makes a net from its defaults, and says what is wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from freecad_ortho.sources import GROUPS, SOURCES, source
+from freecad_ortho.sources.multinets import QUADRICS, drawn_net, first_polyline, quadric_of
+from freecad_ortho.sources.quadric_shape import quadric_mesh
+from solver import InputError
+from solver.analysis import measures
+from solver.mesh.primitives import primitive
+from solver.multinet import multi_net_residual
+
+HERE = (np.eye(3), np.zeros(3))
+TURNED = (np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), np.array([10.0, 20, 30]))
+SHEET = primitive("rectangle", 9, 9, length=8000.0, width=8000.0)
+
+
+def inputs(entry):
+    """Meshes for a source that needs some; a plane of symmetry may not cut the net."""
+    beside = SHEET.with_vertices(SHEET.vertices + [8000.0, 0, 0])
+    nets = {"net": [beside if entry.name == "mirror" else SHEET], "nets": [SHEET, beside]}
+    return {"meshes": nets[entry.needs]} if entry.needs in nets else {}
+
+
+@pytest.mark.parametrize("name", sorted(set(SOURCES) - {"faces"}))
+def test_defaults_make_a_net(name):
+    entry = source(name)
+    made = entry.make({}, **inputs(entry))
+    assert len(made.mesh.faces) > 10
+    assert not measures.flipped(made.mesh).any()
+    assert all("\n" not in remark for remark in made.remarks)
+
+
+def test_every_source_is_in_one_group():
+    members = [name for group in GROUPS.values() for name in group]
+    assert sorted(members) == sorted(SOURCES)
+
+
+@pytest.mark.parametrize("entry", SOURCES.values(), ids=lambda entry: entry.name)
+def test_every_option_is_explained(entry):
+    for option in entry.options:
+        assert option.meaning and not option.meaning.endswith(".")
+        assert option.kind != "choice" or option.default in option.choices
+        assert len(option.parts) == (
+            len(option.default)
+            if isinstance(option.default, tuple) and option.kind not in ("points", "placement")
+            else 1
+        )
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "words"),
+    [
+        ("sphere", {"radios": 3}, "has sampling, radius"),
+        ("sphere", {"sampling": (5,)}, "expected 2 numbers"),
+        ("sphere", {"radius": "big"}, "expected a number"),
+        ("sphere", {"radius": float("nan")}, "expected a number"),
+        ("catenoid", {"lines": "wavy"}, "one of principal, asymptotic"),
+        ("multi-net", {"semi_axes": (1.0, 0.0, 2.0)}, "three positive lengths"),
+        ("multi-net", {"t_range": (-1e9, 1e6)}, "t: expected"),
+        ("multi-net", {"points": [(1.0, 2.0, 3.0)]}, "at least 2 points"),
+        ("multi-net", {"reflect": "w"}, "some of x, y, z"),
+        ("elliptic multi-net", {"semi_axes": (1.0, 2.0, 3.0)}, "a > b > c"),
+        ("elliptic multi-net", {"curve": "formulas", "first_formula": "import os"}, "formula"),
+        ("form-finding", {"supports": "roof"}, "boundary, corners or"),
+        ("form-finding", {"lift": "0;100"}, "VERTEX:HEIGHT"),
+        ("form-finding", {"lift": "40:100"}, "no support"),
+        ("trim", {"rings": 0}, "got none"),
+        ("trim", {"rings": 9}, "no face is left"),
+        ("subdivide", {"levels": 40}, "levels"),
+    ],
+)
+def test_bad_options_get_one_line(name, options, words):
+    entry = source(name)
+    with pytest.raises(InputError, match=words) as caught:
+        entry.make(options, **inputs(entry))
+    assert "\n" not in str(caught.value)
+
+
+def test_no_such_source():
+    with pytest.raises(InputError, match="expected one of catenoid"):
+        source("magic")
+
+
+def test_a_placement_moves_the_net_and_nothing_else():
+    here = source("sphere").make({}).mesh
+    there = source("sphere").make({"placement": TURNED}).mesh
+    np.testing.assert_allclose(there.vertices, here.vertices @ TURNED[0].T + TURNED[1], atol=1e-9)
+
+
+@pytest.mark.parametrize("kind", QUADRICS)
+def test_a_first_polyline_lies_on_its_quadric_wherever_that_is(kind):
+    quadric = quadric_of(kind, (9000.0, 6000.0, 4000.0), TURNED)
+    points = quadric.from_frame(first_polyline(quadric))
+    assert quadric.distance(points).max() < 1e-6
+    assert quadric.distance(quadric_mesh(quadric).vertices).max() < 1e-6
+    net = drawn_net(kind, (9000.0, 6000.0, 4000.0), (), False, TURNED)
+    low, high = net.admissible
+    mesh = net.sampled(9, 7, (0.5 * low, min(0.5 * high, -low)))
+    assert multi_net_residual(mesh).bound < 1e-12
