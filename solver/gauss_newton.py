@@ -39,7 +39,7 @@ _NEAR = 1e-6
 # Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
 _PATIENCE = 25
 # Of so many attempts that reached the net, though with short edges or creases, the best is taken.
-_ENOUGH = 2
+_ENOUGH = 3
 # Handles are followed with the guides at this factor, where the mesh is nearly a net, until so many
 # steps in turn are this small: what follows depends on where the handles are, not on the way there.
 _HOLD, _CALM, _REST, _HOLD_STEPS, _HOLD_DAMPING = 3e-3, 2, 1e-10, 250, 1e-9

@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from solver.errors import InputError
 from solver.gauss_newton import Optimisation
 from solver.mesh.quadmesh import QuadMesh
@@ -15,7 +17,11 @@ from solver.nets.constraints import Constraints, corners_that_stay
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, fixed_vertices
 from solver.plan import Plan
+from solver.problem import Problem, place_of
 from solver.report import Outcome, StepRecord
+
+# Residuals of what is fixed altogether up to this are taken for the rounding of a file.
+_CONTRADICTION = 1e-6
 
 
 def optimise(
@@ -106,6 +112,7 @@ def start_optimisation(
     fixed[corners_that_stay(mesh, wanted)] = True
 
     plan = Plan(net, fixed, options or NetOptions(), wanted, weights)
+    _refuse_contradictions(plan.single(mesh))
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     if fairness is not None:
         return Optimisation(plan.single(mesh), tolerance, max_steps, backend, accept_start=False)
@@ -113,3 +120,21 @@ def start_optimisation(
     problems = plan.problems(mesh)
     original = next(problem for problem in problems if problem.mesh is mesh)
     return Optimisation(problems, tolerance, max_steps, backend, stay, original)
+
+
+def _refuse_contradictions(problem: Problem) -> None:
+    """Say which face, edge or vertex has nothing left to move and yet is not as it has to be."""
+    if not problem.fixed.any() or not problem.free.any():
+        return
+    for term in problem.constraints:
+        stuck = np.flatnonzero(~problem.free[term.unknowns].any(axis=1))
+        if not len(stuck):
+            continue
+        miss = np.abs(term.linearise(problem.start).residual[stuck]).max(axis=1)
+        worst = int(np.argmax(miss))
+        if miss[worst] > _CONTRADICTION:
+            place = place_of(term, int(stuck[worst]))
+            raise InputError(
+                f"fix: {place} cannot move at all, but its {term.name} is off by "
+                f"{miss[worst]:.1e}; free one of its vertices"
+            )

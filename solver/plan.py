@@ -16,8 +16,9 @@ from solver.problem import Problem
 
 # Edges and faces of guarded nets are kept from collapsing and crossing over with this weight.
 _GUARD = 0.1
-# Sheets are smoothed with these weights of evenness, one after the other.
-_EVENNESS = (0.3, 3.0)
+# Weights of evenness in the first attempts of sheets, and in those after the first of other nets.
+_SHEETS = (0.3, 3.0)
+_EVENNESS = {"asymptotic": (3.0, 30.0), "cmc": (3.0, 30.0)}
 
 
 @dataclass(frozen=True)
@@ -59,16 +60,20 @@ class Plan:
 
     def _ladder(self) -> list[Weights]:
         """Weights of the attempts, the first ones as asked for."""
-        ladder = self.weights.ladder()
+        first, *rest = self.weights.ladder()
         if self.net in DEVELOPABLE:
-            return [self.weights.even(evenness) for evenness in _EVENNESS] + ladder
+            return [*self._even(_SHEETS), first, *rest]
         if self.net in GUARDED:
+            ladder = [first, *rest]
             return [replace(one, edge_guard=_GUARD, face_guard=_GUARD) for one in ladder]
-        return ladder
+        return [first, *self._even(_EVENNESS.get(self.net, (1.0,))), *rest]
+
+    def _even(self, weights: Sequence[float]) -> list[Weights]:
+        return [self.weights.even(weight) for weight in weights]
 
     def _sheets(self, mesh: QuadMesh, ladder: list[Weights]) -> list[Problem]:
         """The net from the mesh as it is and from the mesh bent in one direction only."""
-        even = len(_EVENNESS)
+        even = len(_SHEETS)
         bent = []
         if not self.fixed.any() and self.constraints == Constraints():
             firmest_first = [*ladder[:even][::-1], *ladder[even:]]

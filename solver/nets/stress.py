@@ -8,7 +8,7 @@ import numpy as np
 
 from solver.analysis import measures
 from solver.errors import InputError
-from solver.mesh.connectivity import IntArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.options import NetOptions
 from solver.problem import Problem, of_mesh
@@ -16,6 +16,8 @@ from solver.statics import Loads, start_densities, supported_vertices, unbalance
 from solver.terms.equilibrium import Equilibrium
 from solver.terms.orthogonality import Orthogonality
 
+# Supports that lie nearer to one line, in mean edges, do not hold a net.
+_LINE = 1e-3
 _SIGNS = {"free": 0, "compression": -1, "tension": 1}
 
 
@@ -28,6 +30,7 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
     """
     net = problem.mesh.connectivity
     supports = supported_vertices(net, problem.fixed)
+    _refuse_one_line(problem, supports)
     free = np.flatnonzero(~supports & net.referenced)
     if not len(free):
         raise InputError("supports: every vertex is supported; leave some free to carry load")
@@ -59,6 +62,21 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
 
     problem.details["force_densities"] = densities
     return problem
+
+
+def _refuse_one_line(problem: Problem, supports: BoolArray) -> None:
+    """Say which component would swing around a line that holds all its supports."""
+    net = problem.mesh.connectivity
+    for part in range(int(net.components.max()) + 1):
+        own = np.zeros(net.vertex_count, dtype=bool)
+        own[net.faces[net.components == part]] = True
+        held = problem.mesh.vertices[own & supports]
+        extents = np.linalg.svd(held - held.mean(axis=0), compute_uv=False)
+        if extents[1] <= _LINE * problem.scale:
+            raise InputError(
+                f"supports: those of component {part} lie on one line and it would be a mechanism; "
+                "support a vertex beside that line"
+            )
 
 
 def _loads(problem: Problem, options: NetOptions, free: IntArray) -> Loads:

@@ -139,6 +139,19 @@ def test_contradictions_are_refused_in_one_line(constraints, words):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("fix", "constraints", "words"),
+    [
+        ([0, 1, 6, 5], {}, "face 0 cannot move at all, but its orthogonality is off by"),
+        ([3], {"glide": (PlaneGlide(2, 0.0, np.array([3, 4])),)}, "vertex 3 cannot move at all"),
+    ],
+)
+def test_contradicting_fixes_are_refused(fix, constraints, words):
+    with pytest.raises(InputError, match=words) as caught:
+        optimise(wavy_grid(6, 5), fix=fix, constraints=Constraints(**constraints))
+    assert "\n" not in str(caught.value) and "free one" in str(caught.value)
+
+
 @pytest.mark.parametrize("net", ["asymptotic", "cmc", "geodesic", "conical"])
 def test_a_mesh_without_stars_cannot_carry_star_nets(net):
     strip = wavy_grid(6, 2)

@@ -11,6 +11,7 @@ from solver import InputError, NetOptions, QuadMesh, optimise
 from solver.analysis import measures
 from solver.statics import Loads, unbalanced
 from tests.conftest import grid_faces, shared_mesh
+from tests.meshes import hanging_net
 
 
 def force_left(mesh: QuadMesh, densities: np.ndarray, load: np.ndarray, free) -> float:
@@ -111,3 +112,11 @@ def test_what_cannot_stand_is_refused_in_one_line(fix, options, words):
     with pytest.raises(InputError, match=words) as caught:
         optimise(hanging_strip(11), "stress", fix=fix, options=NetOptions(**options))
     assert "\n" not in str(caught.value)
+
+
+def test_supports_on_one_line_are_a_mechanism():
+    mesh = hanging_net()
+    edge = np.flatnonzero(mesh.vertices[:, 0] == mesh.vertices[:, 0].min())
+    assert len(edge) > 3
+    with pytest.raises(InputError, match="lie on one line and it would be a mechanism"):
+        optimise(mesh, "stress", fix=edge, options=NetOptions(load=1.0))
