@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from collections import Counter
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho import api
@@ -52,7 +54,7 @@ class Progress:
 
 def fabrication_line(structure: Structure, folder: str) -> str:
     """One line that says what was made and where it is."""
-    report = structure.report()
+    report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))
     numbers = Counter(part.kind for part in structure.parts)
     counts = [f"{number} {kind}{'s' * (number > 1)}" for kind, number in numbers.items()]
     failed = len(report["verdict"]["failed"])

@@ -57,7 +57,7 @@ class Production:
         cuts: dict[str, list[str]] = {}
         for clash in self.clashes.clashes:
             for name, other in ((clash.first, clash.second), (clash.second, clash.first)):
-                cuts.setdefault(name, []).append(f"cuts {other} by {clash.volume:.3g} mm3")
+                cuts.setdefault(name, []).append(f"cuts {other} by {clash.volume:.1f} mm3")
         verdicts = []
         for part, words in zip(self.structure.parts, self.structure.verdicts, strict=True):
             all_words = ([] if words == OK else [words]) + cuts.get(part.name, [])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from freecad_ortho import convert
 from freecad_ortho.fabrication import SYSTEMS, Selection, Structure, build, material
 from freecad_ortho.objects import structure as structure_object
+from freecad_ortho.objects.limit_properties import limits_of
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.system_properties import system_of
 from solver.errors import InputError
@@ -36,10 +37,12 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
     ordered = [name for name in SYSTEMS if name in by_system]
     lines = _agreed(features, "lines", lambda feature: (feature.Family, tuple(feature.Lines)))
     of_what = _agreed(features, "material", lambda feature: (feature.Material, feature.Density))
+    limits = _agreed(features, "limits", limits_of)
     whole = build(
         convert.quad_mesh(net),
         [system_of(by_system[name], name) for name in ordered],
         material=material(of_what[0].lower(), of_what[1] or None),
+        limits=limits,
         selection=Selection(lines[0].lower(), lines[1] or None),
     )
     return whole.only(*(name for name in ordered if name in wanted))

@@ -9,6 +9,7 @@ import FreeCAD
 
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS
 from freecad_ortho.objects import outdated
+from freecad_ortho.objects.limit_properties import limit_properties
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property, ensure
 from freecad_ortho.objects.system_properties import options_of, system_property
 
@@ -89,6 +90,7 @@ _PROPERTIES = (
         default=0.0,
         flags=OUTPUT,
     ),
+    *limit_properties(),
     Property(
         "App::PropertyStringList",
         "PartNames",

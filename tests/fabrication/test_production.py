@@ -182,7 +182,7 @@ def test_clashes_are_found_with_their_volume(plane):
     production = produce(replace(structure, results={"panels": result}))
     failed = production.report()["verdict"]["failed"]
     assert set(failed) == {first.name, x.name}
-    assert failed[x.name].startswith(f"cuts {first.name} by 3.69e+05 mm3")
+    assert failed[x.name].startswith(f"cuts {first.name} by 369375.0 mm3")
 
 
 def test_a_far_part_meets_nobody(plane):

@@ -288,6 +288,24 @@ class TestStructure(DocumentCase):
         Path(tools.SCRATCH / "volume.txt").write_text(repr(again.Shape.Volume), encoding="utf-8")
 
 
+class TestLimits(DocumentCase):
+    def test_verdicts_follow_the_limits(self):
+        beams = api.add_beams(self.net())
+        twist = max(json.loads(beams.Report)["beams"]["twist_max_deg"], 1e-9)
+        self.assertEqual(beams.LimitTwist.Value, 1.0)
+        beams.LimitTwist, beams.LimitGap = twist / 2, 0
+        self.document.recompute()
+        failing = [words for words in beams.Verdicts if words != "ok"]
+        self.assertTrue(failing)
+        self.assertTrue(all(words.startswith("twist ") for words in failing))
+        beams.LimitTwist = 0
+        self.document.recompute()
+        self.assertEqual(set(beams.Verdicts), {"ok"})
+        name = beams.Name
+        again = self.reopened("limits.FCStd").getObject(name)
+        self.assertEqual((again.LimitTwist.Value, again.LimitStraightness.Value), (0.0, 1.0))
+
+
 class TestExport(DocumentCase):
     def test_files_name_every_part(self):
         net = self.net()

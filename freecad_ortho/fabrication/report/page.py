@@ -167,7 +167,7 @@ def _clashes(production: Production) -> str:
     words = f"{check.near:,} pairs of parts come near each other; "
     if not check.clashes:
         return f"<h2>Clash check</h2><p>{words}none shares volume.</p>"
-    rows = [(clash.first, clash.second, f"{clash.volume:.3g}") for clash in check.clashes]
+    rows = [(clash.first, clash.second, f"{clash.volume:.1f}") for clash in check.clashes]
     return f"<h2>Clash check</h2><p>{words}{len(rows)} share volume:</p>" + _table(
         ("part", "cuts", "by mm3"), rows
     )
