@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 # Toolbar -> names of its commands, in their order; a name is "Ortho_" and the class's name.
 TOOLBARS = {
     "Design": ("ImportNet", "MultiNet", "NewNet", "ChangeNet"),
-    "Optimise": ("Optimise",),
+    "Optimise": ("Optimise", "EditNet"),
     "Analyse": ("Display", "Check", "SavePicture"),
     "Fabricate": (
         "Beams",
@@ -70,7 +70,7 @@ def _commands() -> list[Command]:
     from freecad_ortho.commands.flat_patterns import DrawingPage, FlatPatterns
     from freecad_ortho.commands.groups import ChangeNet, NewNet
     from freecad_ortho.commands.import_net import ImportNet
-    from freecad_ortho.commands.optimise import Optimise
+    from freecad_ortho.commands.optimise import EditNet, Optimise
     from freecad_ortho.commands.remesh import QuadsFromMesh
     from freecad_ortho.commands.sources import (
         Derived,
@@ -100,6 +100,7 @@ def _commands() -> list[Command]:
         NewNet(),
         ChangeNet(),
         Optimise(),
+        EditNet(),
         Display(),
         Check(),
         SavePicture(),

@@ -1,4 +1,4 @@
-"""The command Optimise."""
+"""The commands Optimise and Edit net."""
 
 from __future__ import annotations
 
@@ -27,3 +27,19 @@ class Optimise(NetCommand):
 
         with messages.errors_shown():
             FreeCADGui.Control.showDialog(OptimisePanel(context.current_net()))
+
+
+class EditNet(NetCommand):
+    """Begin to drag vertices of a net, as a double click on it does."""
+
+    icon = "edit"
+    text = QT_TRANSLATE_NOOP("Ortho_EditNet", "Edit net")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_EditNet",
+        "Drag vertices of the selected net; the others follow so that it stays its kind of net",
+    )
+
+    def Activated(self) -> None:
+        """Enter edit mode."""
+        net = context.current_net()
+        FreeCADGui.getDocument(net.Document.Name).setEdit(net.Name)

@@ -106,6 +106,7 @@ _PLAIN = {
 }
 _OPTIONS = ("diagonal", "angle", "radius", "length", "per_family")
 _LOADS = ("load", "load_area", "load_length", "forces")
+_PASSED = ("max_steps", "backend", "options", "constraints")
 _WEIGHTS = ("fairness", "closeness", "multi", "isometry", "tolerance")
 
 Fix = str | Sequence[int | str]
@@ -143,11 +144,24 @@ def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
         elif word == "close_to":
             guides.store_close_to(net, value)
         else:
-            raise InputError(f"settings: '{word}' is none; see the page on nets")
+            raise InputError(f"settings: there is no '{word}'; see the page on nets")
 
 
-def known(word: str) -> bool:
-    """Tell whether a keyword is kept in the net's properties."""
+def divided(settings: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Divide settings into those that a net keeps and those that only the solver is told.
+
+    Raises:
+        InputError: a setting that there is not.
+    """
+    kept = {word: value for word, value in settings.items() if _is_kept(word)}
+    passed = {word: value for word, value in settings.items() if word not in kept}
+    for word in passed:
+        if word not in _PASSED:
+            raise InputError(f"settings: there is no '{word}'; see the page on nets")
+    return kept, passed
+
+
+def _is_kept(word: str) -> bool:
     return word in _PLAIN or word in ("fix", "handles", "glide", "close_to")
 
 

@@ -104,8 +104,7 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     require_net(target)
     mesh = convert.quad_mesh(target)
     ready = _ready.pop(_key(target, settings, mesh.vertices), None)
-    kept = {word: value for word, value in settings.items() if net_settings.known(word)}
-    passed = {word: value for word, value in settings.items() if word not in kept}
+    kept, passed = net_settings.divided(settings)
     with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Optimise")):
         _store(target, kept)
         if ready is None:
@@ -134,24 +133,33 @@ def drag_net(
     require_net(target)
     mesh = convert.quad_mesh(target)
     given = {**settings, "drag": dict(places)}
+    kept, passed = net_settings.divided(settings)
     ready = _ready.pop(_key(target, given, mesh.vertices), None)
     with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Drag vertices")):
-        _store(target, settings)
+        _store(target, kept)
         if ready is None:
-            ready = _dragged(dragging(target, mesh, list(places)), mesh, places)
+            ready = _dragged(dragging(target, mesh, list(places), **passed), mesh, places)
         _keep(target, ready)
     return ready
 
 
-def dragging(target: FreeCAD.DocumentObject, mesh: QuadMesh, handles: Sequence[int]) -> Session:
+def dragging(
+    target: FreeCAD.DocumentObject, mesh: QuadMesh, handles: Sequence[int], **passed: Any
+) -> Session:
     """Start a session in which vertices of a Net are dragged, with the Net's own settings.
+
+    Args:
+        target: the Net.
+        mesh: its mesh.
+        handles: the vertices.
+        passed: what else the solver is told, such as ``backend``.
 
     Raises:
         InputError: a vertex that does not exist or is fixed, settings that do not fit the mesh.
     """
     from solver import Session
 
-    settings = net_settings.for_solver(target, mesh)
+    settings = net_settings.for_solver(target, mesh) | passed
     return Session(mesh, handles, settings.pop("net"), **settings)
 
 

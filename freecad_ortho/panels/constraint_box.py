@@ -66,8 +66,14 @@ class ConstraintBox:
             "symmetry": "".join(chosen),
         }
 
+    def stop_picking(self) -> None:
+        """Pick no more, and let the buttons say so."""
+        self.end()
+        for button in self._pickers.values():
+            button.setChecked(False)
+
     def end(self) -> None:
-        """Pick no more; doing it again changes nothing."""
+        """Pick no more; doing it again changes nothing, nor does it need the form."""
         self._picking = None
         if self._mouse is not None:
             self._mouse.remove()
@@ -75,8 +81,6 @@ class ConstraintBox:
         if self._watching:
             self._watching = False
             FreeCADGui.Selection.removeObserver(self)
-        for button in self._pickers.values():
-            button.setChecked(False)
 
     def addSelection(self, document: str, name: str, part: str, _: Any) -> None:
         """Take what the user has picked; FreeCAD calls this."""
@@ -106,7 +110,7 @@ class ConstraintBox:
             if self._picking == what:
                 self.end()
             return
-        self.end()
+        self.stop_picking()
         self._picking = what
         self._pickers[what].setChecked(True)
         if what in (_FIX, _HANDLE):

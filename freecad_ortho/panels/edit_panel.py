@@ -40,6 +40,8 @@ class EditPanel:
         self._build_form(net)
         self._filling = False
         self._told(None)
+        # Others may close the panel too, without asking.
+        self.form.destroyed.connect(lambda *_: self._vanished())
 
     @property
     def net(self) -> FreeCAD.DocumentObject:
@@ -63,6 +65,18 @@ class EditPanel:
         cover(self._document, self._visible)
         self._gone = True
         FreeCADGui.Control.closeDialog()
+
+    def _vanished(self) -> None:
+        """Leave edit mode when the form has gone."""
+        if not self._gone:
+            self._gone = True
+            self.editing.end()
+            cover(self._document, self._visible)
+            QtCore.QTimer.singleShot(0, self._leave_mode)
+
+    def _leave_mode(self) -> None:
+        if self._document in FreeCAD.listDocuments():
+            FreeCADGui.getDocument(self._document).resetEdit()
 
     def _lost(self, reason: str) -> None:
         """Leave quietly when the net is deleted or its document closed."""

@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 from PySide import QtCore
 
-from freecad_ortho import convert, documents
+from freecad_ortho import convert, documents, preferences
 from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import guides, net_settings
 from freecad_ortho.objects.net_settings import ALL
@@ -236,7 +236,8 @@ class Editing:
         """Start stepping, in the session of the last drag where it still fits."""
         with messages.errors_shown():
             if self.live is None or set(self.live.session.targets) != set(self.handles):
-                session = documents.dragging(self._net, self._mesh, list(self.handles))
+                chosen = preferences.solver_settings()
+                session = documents.dragging(self._net, self._mesh, list(self.handles), **chosen)
                 self.live = Live(session, self._stepped, self._settled)
             elif self.live.settling:
                 # Taken up again before it was exact: both drags become one step.
@@ -273,12 +274,14 @@ class Editing:
             return
         places = {vertex: tuple(map(float, place)) for vertex, place in self.handles.items()}
         # The macro line computes this again when it is replayed; here it only takes the result.
-        documents.keep_outcome(self._net, {"drag": places}, self._mesh.vertices, outcome)
+        chosen = preferences.solver_settings()
+        settings = {"drag": places, **chosen}
+        documents.keep_outcome(self._net, settings, self._mesh.vertices, outcome)
         self._starts = {}
         self.committing = True
         try:
             with messages.errors_shown():
-                context.run("drag_net", self._net, places)
+                context.run("drag_net", self._net, places, **chosen)
         finally:
             self.committing = False
         self._read()

@@ -9,7 +9,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from freecad_ortho import convert, documents
+from freecad_ortho import convert, documents, preferences
 from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import net_settings
 from freecad_ortho.panels.advanced_box import AdvancedBox
@@ -41,6 +41,8 @@ class OptimisePanel:
         self._visible = uncover(net)
         self._build_form(net)
         self._watch = NetWatch(net, self._leave, self._changed)
+        # Others may close the panel too, without asking.
+        self.form.destroyed.connect(lambda *_: self._end())
 
     @property
     def net(self) -> FreeCAD.DocumentObject | None:
@@ -90,11 +92,12 @@ class OptimisePanel:
         """
         wanted = {**self.choice.words, **self.constraints.words, **self.advanced.words}
         stored = net_settings.words(self.net)
-        return {
+        chosen = {
             word: value
             for word, value in wanted.items()
             if word in ("net", "fix") or value != stored[word]
         }
+        return chosen | preferences.solver_settings()
 
     def accept(self) -> bool:
         """Keep what has been reached, as one undo step and one line of a macro."""
@@ -126,11 +129,12 @@ class OptimisePanel:
         settings = self.settings()
         if self.run is not None and settings == self._settings:
             return
-        self.constraints.end()
+        self.constraints.stop_picking()
         self._mesh = convert.quad_mesh(self.net)
-        values = net_settings.words(self.net) | settings
+        kept, passed = net_settings.divided(settings)
+        values = net_settings.words(self.net) | kept
         optimisation = api.start_optimisation(
-            self._mesh, **net_settings.solver_settings(values, self._mesh)
+            self._mesh, **net_settings.solver_settings(values, self._mesh), **passed
         )
         if self.run is not None:
             self.run.stop()
@@ -191,7 +195,7 @@ class OptimisePanel:
             self._say(translate("Ortho", "The net has changed meanwhile. Start begins anew."))
             self._show_state()
         if name == "Faces":
-            self.constraints.end()
+            self.constraints.stop_picking()
 
     def _leave(self) -> None:
         """Stop when there is nothing left to work on; close when FreeCAD has done its part."""

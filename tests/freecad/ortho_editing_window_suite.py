@@ -83,7 +83,7 @@ class EditingCase(unittest.TestCase):
         """Edit mode is over and has left nothing behind."""
         wait()
         self.assertFalse(FreeCADGui.Control.activeDialog())
-        self.assertFalse(self.editing.live is not None and self.editing.live.settling)
+        self.assertFalse(self.editing.busy)
         if net is not None:
             self.assertIsNone(FreeCADGui.getDocument(net.Document.Name).getInEdit())
             np.testing.assert_allclose(self.shown(net), vertices(net), rtol=1e-6, atol=1e-2)
@@ -201,7 +201,7 @@ class TestLeaving(EditingCase):
         self.assertEqual(net.Document.UndoCount, steps)
 
     def test_closing_in_the_middle_of_a_drag(self):
-        for ending in ("panel", "unset", "document", "object", "settling"):
+        for ending in ("panel", "unset", "dialog", "document", "object", "settling"):
             with self.subTest(ending):
                 net = self.edited()
                 document, stored = net.Document, vertices(net)
@@ -210,6 +210,8 @@ class TestLeaving(EditingCase):
                     self.panel.reject()
                 elif ending == "unset":
                     FreeCADGui.getDocument(document.Name).resetEdit()
+                elif ending == "dialog":
+                    FreeCADGui.Control.closeDialog()
                 elif ending == "document":
                     FreeCAD.closeDocument(document.Name)
                 elif ending == "object":
@@ -217,7 +219,7 @@ class TestLeaving(EditingCase):
                 else:
                     self.hand.release(end)
                     self.panel.reject()
-                left = net if ending in ("panel", "unset", "settling") else None
+                left = net if ending in ("panel", "unset", "dialog", "settling") else None
                 self.assertLeft(left)
                 if left is not None:
                     self.assertEqual(vertices(net).tobytes(), stored.tobytes())
@@ -239,6 +241,14 @@ class TestLeaving(EditingCase):
         wait()
         self.assertEqual(vertices(net).tobytes(), after.tobytes())
         np.testing.assert_allclose(self.shown(net), after, rtol=1e-6, atol=1e-2)
+
+    def test_command_and_double_click_are_the_same(self):
+        net = api.import_net(tools.wavy_mesh())
+        FreeCADGui.runCommand("Ortho_EditNet")
+        wait()
+        self.assertEqual(FreeCADGui.ActiveDocument.getInEdit().Object, net)
+        tools.press("Close")
+        self.assertIsNone(FreeCADGui.ActiveDocument.getInEdit())
 
     def test_only_one_panel_at_a_time(self):
         net = api.import_net(tools.wavy_mesh())

@@ -212,3 +212,13 @@ class TestDragNet(SettingsCase):
         api.optimise_net(net, handles={24: tuple(place)})
         self.assertLess(np.linalg.norm(vertices(net)[24] - place), 300)
         self.assertEqual(net.Handles, [24])
+
+
+class TestDocumentation(SettingsCase):
+    def test_macro_of_the_page_on_editing(self):
+        text = (tools.ROOT / "docs" / "editing.md").read_text(encoding="utf-8")
+        macro = text.split("```python\n")[1].split("```")[0]
+        names = {}
+        exec(macro, names)
+        self.assertEqual(names["net"].FixRule, "boundary")
+        self.assertEqual(names["net"].CloseTo[0][0], names["box"])

@@ -14,7 +14,7 @@ from freecad_ortho import api
 from freecad_ortho.commands import dialogs, messages
 from freecad_ortho.panels import optimise_panel
 
-NEEDS_NET = ("Ortho_Optimise", "Ortho_Beams", "Ortho_Panels")
+NEEDS_NET = ("Ortho_Optimise", "Ortho_EditNet", "Ortho_Beams", "Ortho_Panels")
 
 
 class WindowCase(unittest.TestCase):

@@ -1,0 +1,309 @@
+"""The Optimise panel in FreeCAD's window: choices, picked constraints, steps. Run by FreeCAD."""
+
+import unittest
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import ortho_suite_tools as tools
+import Part
+from ortho_mouse_tools import Hand
+from ortho_suite_tools import press, vertices, wait
+from PySide import QtCore
+
+from freecad_ortho import api, convert
+from freecad_ortho.commands import messages
+from freecad_ortho.documents import net_settings
+from freecad_ortho.panels import run as run_module
+from freecad_ortho.panels.optimise_panel import OptimisePanel
+from solver.analysis.advisor import advise
+
+
+class PanelCase(unittest.TestCase):
+    def setUp(self):
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        self.errors, self.lines = [], []
+        run = FreeCADGui.doCommand
+
+        def recorded(line):
+            self.lines.append(line)
+            run(line)
+
+        for target, name, replacement in (
+            (messages, "show_error", self.errors.append),
+            (messages, "show_status", self.errors.append),
+            (FreeCADGui, "doCommand", recorded),
+        ):
+            patch = mock.patch.object(target, name, replacement)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def tearDown(self):
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        FreeCADGui.Selection.clearSelection()
+        tools.close_all()
+        wait()
+
+    def net(self, rows=10, columns=9):
+        net = api.import_net(tools.wavy_mesh(rows=rows, columns=columns))
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+        return net
+
+    def opened(self, net):
+        self.panel = OptimisePanel(net)
+        FreeCADGui.Control.showDialog(self.panel)
+        wait()
+        return self.panel
+
+    def finished(self, seconds=100):
+        self.panel.start_button.click()
+        run = self.panel.run
+        self.assertTrue(wait(lambda: run.optimisation.finished, seconds))
+
+    def replayed(self, net):
+        """Undo what was kept and run the recorded line; give both results."""
+        kept, words = vertices(net), net_settings.words(net)
+        net.Document.undo()
+        exec(self.lines[-1], {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        self.assertEqual(net_settings.words(net), words)
+        return kept, vertices(net)
+
+    def shown(self, net):
+        points = net.ViewObject.Proxy._coordinates.point.getValues()
+        return np.array([point.getValue() for point in points])
+
+
+class TestChoices(PanelCase):
+    def test_recommendation_can_be_taken(self):
+        net = self.net()
+        api.set_net(net, net="cmc")
+        panel = self.opened(net)
+        best = advise(convert.quad_mesh(net))[0].net
+        self.assertIn(best, panel.choice.recommendation.text())
+        self.assertEqual(panel.net_type.word, "cmc")
+        panel.choice.use.click()
+        self.assertEqual(panel.net_type.word, best)
+        self.assertFalse(panel.choice.use.isVisible())
+
+    def test_every_net_shows_what_belongs_to_it(self):
+        panel = self.opened(self.net())
+        panel.choice.radius.millimetres = 5000
+        seen = {}
+        for name in net_settings.NETS:
+            panel.net_type.choose(name)
+            rows = panel.choice._shown_for
+            seen[name] = [k for k, (row, _) in enumerate(rows) if not row.isHidden()]
+            self.assertTrue(panel.choice.explanation.text())
+        self.assertEqual(seen["principal"], [])
+        self.assertEqual(len(seen["stress"]), 4)
+        self.assertNotEqual(seen["cmc"], seen["chebyshev"])
+        self.assertEqual(panel.settings()["radius"], 5000)
+
+    def test_settings_are_kept_and_found_again(self):
+        net = self.net()
+        panel = self.opened(net)
+        self.assertFalse(panel.advanced._inside.isVisible())
+        panel.advanced.unfold.click()
+        panel.fairness.widget.setText("0.05")
+        panel.fix.choose("corners")
+        self.finished()
+        press("Ok")
+        kept, again = self.replayed(net)
+        self.assertEqual(again.tobytes(), kept.tobytes())
+        self.assertEqual(net.FairnessWeight, 0.05)
+        panel = self.opened(net)
+        self.assertEqual((panel.fix.word, panel.fairness.number), ("corners", 0.05))
+        self.assertEqual(set(panel.settings()), {"net", "fix"})
+
+
+class TestSteps(PanelCase):
+    def test_step_plot_and_numbers_of_table_2(self):
+        net = self.net()
+        panel = self.opened(net)
+        start = vertices(net)
+        for count in (1, 2, 3):
+            panel.step_button.click()
+            self.assertEqual(panel.run.steps, count)
+            lengths = {len(line) for line in panel.plot.series.values()}
+            self.assertEqual(lengths, {count})
+        self.assertEqual(set(panel.plot.series), {"orthogonality", "planarity"})
+        # V vertices, 3 V + 3 F unknowns with the normals, F + 5 F equations of a principal net.
+        self.assertIn("90 vertices", panel.statistics.text())
+        size = panel.run.optimisation.original.size
+        self.assertIn(f"{size.auxiliary:,} variables", panel.statistics.text())
+        self.assertIn(f"{size.equations:,} constraints", panel.statistics.text())
+        self.assertIn("ms a step", panel.statistics.text())
+        self.assertGreater(np.abs(self.shown(net) - start).max(), 1.0)
+        panel.undo_button.click()
+        self.assertIsNone(panel.run)
+        np.testing.assert_allclose(self.shown(net), start, rtol=1e-6, atol=1e-2)
+        panel.step_button.click()
+        press("Ok")
+        kept, again = self.replayed(net)
+        self.assertFalse(np.array_equal(kept, start))
+        self.assertEqual(again.tobytes(), kept.tobytes())
+
+    def test_the_plot_draws(self):
+        panel = self.opened(self.net())
+        before = panel.plot.grab().toImage()
+        self.finished()
+        wait()
+        self.assertNotEqual(panel.plot.grab().toImage(), before)
+
+    def test_events_are_handled_after_each_step(self):
+        self.net(rows=40, columns=40)
+        panel = self.opened(FreeCAD.ActiveDocument.Net)
+        seen, bundles = [0], []
+
+        def look():
+            if panel.run is None:
+                return
+            fresh = panel.run.optimisation.history[seen[0] :]
+            seen[0] += len(fresh)
+            bundles.append([record.seconds for record in fresh])
+
+        timer = QtCore.QTimer()
+        timer.setInterval(0)
+        timer.timeout.connect(look)
+        timer.start()
+        self.finished()
+        timer.stop()
+        bundles = [bundle for bundle in bundles if bundle]
+        self.assertGreater(len(bundles), 5)
+        for bundle in bundles:
+            # Only the last step of a bundle may take longer than a bundle is meant to.
+            self.assertLess(sum(bundle[:-1]), 2 * run_module._SECONDS_PER_TICK)
+
+
+class TestLeaving(PanelCase):
+    def test_a_panel_that_is_closed_by_others(self):
+        net = self.net(rows=20, columns=20)
+        panel = self.opened(net)
+        panel.constraints._pickers["fix"].click()
+        panel.start_button.click()
+        run = panel.run
+        FreeCADGui.Control.closeDialog()
+        wait()
+        self.assertFalse(run.running)
+        FreeCAD.closeDocument(net.Document.Name)
+        wait()
+
+
+class TestPicking(PanelCase):
+    def picking(self, what):
+        self.panel.constraints._pickers[what].click()
+        wait()
+
+    def test_vertices_are_fixed_and_drawn_to_places(self):
+        net = self.net()
+        self.opened(net)
+        start, hand = vertices(net), Hand(net.Document)
+        pixels = hand.pixels(start)
+        self.picking("fix")
+        for vertex in (0, 8, 45, 8):
+            hand.click(pixels[vertex])
+        self.assertEqual(self.panel.fix.word, "0,45")
+        self.picking("handle")
+        hand.drag(pixels[49], pixels[49] + [0, 20])
+        hand.release(pixels[49] + [0, 20])
+        self.assertEqual(list(self.panel.constraints.handles), [49])
+        self.assertEqual(FreeCADGui.Selection.getSelection(), [])
+        self.finished()
+        press("Ok")
+        found = vertices(net)
+        self.assertEqual(found[[0, 45]].tobytes(), start[[0, 45]].tobytes())
+        self.assertEqual((list(net.FixedVertices), list(net.Handles)), ([0, 45], [49]))
+        kept, again = self.replayed(net)
+        self.assertEqual(again.tobytes(), kept.tobytes())
+
+    def test_edges_and_faces(self):
+        net = self.net()
+        rim = vertices(net)[:9]
+        document = net.Document
+        line = document.addObject("Part::Feature", "Line")
+        curve = Part.BSplineCurve()
+        curve.interpolate([FreeCAD.Vector(*point) for point in rim])
+        line.Shape = curve.toShape()
+        box = document.addObject("Part::Box", "Box")
+        box.Placement.Base.x = -1e6
+        document.recompute()
+        self.opened(net)
+        self.picking("glide")
+        FreeCADGui.Selection.addSelection(document.Name, "Line", "Edge1")
+        FreeCADGui.Selection.addSelection(document.Name, "Box", "Edge1")
+        FreeCADGui.Selection.addSelection(document.Name, net.Name)
+        wait()
+        self.assertEqual(self.panel.constraints.glide, [(line, "Edge1")])
+        self.assertIn("no boundary vertex lies within", self.errors.pop())
+        FreeCADGui.Selection.clearSelection()
+        self.picking("near")
+        FreeCADGui.Selection.addSelection(document.Name, "Line", "Edge1")
+        self.assertIn("choose a face", self.errors.pop())
+        FreeCADGui.Selection.addSelection(document.Name, "Box", "Face6")
+        self.assertEqual(self.panel.constraints.close_to, [(box, "Face6")])
+        self.assertEqual(self.panel.constraints.list.count(), 2)
+        self.panel.constraints.list.item(1).setSelected(True)
+        self.panel.constraints.remove.click()
+        self.assertEqual(self.panel.constraints.close_to, [])
+        self.finished()
+        press("Ok")
+        misses = [line.Shape.distToShape(Part.Vertex(p))[0] for p in net.Vertices[:9]]
+        self.assertLess(max(misses), 2.0)
+        kept, again = self.replayed(net)
+        self.assertEqual(again.tobytes(), kept.tobytes())
+        wait()
+        FreeCADGui.Selection.addSelection(document.Name, "Box", "Face5")
+        self.assertEqual(self.panel.constraints.close_to, [])
+
+    def test_leaving_while_picking(self):
+        for ending in ("Cancel", "document", "object"):
+            with self.subTest(ending):
+                net = self.net()
+                self.opened(net)
+                hand = Hand(net.Document)
+                pixels = hand.pixels(vertices(net))
+                self.picking("handle")
+                hand.press(pixels[40])
+                hand.move(pixels[40] + [9, 9])
+                if ending == "Cancel":
+                    press("Cancel")
+                elif ending == "document":
+                    FreeCAD.closeDocument(net.Document.Name)
+                else:
+                    net.Document.removeObject(net.Name)
+                wait()
+                self.assertFalse(FreeCADGui.Control.activeDialog())
+                self.assertIsNone(self.panel.constraints._mouse)
+                tools.close_all()
+
+    def test_wild_use(self):
+        random = np.random.default_rng(3)
+        net = self.net(rows=20, columns=20)
+        document = net.Document
+        for _ in range(4):
+            panel = self.opened(net)
+            for _ in range(12):
+                act = random.integers(7)
+                if act < 4:
+                    buttons = (
+                        panel.start_button,
+                        panel.stop_button,
+                        panel.step_button,
+                        panel.undo_button,
+                    )
+                    buttons[act].click()
+                elif act == 4:
+                    getattr(document, random.choice(["undo", "redo"]))()
+                    if document.getObject("Net") is None:
+                        document.redo()
+                elif act == 5:
+                    panel.net_type.choose(random.choice(["principal", "orthogonal", "circular"]))
+                wait(seconds=float(random.choice([0.0, 0.05, 0.2])))
+                if not FreeCADGui.Control.activeDialog():
+                    panel = self.opened(document.Net)
+            press(random.choice(["Ok", "Cancel"]))
+            net = document.Net
+            np.testing.assert_allclose(self.shown(net), vertices(net), rtol=1e-6, atol=1e-2)
+        self.assertFalse([error for error in self.errors if "Traceback" in error])
