@@ -15,6 +15,8 @@ TOOLBARS = {
     "Fabricate": (
         "Beams",
         "Panels",
+        "Louvres",
+        "Nodes",
         "UpdateStructures",
         "FlatPatterns",
         "DrawingPage",
@@ -78,12 +80,20 @@ def _commands() -> list[Command]:
         FaceNet,
         FormNet,
         MultiNet,
+        Offset,
         Primitive,
         Refine,
         Transform,
         Weld,
     )
-    from freecad_ortho.commands.structures import Bake, Beams, Panels, UpdateStructures
+    from freecad_ortho.commands.structures import (
+        Bake,
+        Beams,
+        Louvres,
+        Nodes,
+        Panels,
+        UpdateStructures,
+    )
 
     return [
         ImportNet(),
@@ -96,6 +106,7 @@ def _commands() -> list[Command]:
         Derived(),
         Refine(),
         Transform(),
+        Offset(),
         Weld(),
         NewNet(),
         ChangeNet(),
@@ -106,6 +117,8 @@ def _commands() -> list[Command]:
         SavePicture(),
         Beams(),
         Panels(),
+        Louvres(),
+        Nodes(),
         UpdateStructures(),
         FlatPatterns(),
         DrawingPage(),

@@ -45,7 +45,7 @@ class NewNet(CommandGroup):
 class ChangeNet(CommandGroup):
     """Nets from other nets."""
 
-    members = ("Derived", "Refine", "Transform", "Weld")
+    members = ("Derived", "Refine", "Transform", "Offset", "Weld")
     icon = "derived"
     text = QT_TRANSLATE_NOOP("Ortho_ChangeNet", "Net from nets")
     tip = QT_TRANSLATE_NOOP(

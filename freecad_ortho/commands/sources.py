@@ -155,6 +155,15 @@ class Transform(SourceCommand):
     )
 
 
+class Offset(SourceCommand):
+    """A parallel net."""
+
+    group = "offset"
+    icon = "offset"
+    text = QT_TRANSLATE_NOOP("Ortho_Offset", "Offset")
+    tip = QT_TRANSLATE_NOOP("Ortho_Offset", "A parallel net at an even distance")
+
+
 class Weld(SourceCommand):
     """Join nets."""
 

@@ -28,7 +28,27 @@ class Beams(StructureCommand):
     icon = "beams"
     text = QT_TRANSLATE_NOOP("Ortho_Beams", "Beams")
     tip = QT_TRANSLATE_NOOP(
-        "Ortho_Beams", "Put a torsion-free beam on every edge of the selected net"
+        "Ortho_Beams", "Put torsion-free beams on the edges or parameter lines of the selected net"
+    )
+
+
+class Louvres(StructureCommand):
+    """A slat in every face of a net, on the midpoints of its edges."""
+
+    icon = "louvres"
+    text = QT_TRANSLATE_NOOP("Ortho_Louvres", "Louvres")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Louvres", "Put a slat on the midpoints of every face of the selected net"
+    )
+
+
+class Nodes(StructureCommand):
+    """Hubs and joints at the vertices of a net."""
+
+    icon = "nodes"
+    text = QT_TRANSLATE_NOOP("Ortho_Nodes", "Nodes")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Nodes", "Put a hub or a joint at the vertices of the selected net"
     )
 
 

@@ -26,6 +26,7 @@ GROUPS: dict[str, tuple[str, ...]] = {
     "derived": ("diagonal mesh", "medial mesh", "checkerboard"),
     "refine": ("subdivide", "coarsen", "trim"),
     "transform": ("transform", "mirror", "Moebius transformation", "inversion", "orient"),
+    "offset": ("offset",),
     "weld": ("weld",),
 }
 

@@ -9,6 +9,7 @@ from freecad_ortho.sources.option import Made, Option, Source
 from solver.errors import InputError
 from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.quadmesh import QuadMesh
+from solver.offset.offset_mesh import KINDS, offset_mesh
 
 _CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "Fixed point")
 
@@ -75,7 +76,22 @@ def _welded(meshes: Sequence[QuadMesh], tolerance: float) -> Made:
     return Made(mesh, (f"{parts} separate parts",) if parts > 1 else ())
 
 
+def _offset(meshes: Sequence[QuadMesh], distance: float, kind: str) -> Made:
+    found = offset_mesh(meshes[0], distance, kind)
+    return Made(found.mesh, (f"in mm: {found.message}",))
+
+
 CHANGES = (
+    Source(
+        "offset",
+        "A parallel net at a distance that is constant where the net allows it",
+        (
+            Option("distance", 200.0, "distance", "Along the normals, negative for below"),
+            Option("kind", "parallel", "choice", "What keeps the distance", tuple(KINDS)),
+        ),
+        _offset,
+        "net",
+    ),
     Source(
         "diagonal mesh",
         "One of the two meshes of face diagonals",
