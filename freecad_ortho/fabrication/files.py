@@ -17,7 +17,13 @@ from freecad_ortho.fabrication.step import write_step
 from freecad_ortho.fabrication.stl import write_stl
 from freecad_ortho.fabrication.structure import Progress, Structure, build
 from freecad_ortho.fabrication.systems.system import System
-from freecad_ortho.fabrication.tables import write_nodes, write_parts, write_report, write_stock
+from freecad_ortho.fabrication.tables import (
+    write_bends,
+    write_nodes,
+    write_parts,
+    write_report,
+    write_stock,
+)
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import OutputError
 from solver.io.atomic import staged_folder
@@ -32,6 +38,7 @@ FILES = (
     "report.json",
     "report.html",
 )
+BENDS = "bends.csv"
 SHEETS = "sheets"
 JOINTS = "joints"
 
@@ -55,7 +62,8 @@ def write(
         executor: for work on parts; the files are the same with any and without.
 
     Returns:
-        The files, in the order above, then those of the sheets and of the joints to be printed.
+        The files, in the order above, then the list of bends where there are some, and the files of
+        the sheets and of the joints to be printed.
 
     Raises:
         InputError: a part that does not fit the workshop's sizes.
@@ -78,7 +86,8 @@ def write(
         say(0.95, "lists and reports")
         write_lists(staging, production)
         _write_joints(staging / JOINTS, structure)
-        written = [
+        bends = [target / BENDS] if (staging / BENDS).exists() else []
+        written = bends + [
             target / folder_name / path.name
             for folder_name in (SHEETS, JOINTS)
             for path in sorted((staging / folder_name).glob("*"))
@@ -98,6 +107,8 @@ def write_lists(folder: Path, production: Production) -> None:
     write_parts(folder / "parts.csv", parts, production.verdicts, equal_to)
     write_nodes(folder / "nodes.csv", production.nodes, equal_to)
     write_stock(folder / "stock.csv", production.bars)
+    if any(pattern.bends for pattern in production.named_patterns.values()):
+        write_bends(folder / BENDS, production.named_patterns)
     write_report(folder / "report.json", production.report())
     (folder / "report.html").write_text(report_page(production), encoding="utf-8")
 

@@ -1,4 +1,4 @@
-"""The lists of parts, nodes and stock, and the report, as text files."""
+"""The lists of parts, nodes, stock and bends, and the report, as text files."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Any
 
 from freecad_ortho.fabrication.nodes import Node
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.stock import Bar
 
 # The height is the width under the name that readers of the first beams and panels know.
@@ -48,6 +49,7 @@ NODE_COLUMNS = (
     *("name", "vertex", "x_mm", "y_mm", "z_mm", "axis_x", "axis_y", "axis_z"),
     *("parts", "neighbours", "angles_deg", "slopes_deg", "equal_to"),
 )
+BEND_COLUMNS = ("part", "bend", "x1_mm", "y1_mm", "x2_mm", "y2_mm", "angle_deg")
 STOCK_COLUMNS = (
     *("name", "kind", "width_mm", "thickness_mm", "length_mm", "parts", "used_mm", "left_mm"),
 )
@@ -131,6 +133,24 @@ def write_stock(path: Path, bars: Sequence[Bar]) -> None:
         for bar in bars
     )
     _write(path, STOCK_COLUMNS, rows)
+
+
+def write_bends(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
+    """Write one row a bend line: its ends in the flat pattern, mm, and its angle in degrees.
+
+    Args:
+        path: file to write.
+        patterns: by the names of their parts.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    rows = (
+        [name, number, *(f"{x:.6f}" for x in bend.points.ravel()), f"{bend.angle_deg:.6f}"]
+        for name, pattern in patterns.items()
+        for number, bend in enumerate(pattern.bends)
+    )
+    _write(path, BEND_COLUMNS, rows)
 
 
 def write_report(path: Path, report: dict[str, Any]) -> None:

@@ -260,3 +260,26 @@ def test_page_is_well_formed(written):
     checker = Checker()
     checker.feed((written[1] / "report.html").read_text())
     assert checker.open == []
+
+
+def test_bends_read_back(roof, tmp_path):
+    structure = build(roof, [Beams(200, 12, ends="through-u")])
+    files = write(structure, tmp_path)
+    assert tmp_path / "bends.csv" in files
+    rows = table(tmp_path / "bends.csv")
+    expected = [
+        (part.name, number, bend)
+        for part in structure.parts
+        if part.pattern is not None
+        for number, bend in enumerate(part.pattern.bends)
+    ]
+    assert len(rows) == len(expected) > 0
+    for row, (name, number, bend) in zip(rows, expected, strict=True):
+        assert (row["part"], int(row["bend"])) == (name, number)
+        ends = [float(row[column]) for column in ("x1_mm", "y1_mm", "x2_mm", "y2_mm")]
+        assert ends == pytest.approx(bend.points.ravel(), abs=1e-6)
+        assert float(row["angle_deg"]) == pytest.approx(bend.angle_deg, abs=1e-6)
+
+
+def test_no_list_of_bends_for_flat_plates(written):
+    assert not (written[1] / "bends.csv").exists()
