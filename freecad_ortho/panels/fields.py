@@ -8,7 +8,7 @@ from PySide import QtGui
 
 from solver.errors import InputError
 
-NARROW = 80
+NARROW = 100
 
 
 class LengthField:

@@ -53,9 +53,7 @@ class StructurePanel:
         self._rows.addRow(translate("Ortho", "Net"), QtGui.QLabel(net.Label))
         self.fields = {option.name: _field(system, option) for option in options_of(system)}
         for option in options_of(system):
-            widget = self.fields[option.name].widget
-            widget.setToolTip(translate("Ortho", option.help))
-            self._rows.addRow(translate("Ortho", label(option)), widget)
+            self._add_row(option)
         self._add_common_fields(net)
 
     @property
@@ -106,6 +104,15 @@ class StructurePanel:
         if self.material.word != "steel":
             settings["material"] = self.material.word
         return settings
+
+    def _add_row(self, option: Option) -> None:
+        field, words = self.fields[option.name], translate("Ortho", label(option))
+        field.widget.setToolTip(translate("Ortho", option.help))
+        if isinstance(field, SwitchField):
+            field.widget.setText(words)
+            self._rows.addRow(field.widget)
+        else:
+            self._rows.addRow(words, field.widget)
 
     def _add_common_fields(self, net: FreeCAD.DocumentObject) -> None:
         self.on_beams = None
