@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import FreeCAD
@@ -24,9 +24,8 @@ if TYPE_CHECKING:
 Face = tuple[FreeCAD.DocumentObject, str]
 # Areas that differ by less than this part: the border is that of the parameters.
 _SAME_AREA = 1e-6
-# How far polylines and triangles stray from what they stand for, in parts of its size.
+# How far polylines stray from edges, in parts of the face's size.
 _DEFLECTION = 2e-5
-_COARSER = 3e-4
 
 
 def faces_of(given: Any) -> list[Face]:
@@ -133,18 +132,6 @@ def _border(face: Part.Face) -> tuple[FloatArray, ...]:
         if not edge.isSeam(face) and edge.Length > near
     ]
     return closed_loops(pieces, near)
-
-
-def surface_triangles(faces: Sequence[Face]) -> tuple[FloatArray, IntArray]:
-    """Vertices (V, 3) in mm and triangles (T, 3) that follow faces closely."""
-    points, triangles, count = [], [], 0
-    for feature, name in faces:
-        face = _face(feature, name)
-        vertices, corners = face.tessellate(_COARSER * face.BoundBox.DiagonalLength)
-        points.append(convert.array(vertices))
-        triangles.append(np.array(corners, dtype=np.int64).reshape(-1, 3) + count)
-        count += len(vertices)
-    return np.concatenate(points), np.concatenate(triangles)
 
 
 def triangles_of(given: Any, unit: str | None = None) -> tuple[FloatArray, IntArray]:

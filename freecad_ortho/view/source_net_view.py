@@ -26,14 +26,19 @@ class SourceNetView(NetView):
         return list(getattr(self.Object, "Nets", []))
 
     def doubleClicked(self, view_object: Any) -> bool:
-        """Open the options of the source."""
-        from freecad_ortho.commands.sources import edit_source
-
-        edit_source(view_object.Object)
-        return True
+        """Open the options of the source; a net that left it is dragged, as any other."""
+        if not view_object.Object.FollowSource:
+            return super().doubleClicked(view_object)
+        return self._edit_source(view_object)
 
     def setupContextMenu(self, view_object: Any, menu: Any) -> None:
         """Offer the options of the source in the tree."""
         action = QtGui.QAction(FreeCAD.Qt.translate("Ortho", "Edit source"), menu)
-        action.triggered.connect(lambda: self.doubleClicked(view_object))
+        action.triggered.connect(lambda: self._edit_source(view_object))
         menu.addAction(action)
+
+    def _edit_source(self, view_object: Any) -> bool:
+        from freecad_ortho.commands.sources import edit_source
+
+        edit_source(view_object.Object)
+        return True

@@ -211,6 +211,21 @@ class TestPanels(SourceWindowCase):
         self.assertEqual(net.Radius.Value, 2000.0)
         self.assertEqual(self.errors, [])
 
+    def test_once_moved_a_double_click_drags_it(self):
+        net = api.add_primitive("translational", sampling=(7, 6))
+        net.FollowSource = False
+        net.ViewObject.Proxy.doubleClicked(net.ViewObject)
+        wait()
+        self.assertIsNone(self.panel)
+        self.assertIsNotNone(FreeCADGui.ActiveDocument.getInEdit())
+        FreeCADGui.ActiveDocument.resetEdit()
+        wait()
+        sources.edit_source(net)
+        self.panel.fields["rise"].value = 900.0
+        press("Ok")
+        self.assertTrue(net.FollowSource)
+        self.assertEqual(net.Rise.Value, 900.0)
+
     def test_without_a_document_there_will_be_one(self):
         FreeCAD.closeDocument(self.document.Name)
         self.opened("Primitive")
