@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.structure import Structure, build
 from freecad_ortho.fabrication.systems import (
     SYSTEMS,
     Beams,
+    Lamellas,
     Option,
     Panels,
     System,
@@ -30,6 +31,7 @@ __all__ = [
     "Bend",
     "FlatPattern",
     "Hole",
+    "Lamellas",
     "Limits",
     "Mark",
     "Material",

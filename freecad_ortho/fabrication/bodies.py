@@ -81,11 +81,11 @@ class Polyhedron(Body):
     def volume(self) -> float:
         """Volume by the divergence theorem: cones from the first corner to the sides."""
         arms = self.corners - self.corners[0]
-        total = 0.0
-        for loop in self.loops:
-            side = arms[list(loop)]
-            total += side[0] @ np.cross(side[1:-1], side[2:]).sum(axis=0)
-        return float(total) / 6
+        fans = [
+            (loop[0], loop[k], loop[k + 1]) for loop in self.loops for k in range(1, len(loop) - 1)
+        ]
+        a, b, c = np.moveaxis(arms[np.array(fans)], 1, 0)
+        return float(np.einsum("tk,tk->", a, np.cross(b, c))) / 6
 
     def solid(self) -> cadquery.Solid:
         """Build the closed solid; no boolean operation, no sewing."""

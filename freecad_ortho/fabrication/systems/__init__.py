@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from freecad_ortho.fabrication.systems.beams import Beams
+from freecad_ortho.fabrication.systems.lamellas import Lamellas
 from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from freecad_ortho.fabrication.systems.panels import Panels
@@ -14,12 +15,13 @@ from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
-    system.name: system for system in (Beams, Panels, Louvres, Nodes)
+    system.name: system for system in (Beams, Panels, Louvres, Nodes, Lamellas)
 }
 
 __all__ = [
     "SYSTEMS",
     "Beams",
+    "Lamellas",
     "Louvres",
     "Nodes",
     "Option",

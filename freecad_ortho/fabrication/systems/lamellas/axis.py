@@ -1,0 +1,290 @@
+"""From parameter lines to ribbons: which pattern, which rulings, which ends."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import rounded_down
+from freecad_ortho.fabrication.systems.lamellas.ends import lengthened
+from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
+from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
+from solver.analysis.measures import asymptotic, geodesic
+from solver.analysis.spheres import cmc, common_radius
+from solver.errors import InputError
+from solver.mesh.connectivity import IntArray
+from solver.mesh.lines import ParameterLine
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.unroll.axes import arc_turns, strip_axes
+from solver.unroll.measures import (
+    StripMeasures,
+    fitted_circle,
+    straightness,
+    strip_measures,
+)
+from solver.unroll.planes import developable_strip
+from solver.unroll.strip import Strip
+from solver.unroll.twisted import twisted_strip
+
+# Largest measure of a net, in mean edges, at which it is taken for asymptotic, CMC or geodesic.
+IS_NET = 1e-3
+# Largest measure with which an exact pattern can still be asked for.
+_NEAR_NET = 0.1
+# A line on which the net asks nothing (at the boundary) may lean this far for its pattern, degrees.
+_LEAN = 10.0
+# Share of the length up to which a pattern counts as exact.
+_EXACT = 1e-6
+# Where rulings close in on each other the strip bends sharply: left to choose, it is made of plane
+# faces only if its rulings would meet no nearer than at this many times its width.
+_ROOM = 2.0
+# ... and if its rulings stand at more than 30 degrees to the axis, or they would run into slots.
+_SLANT = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Pattern:
+    """What the patterns of a structure are meant to be.
+
+    Attributes:
+        kind: "straight", "arc" or "free".
+        radius: of the arcs, signed, positive towards the normals; inf for straight ones.
+        axes: (V, 3) unit directions that the strips stand along at the vertices.
+    """
+
+    kind: str
+    radius: float
+    axes: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Lamella:
+    """A lamella before it is cut.
+
+    Attributes:
+        name: part name.
+        family: "u", "v" or "".
+        line: number in its family.
+        vertices: of the line; ``stations`` has where the ribbon has them.
+        stations: (N,) station of each vertex.
+        ribbon: with overhangs.
+        measures: of the strip between the line's ends.
+        pattern: "straight", "arc" or "free": what its own pattern is.
+        twisted: true where its faces may twist.
+    """
+
+    name: str
+    family: str
+    line: int
+    vertices: tuple[int, ...]
+    stations: tuple[int, ...]
+    ribbon: Ribbon
+    measures: StripMeasures
+    pattern: str
+    twisted: bool
+
+
+def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:
+    """Find out, or check, what patterns the net allows.
+
+    Raises:
+        InputError: the net is too far from what the wanted pattern needs.
+    """
+    mesh = site.mesh
+    measured = _measured(mesh, settings.standing)
+    kind, radius = settings.pattern, math.inf
+    if kind == "auto":
+        fitting = [name for name in measured if measured[name] <= IS_NET]
+        kind = fitting[0] if fitting else "free"
+    elif kind != "free":
+        net = {"straight": "asymptotic" if settings.standing else "geodesic", "arc": "cmc"}[kind]
+        if kind not in measured:
+            raise InputError(
+                "pattern: lying lamellas unroll straight or free, not to arcs; let them stand"
+            )
+        if measured[kind] > _NEAR_NET:
+            raise InputError(
+                f"pattern: {kind} lamellas need a net that is {net}; this one misses it by "
+                f"{measured[kind]:.2g} mean edges, at most {_NEAR_NET:g} will do; optimise with "
+                f"--net {net} first or take --pattern free"
+            )
+    if kind == "arc":
+        radius = common_radius(mesh)
+    axes = strip_axes(mesh, radius if kind != "free" and settings.standing else None)
+    return Pattern(kind, radius, axes)
+
+
+def _measured(mesh: QuadMesh, standing: bool) -> dict[str, float]:
+    """Largest measure of the net behind each pattern, best first where several fit."""
+    if not len(mesh.connectivity.stars):
+        return {"straight": math.inf}
+    if not standing:
+        return {"straight": float(geodesic(mesh).max())}
+    return {"straight": float(asymptotic(mesh).max()), "arc": float(cmc(mesh).max())}
+
+
+def lamella_on(
+    site: Site,
+    line: ParameterLine,
+    settings: LamellaSettings,
+    pattern: Pattern,
+    name: str,
+    beyond: tuple[float, float],
+) -> Lamella:
+    """Make the ribbon of one parameter line, ``beyond`` its ends by these lengths in mm.
+
+    Raises:
+        InputError: its rulings meet inside the width, or its edges have no length.
+    """
+    vertices = line.vertices
+    points, directions = site.mesh.vertices[vertices], pattern.axes[vertices]
+    if not settings.standing:
+        points = points + settings.level_of(line.family) * directions
+    path, upright = points, directions
+    if line.closed:
+        seam = 0.5 * (points[:1] + points[-1:])
+        direction = unit_rows(directions[:1] + directions[-1:])
+        path = np.concatenate([seam, points, seam])
+        upright = np.concatenate([direction, directions, direction])
+    if not settings.standing:
+        upright = _lateral(path, upright)
+    inner = slice(1, -1) if line.closed else slice(None)
+    maker = _Maker(path, upright, inner, settings, site.material.least_radius(settings.thickness))
+    kind = pattern.kind
+    made = None
+    if kind != "free":
+        turns = _turns(points, pattern.radius, line.closed)
+        on_boundary = bool(site.mesh.connectivity.boundary_edges[line.edges].any())
+        made = maker.exact(turns, name, vertices, on_boundary, kind)
+    if made is None:
+        made, kind = maker.made(None, name, vertices), "free"
+    strip, twisted, measures = made
+    lower, upper = settings.levels(line.family)
+    stations = np.arange(len(vertices)) + 1
+    if not line.closed:
+        strip = lengthened(strip, beyond, name)
+        stations = stations if beyond[0] > 0 else stations - 1
+    else:
+        strip = lengthened(strip, (-settings.clearance / 2,) * 2, name)
+    ribbon = Ribbon(strip, lower, upper, settings.thickness)
+    return Lamella(
+        name,
+        line.family,
+        line.number,
+        tuple(vertices.tolist()),
+        tuple(stations.tolist()),
+        ribbon,
+        measures,
+        kind,
+        twisted,
+    )
+
+
+Made = tuple[Strip, bool, StripMeasures]
+
+
+@dataclass(frozen=True, eq=False)
+class _Maker:
+    """Makes the strip of one line.
+
+    Attributes:
+        points: (K, 3) of the axis.
+        upright: (K, 3) unit directions that the strip shall contain.
+        inner: those points that are vertices of the net.
+        settings: what is wanted.
+        least_radius: to which the material bends, mm.
+    """
+
+    points: FloatArray
+    upright: FloatArray
+    inner: slice
+    settings: LamellaSettings
+    least_radius: float
+
+    def exact(
+        self, turns: FloatArray, name: str, vertices: IntArray, on_boundary: bool, kind: str
+    ) -> Made | None:
+        """Strip, whether it may twist, and measures; None where the line must go without.
+
+        At the boundary the net asks nothing of a line: there, where its pattern could only be
+        exact with a strip that leans far over, or not at all, it is left free.
+        """
+        try:
+            made = self.made(turns, name, vertices)
+        except InputError:
+            if on_boundary:
+                return None
+            raise
+        measures = made[2]
+        miss = measures.straightness if kind == "straight" else measures.radius_spread
+        fails = measures.lean_deg > _LEAN or miss > _EXACT * measures.length
+        return None if on_boundary and fails else made
+
+    def made(self, turns: FloatArray | None, name: str, vertices: IntArray) -> Made:
+        """Strip, whether it may twist, and measures; developable where that is wanted or fits.
+
+        Raises:
+            InputError: a developable strip is wanted and its rulings meet inside the width.
+        """
+        if self.settings.strip != "twisted" and not self.settings.smooth:
+            try:
+                strip = developable_strip(
+                    self.points, self.upright, turns, width=self.settings.reach
+                )
+            except InputError as error:
+                if self.settings.strip == "developable":
+                    raise InputError(f"lamellas: {name}: {error}; take --strip twisted") from error
+            else:
+                measures = self._measure(strip)
+                if self.settings.strip == "developable":
+                    self._refuse_meeting(strip, name, vertices)
+                    return strip, False, measures
+                if self._fits(strip, measures):
+                    return strip, False, measures
+        strip = twisted_strip(self.points, self.upright, turns)
+        return strip, True, self._measure(strip)
+
+    def _fits(self, strip: Strip, measures: StripMeasures) -> bool:
+        """Whether plane faces make a strip that a workshop can make."""
+        return bool(
+            measures.admissible_width >= _ROOM * self.settings.reach
+            and measures.smallest_bend_radius >= self.least_radius
+            and np.sin(strip.slant).min() >= _SLANT
+            and measures.lean_deg <= _LEAN
+        )
+
+    def _refuse_meeting(self, strip: Strip, name: str, vertices: IntArray) -> None:
+        allowed, edge = strip.admissible_width()
+        if allowed <= self.settings.reach:
+            near = vertices[min(edge, len(vertices) - 1)]
+            width = self.settings.width * allowed / self.settings.reach
+            raise InputError(
+                f"lamellas: the rulings of {name} meet {allowed / 2:.3g} mm from its axis, near "
+                f"vertex {near}; a width below {rounded_down(width)} mm would do, or take --strip "
+                "twisted"
+            )
+
+    def _measure(self, strip: Strip) -> StripMeasures:
+        """Measures of a strip; straightness and radius at the vertices of the net only."""
+        found = strip_measures(strip, self.settings.width, self.upright)
+        points = strip.flat_points[self.inner]
+        radius, spread = fitted_circle(points)
+        return replace(
+            found, straightness=straightness(points), radius=radius, radius_spread=spread
+        )
+
+
+def _turns(points: FloatArray, radius: float, closed: bool) -> FloatArray:
+    if not closed:
+        return arc_turns(points, radius)
+    turns = arc_turns(np.concatenate([points, points[:1]]), radius, closed=True)
+    return np.roll(turns, 1)
+
+
+def _lateral(points: FloatArray, normals: FloatArray) -> FloatArray:
+    """(K, 3) directions square to the axis in the surface, on its left."""
+    along = unit_rows(np.diff(points, axis=0))
+    mean = np.concatenate([along[:1], unit_rows(along[:-1] + along[1:]), along[-1:]])
+    return unit_rows(np.cross(normals, mean))

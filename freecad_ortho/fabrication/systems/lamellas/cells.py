@@ -1,0 +1,171 @@
+"""A ribbon that may twist, or bends smoothly, as a solid of ruled sides.
+
+The ribbon is a grid of cells between cross lines (stations and sides of slots) and levels (edges
+and floors of slots). A slot is a cell left out; the sides of the solid are those of the cells that
+no other cell shares.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.systems.lamellas.outline import Slot
+from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Cells of a ribbon.
+
+    Attributes:
+        places: (C, L) parameter of each cross line at each level: the station's number where it is
+            a station, a fraction beyond it on the face that follows.
+        levels: (L,) from the lower to the upper edge, mm.
+        full: (C - 1, L - 1) true where there is a cell.
+    """
+
+    places: FloatArray
+    levels: FloatArray
+    full: BoolArray
+
+
+def grid_of(ribbon: Ribbon, slots: list[Slot]) -> Grid:
+    """Lay out the cells of a ribbon whose slots stand along its rulings."""
+    floors = {round(slot.floor * (1 if slot.upward else -1), 9) for slot in slots}
+    levels = np.array([ribbon.lower, *sorted(floors), ribbon.upper])
+    cut_at = {slot.station: slot for slot in slots}
+    lines: list[FloatArray] = []
+    full: list[BoolArray] = []
+    every = np.ones(len(levels) - 1, dtype=bool)
+    for station in range(len(ribbon.strip.points)):
+        here = np.full(len(levels), float(station))
+        if station not in cut_at:
+            lines.append(here)
+            full.append(every)
+            continue
+        slot = cut_at[station]
+        floor = slot.floor * (1 if slot.upward else -1)
+        left_out = (levels[:-1] >= floor - 1e-6) if slot.upward else levels[1:] <= floor + 1e-6
+        behind, ahead = (_side(ribbon, slot, levels, sign) for sign in (-1, 1))
+        lines += [behind, here, ahead]
+        full += [~left_out, ~left_out, every]
+    return Grid(np.array(lines), levels, np.array(full[:-1]))
+
+
+def _side(ribbon: Ribbon, slot: Slot, levels: FloatArray, sign: int) -> FloatArray:
+    """(L,) parameter of one side of a slot at each level."""
+    strip, station = ribbon.strip, slot.station
+    face = station if sign > 0 else station - 1
+    ruling = strip.flat_rulings[station]
+    across = sign * 0.5 * slot.width * np.array([ruling[1], -ruling[0]])
+    points = (
+        strip.flat_points[station] + across + (levels * ribbon.stretch[station])[:, None] * ruling
+    )
+    behind, ahead = ribbon.ahead(face, points), -ribbon.ahead(face + 1, points)
+    return face + behind / (behind + ahead)
+
+
+def ruled_body(ribbon: Ribbon, grid: Grid, smooth: bool) -> RuledBody:
+    """Make the solid of a ribbon's cells; ``smooth``: its edges are cubic splines."""
+    rails = _Rails(ribbon, grid.levels, smooth)
+    lines, rows = grid.places.shape
+    corners = np.stack(
+        [rails.at(grid.places[:, row], row, side) for side in (0, 1) for row in range(rows)], axis=1
+    ).reshape(lines, 2, rows, 3)
+    corners = np.moveaxis(corners, 1, 2).reshape(-1, 3)
+
+    def number(line: int, row: int, side: int) -> int:
+        return (line * rows + row) * 2 + side
+
+    quads = []
+    padded = np.pad(grid.full, 1)
+    for cell, row in np.argwhere(grid.full).tolist():
+        a, b = (number(cell, row, side) for side in (0, 1))
+        c, d = (number(cell + 1, row, side) for side in (0, 1))
+        e, f = (number(cell, row + 1, side) for side in (0, 1))
+        g, h = (number(cell + 1, row + 1, side) for side in (0, 1))
+        quads += [(b, d, h, f), (e, g, c, a)]
+        outer = {
+            (1, 0): (a, c, d, b),
+            (1, 2): (f, h, g, e),
+            (0, 1): (b, f, e, a),
+            (2, 1): (c, g, h, d),
+        }
+        for (step, turn), quad in outer.items():
+            if not padded[cell + step, row + turn]:
+                quads.append(quad)
+    handles = {}
+    if smooth:
+        for line in range(lines - 1):
+            for row in range(rows):
+                for side in (0, 1):
+                    ends = number(line, row, side), number(line + 1, row, side)
+                    span = grid.places[line : line + 2, row]
+                    handles[ends] = rails.handles(span, row, side)
+    return _used(corners, quads, handles)
+
+
+def _used(
+    corners: FloatArray,
+    quads: list[tuple[int, int, int, int]],
+    handles: dict[tuple[int, int], FloatArray],
+) -> RuledBody:
+    """The body without corners and curves that no side uses."""
+    kept = np.unique(np.array(quads))
+    new = np.full(len(corners), -1)
+    new[kept] = np.arange(len(kept))
+    sides = tuple((int(new[a]), int(new[b]), int(new[c]), int(new[d])) for a, b, c, d in quads)
+    pairs = {
+        (min(pair), max(pair))
+        for quad in sides
+        for pair in ((quad[0], quad[1]), (quad[3], quad[2]))
+    }
+    curves = {
+        (int(new[a]), int(new[b])): inner
+        for (a, b), inner in handles.items()
+        if (int(new[a]), int(new[b])) in pairs
+    }
+    return RuledBody(corners[kept], sides, curves)
+
+
+class _Rails:
+    """The curves at each level on both sides of the plate, run through by stations."""
+
+    def __init__(self, ribbon: Ribbon, levels: FloatArray, smooth: bool) -> None:
+        strip = ribbon.strip
+        middle = (
+            strip.points[:, None]
+            + (levels * ribbon.stretch[:, None])[..., None] * (strip.rulings[:, None])
+        )
+        self.corners = np.stack(
+            [middle + sign * ribbon.mitres[:, None] for sign in (-1, 1)], axis=2
+        )
+        self.lengths = np.concatenate([[0.0], np.cumsum(strip.lengths)])
+        self.spline = CubicSpline(self.lengths, self.corners, axis=0) if smooth else None
+
+    def at(self, places: FloatArray, row: int, side: int) -> FloatArray:
+        """(C, 3) points at parameters (C,)."""
+        if self.spline is not None:
+            return np.asarray(self.spline(self._along(places))[:, row, side])
+        face = np.minimum(places.astype(int), len(self.lengths) - 2)
+        share = (places - face)[:, None]
+        rail = self.corners[:, row, side]
+        return np.asarray((1 - share) * rail[face] + share * rail[face + 1])
+
+    def handles(self, span: FloatArray, row: int, side: int) -> FloatArray:
+        """(2, 3) inner control points of the curve between two parameters of one face."""
+        assert self.spline is not None
+        ends = self._along(span)
+        slopes = self.spline(ends, 1)[:, row, side]
+        points = self.spline(ends)[:, row, side]
+        third = (ends[1] - ends[0]) / 3
+        return np.stack([points[0] + third * slopes[0], points[1] - third * slopes[1]])
+
+    def _along(self, places: FloatArray) -> FloatArray:
+        return np.interp(places, np.arange(len(self.lengths)), self.lengths)

@@ -1,0 +1,192 @@
+"""Where lamellas cross: half-lap slots that the other one passes, or bolt holes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
+from freecad_ortho.fabrication.systems.lamellas.outline import Slot, notch
+from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+
+# Sine of the angle below which lamellas run along each other rather than cross.
+_CROSSING = 0.2
+# Room between a slot's corner and a bend line beyond the mitre, mm, and how many thicknesses a slot
+# may be widened for it.
+_GRAZING = 0.01
+_WIDEST = 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """A lamella at a vertex where another one crosses it.
+
+    Attributes:
+        vertex: of the net.
+        station: of the lamella.
+        other: name of the other one.
+        angle_deg: between the two plates.
+        slot: cut for the other one, None where bolts hold them.
+    """
+
+    vertex: int
+    station: int
+    other: str
+    angle_deg: float
+    slot: Slot | None
+
+
+def crossings(lamellas: Sequence[Lamella], settings: LamellaSettings) -> list[list[Crossing]]:
+    """Crossings of each lamella, in the order of its stations.
+
+    Raises:
+        InputError: lamellas cross at too flat an angle, or a slot would cut one through.
+    """
+    at_vertex: dict[int, list[tuple[int, int]]] = {}
+    for index, lamella in enumerate(lamellas):
+        for vertex, station in zip(lamella.vertices, lamella.stations, strict=True):
+            if 0 < station < len(lamella.ribbon.strip.points) - 1:
+                at_vertex.setdefault(vertex, []).append((index, station))
+    found: list[list[Crossing]] = [[] for _ in lamellas]
+    for vertex, pair in sorted(at_vertex.items()):
+        if len(pair) != 2 or pair[0][0] == pair[1][0]:
+            continue
+        for one, two in (pair, pair[::-1]):
+            upward = _opens_above(lamellas, one[0], two[0])
+            found[one[0]].append(_crossing(lamellas, one, two, vertex, upward, settings))
+    return [sorted(row, key=lambda crossing: crossing.station) for row in found]
+
+
+def _opens_above(lamellas: Sequence[Lamella], one: int, two: int) -> bool:
+    """Family u opens above; where families cannot be told apart, the lamella that comes first."""
+    families = lamellas[one].family, lamellas[two].family
+    return families[0] == "u" if families[0] != families[1] else one < two
+
+
+def _crossing(
+    lamellas: Sequence[Lamella],
+    one: tuple[int, int],
+    two: tuple[int, int],
+    vertex: int,
+    upward: bool,
+    settings: LamellaSettings,
+) -> Crossing:
+    lamella, station = lamellas[one[0]], one[1]
+    other, other_station = lamellas[two[0]], two[1]
+    normals = [lamella.ribbon.strip.normals[station], other.ribbon.strip.normals[other_station]]
+    plates = np.linalg.norm(np.cross(*normals)) if settings.standing else 1.0
+    if plates < _CROSSING:
+        raise InputError(
+            f"lamellas: {lamella.name} and {other.name} cross at vertex {vertex} at an angle of "
+            f"{np.degrees(np.arcsin(plates)):.0f} degrees; leave one out or optimise the net"
+        )
+    angle = float(np.degrees(np.arccos(np.clip(abs(normals[0] @ normals[1]), 0, 1))))
+    slot = None
+    if settings.layers == 1:
+        slot = _slot(lamella, station, other, other_station, upward, settings)
+    return Crossing(vertex, station, other.name, angle, slot)
+
+
+def _slot(
+    lamella: Lamella,
+    station: int,
+    other: Lamella,
+    other_station: int,
+    upward: bool,
+    settings: LamellaSettings,
+) -> Slot:
+    ribbon = lamella.ribbon
+    sign = 1.0 if upward else -1.0
+    direction = sign * _flat_axis(lamella, station, other, other_station)
+    reach = max(abs(ribbon.lower), abs(ribbon.upper))
+    half = _half_width(lamella, station, other, other_station, sign * direction, sign * reach)
+    width = 2 * half + settings.clearance
+    slot = Slot(station, direction, -settings.clearance / 2, width, upward)
+    if lamella.twisted:
+        return slot
+    return _clear_of_bend(lamella, slot, other.name)
+
+
+def _clear_of_bend(lamella: Lamella, slot: Slot, other: str) -> Slot:
+    """The slot, widened until no bend line grazes its corners.
+
+    On both sides of the plate a bend line lies off its place in the middle by the mitre, so a
+    corner nearer than that would lie in one face on one side and in the other on the other.
+    """
+    ribbon = lamella.ribbon
+    station = slot.station
+    mitre = ribbon.thickness * abs(np.tan(ribbon.strip.bends[station] / 2)) + _GRAZING
+    widest = slot.width + _WIDEST * ribbon.thickness
+    while slot.width <= widest:
+        made = notch(ribbon, slot, lamella.name, other)
+        corners = np.concatenate([made.floor, made.mouth])
+        if np.abs(ribbon.ahead(station, corners)).min() > mitre:
+            return slot
+        slot = replace(slot, width=slot.width + 0.5 * mitre)
+    raise InputError(
+        f"lamellas: a bend line of {lamella.name} runs along its slot for {other}; take --strip "
+        "twisted or auto, or a smaller thickness"
+    )
+
+
+def _flat_axis(lamella: Lamella, station: int, other: Lamella, other_station: int) -> FloatArray:
+    """(2,) direction of the line in which the two plates meet, upwards in the pattern."""
+    strip = lamella.ribbon.strip
+    ruling = strip.flat_rulings[station]
+    if lamella.twisted:
+        return ruling
+    normal = strip.normals[station]
+    line = np.cross(normal, other.ribbon.strip.normals[other_station])
+    up, ahead = strip.rulings[station], np.cross(strip.rulings[station], normal)
+    flat = (line @ up) * ruling + (line @ ahead) * np.array([ruling[1], -ruling[0]])
+    flat = flat / np.linalg.norm(flat)
+    return flat if flat @ ruling > 0 else -flat
+
+
+def _half_width(
+    lamella: Lamella,
+    station: int,
+    other: Lamella,
+    other_station: int,
+    axis: FloatArray,
+    reach: float,
+) -> float:
+    """Largest distance of the other plate from the slot's axis, where it passes this plate.
+
+    Measured in this plate's plane at the crossing, at the axis and at the mouth, on all four lines
+    in which the sides of the two plates meet: thickness over the sine of the crossing angle, what
+    a skew crossing adds, and what the other plate bends and twists on its way.
+    """
+    strip, theirs = lamella.ribbon.strip, other.ribbon.strip
+    normal, up = strip.normals[station], strip.rulings[station]
+    ahead = np.cross(up, normal)
+    ruling = strip.flat_rulings[station]
+    flat_ahead = np.array([ruling[1], -ruling[0]])
+    away = np.array([axis[1], -axis[0]])
+    their_axis = _flat_axis(other, other_station, lamella, station)
+    slope = theirs.normals[other_station] @ normal
+    run = lamella.ribbon.thickness / 2 / np.sqrt(1 - slope**2)
+    skew = other.ribbon.thickness / 2 * abs(slope) / np.sqrt(1 - slope**2)
+    across = np.array([their_axis[1], -their_axis[0]])
+    offsets = np.array([-1, 0, 1]) * (run + skew)
+    heights = np.array([0.0, 0.5, 1.0]) * reach
+    flat = (
+        theirs.flat_points[other_station]
+        + offsets[:, None, None] * across
+        + heights[None, :, None] * their_axis
+    ).reshape(-1, 2)
+    worst = 0.0
+    beyond = other.ribbon.ahead(other_station, flat)
+    for face, chosen in ((other_station - 1, beyond <= 0), (other_station, beyond >= 0)):
+        middle, half = other.ribbon.placed(face, flat[chosen])
+        for side in (-1, 1):
+            arms = middle + side * half - strip.points[station]
+            inside = np.abs(arms @ normal) <= run * 1.5 + skew
+            local = (arms @ ahead)[:, None] * flat_ahead + (arms @ up)[:, None] * ruling
+            if inside.any():
+                worst = max(worst, float(np.abs(local[inside] @ away).max()))
+    return worst

@@ -1,0 +1,223 @@
+"""Lamellas as parts: bodies, flat patterns with their marks, measures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_ortho.fabrication.bodies import Body
+from freecad_ortho.fabrication.drilled import Drill, DrilledBody
+from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.pattern import (
+    Bend,
+    FlatPattern,
+    Hole,
+    Mark,
+    fitted_text_size,
+    polygon_area,
+)
+from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
+from freecad_ortho.fabrication.systems.lamellas.cells import grid_of, ruled_body
+from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
+from freecad_ortho.fabrication.systems.lamellas.facets import folded_body
+from freecad_ortho.fabrication.systems.lamellas.outline import notch, outline, overlaps_itself
+from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
+from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Cut:
+    """A lamella with what is cut from it.
+
+    Attributes:
+        lamella: that is cut.
+        crossings: with others, in order.
+        outline: (N, 2) of the flat pattern, in the strip's own plane.
+        holes: bolt holes in the same plane.
+        body: solid in the model's coordinates near the origin, without holes.
+    """
+
+    lamella: Lamella
+    crossings: Sequence[Crossing]
+    outline: FloatArray
+    holes: tuple[Hole, ...]
+    body: RuledBody
+
+
+def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettings) -> Cut:
+    """Cut slots and holes.
+
+    Raises:
+        InputError: slots that run into each other or out at an end, or a pattern that overlaps
+            itself.
+    """
+    ribbon = lamella.ribbon
+    slotted = [crossing for crossing in crossings if crossing.slot is not None]
+    slots = [crossing.slot for crossing in slotted if crossing.slot is not None]
+    notches = [
+        notch(ribbon, slot, lamella.name, crossing.other)
+        for slot, crossing in zip(slots, slotted, strict=True)
+    ]
+    edge = outline(ribbon, slots, notches, lamella.name)
+    if overlaps_itself(edge):
+        raise InputError(
+            f"lamellas: the flat pattern of {lamella.name} overlaps itself; build its "
+            "two families apart, or cut the mesh"
+        )
+    holes: tuple[Hole, ...] = ()
+    if settings.layers == 2:
+        level = 0.5 * (ribbon.lower + ribbon.upper)
+        middle = ribbon.edge(level)
+        holes = tuple(Hole(middle[each.station], settings.hole) for each in crossings)
+    body: RuledBody
+    if lamella.twisted:
+        body = ruled_body(ribbon, grid_of(ribbon, slots), settings.smooth)
+    else:
+        body = folded_body(ribbon, edge)
+    return Cut(lamella, crossings, edge, holes, body)
+
+
+def lamella_part(made: Cut, site: Site) -> Part:
+    """Return the part, its own coordinates in the middle of its axis."""
+    lamella, ribbon = made.lamella, made.lamella.ribbon
+    strip = ribbon.strip
+    face = len(strip.lengths) // 2
+    along, up = strip.along[face], strip.across[0][face]
+    frame = np.stack([along, up, np.cross(along, up)])
+    origin = strip.points[face]
+    drills = [_drill(ribbon, each.station) for each in made.crossings] if made.holes else []
+    body: Body = _moved(made.body, origin, frame)
+    if made.holes:
+        placed = tuple(
+            Drill(frame @ (place - origin), frame @ direction, hole.diameter, ribbon.thickness)
+            for (place, direction), hole in zip(drills, made.holes, strict=True)
+        )
+        body = DrilledBody(body, placed)
+    pattern = _pattern(made)
+    measures = lamella.measures
+    straight, arc = lamella.pattern == "straight", lamella.pattern == "arc"
+    bend = measures.smallest_bend_radius
+    return Part(
+        name=lamella.name,
+        kind="lamella",
+        body=body,
+        origin=origin + site.shift,
+        frame=frame,
+        pattern=pattern,
+        length=float(strip.lengths.sum()),
+        width=ribbon.width,
+        thickness=ribbon.thickness,
+        area=pattern.area,
+        volume=body.volume,
+        mass=site.material.mass(body.volume),
+        vertices=lamella.vertices,
+        family=lamella.family,
+        line=lamella.line,
+        measures=Measures(
+            gap_mm=measures.gap,
+            straightness_mm=measures.straightness if straight else None,
+            radius_mm=measures.radius if arc else None,
+            radius_spread_mm=measures.radius_spread if arc else None,
+            min_bend_radius_mm=bend if np.isfinite(bend) else None,
+            lean_deg=measures.lean_deg,
+            torsion_deg_per_m=measures.torsion_deg * 1000,
+        ),
+    )
+
+
+def _drill(ribbon: Ribbon, station: int) -> tuple[FloatArray, FloatArray]:
+    """Middle of a hole in space, and its direction."""
+    strip = ribbon.strip
+    level = 0.5 * (ribbon.lower + ribbon.upper) * ribbon.stretch[station]
+    return strip.points[station] + level * strip.rulings[station], strip.normals[station]
+
+
+def _moved(body: RuledBody, origin: FloatArray, frame: FloatArray) -> RuledBody:
+    """The body in a part's own coordinates."""
+    handles = {ends: (inner - origin) @ frame.T for ends, inner in body.handles.items()}
+    return replace(body, corners=(body.corners - origin) @ frame.T, handles=handles)
+
+
+def _pattern(made: Cut) -> FlatPattern:
+    """The flat pattern with its axis' ends on a level, lower left corner at the origin."""
+    ribbon = made.lamella.ribbon
+    strip = ribbon.strip
+    chord = strip.flat_points[-1] - strip.flat_points[0]
+    if np.linalg.norm(chord) < 0.1 * strip.lengths.sum():
+        chord = np.array([1.0, 0.0])
+    x, y = chord / np.linalg.norm(chord)
+    turn = np.array([[x, y], [-y, x]]).T
+    low = (made.outline @ turn).min(axis=0)
+
+    def placed(points: FloatArray) -> FloatArray:
+        return np.asarray(points @ turn - low)
+
+    outline_mm = placed(made.outline)
+    lower, upper = ribbon.edge(ribbon.lower), ribbon.edge(ribbon.upper)
+    bends = tuple(
+        Bend(placed(np.stack([lower[station], upper[station]])), float(np.degrees(angle)))
+        for station, angle in enumerate(strip.bends)
+        if abs(angle) > FLAT
+    )
+    label, size, angle = _label(made)
+    return FlatPattern(
+        outline=outline_mm if polygon_area(outline_mm) > 0 else outline_mm[::-1],
+        marks=tuple(_marks(made, placed, turn)),
+        label=placed(label[None])[0],
+        label_size=size,
+        holes=tuple(Hole(placed(hole.centre[None])[0], hole.diameter) for hole in made.holes),
+        axis=placed(strip.flat_points),
+        bends=bends,
+        label_angle=float(np.degrees(np.arctan2(*(angle @ turn)[::-1]))),
+    )
+
+
+def _marks(made: Cut, placed, turn: FloatArray) -> list[Mark]:  # type: ignore[no-untyped-def]
+    """A tick and the other's name at each crossing, beside it on the side that stays whole."""
+    ribbon = made.lamella.ribbon
+    strip = ribbon.strip
+    marks = []
+    for crossing in made.crossings:
+        station = crossing.station
+        ruling = strip.flat_rulings[station]
+        ahead = np.array([ruling[1], -ruling[0]])
+        side = -1.0 if crossing.slot is None or crossing.slot.upward else 1.0
+        middle = strip.flat_points[station] + 0.5 * (ribbon.lower + ribbon.upper) * ruling
+        tick = np.stack([middle, middle + side * 0.1 * ribbon.width * ruling])
+        if crossing.slot is None:
+            tick = np.stack([middle - 0.5 * ribbon.width * ruling, tick[0] - 0.3 * ruling])
+        else:
+            tick = tick + side * 0.5 * crossing.slot.floor * 0
+        room = 0.4 * float(strip.lengths[min(station, len(strip.lengths) - 1)])
+        size = fitted_text_size(crossing.other, room, 0.3 * ribbon.width, 12.0)
+        text_room = 0.5 * size * len(crossing.other) + 0.5 * size
+        place = middle + text_room * ahead + side * 0.25 * ribbon.width * ruling
+        angle = float(np.degrees(np.arctan2(*(ahead @ turn)[::-1])))
+        marks += [
+            Mark(placed(tick)),
+            Mark(placed(place[None]), crossing.other, size, angle),
+        ]
+    return marks
+
+
+def _label(made: Cut) -> tuple[FloatArray, float, FloatArray]:
+    """Middle, size and direction of the name: in the longest face, on the slots' side."""
+    ribbon = made.lamella.ribbon
+    strip = ribbon.strip
+    face = int(np.argmax(strip.lengths))
+    taken = max((each.slot.width for each in made.crossings if each.slot is not None), default=0.0)
+    opens = [each.slot.upward for each in made.crossings if each.slot is not None]
+    side = 1.0 if not opens or opens[0] else -1.0
+    step = np.diff(strip.flat_points, axis=0)[face] / strip.lengths[face]
+    across = np.array([-step[1], step[0]])
+    level = 0.5 * (ribbon.lower + ribbon.upper) + side * 0.25 * ribbon.width
+    middle = strip.flat_points[[face, face + 1]].mean(axis=0) + level * across
+    room = 0.8 * float(strip.lengths[face]) - taken
+    size = fitted_text_size(made.lamella.name, max(room, 1.0), 0.4 * ribbon.width)
+    return middle, size, step

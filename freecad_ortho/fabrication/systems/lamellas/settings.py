@@ -1,0 +1,127 @@
+"""What the user chooses about lamellas, checked on the way in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from freecad_ortho.fabrication.sizes import check_size
+from freecad_ortho.fabrication.systems.system import Option
+from solver.errors import InputError
+
+STRIPS = ("auto", "developable", "twisted")
+PATTERNS = ("auto", "straight", "arc", "free")
+POSITIONS = ("standing", "lying")
+# Distance of a hole's centre from an edge, in diameters (EN 1993-1-8, table 3.3).
+_EDGE_DISTANCE = 1.2
+
+
+@dataclass(frozen=True)
+class LamellaSettings:
+    """Strips of this width and thickness along the parameter lines.
+
+    Args:
+        width: of the strips, mm.
+        thickness: of the plate, mm.
+        clearance: added to the width and the depth of slots, and between layers, mm.
+        position: "standing" normal to the surface, or "lying" tangential to it.
+        layers: 1: half-lap slots at each crossing, family u open above, v below; 2: u above the
+            surface, v below, a bolt hole at each crossing.
+        hole: diameter of the bolt holes of two layers, mm.
+        overhang: beyond the last vertex, mm; by default half the width.
+        strip: "developable": exact, of plane faces; "twisted": rulings square to the axis;
+            "auto": developable where the rulings leave room for the width.
+        pattern: "straight", "arc" or "free"; "auto": what the net allows.
+        smooth: solids with smooth ruled sides instead of faceted ones.
+
+    Raises:
+        InputError: a size that cannot be used, or choices that exclude each other.
+    """
+
+    width: float = 80.0
+    thickness: float = 5.0
+    clearance: float = 1.0
+    position: str = "standing"
+    layers: int = 1
+    hole: float = 9.0
+    overhang: float | None = None
+    strip: str = "auto"
+    pattern: str = "auto"
+    smooth: bool = False
+
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("width", 80.0, "of the strips"),
+        Option("thickness", 5.0, "of the plates"),
+        Option("clearance", 1.0, "of slots"),
+        Option("position", "standing", "to the surface", str, "|".join(POSITIONS)),
+        Option("layers", 1, "1 with slots, 2 with bolt holes", int, "1|2"),
+        Option("hole", 9.0, "diameter of bolt holes"),
+        Option("overhang", None, "beyond the last vertex; half the width unless given"),
+        Option("strip", "auto", "of plane faces or twisted", str, "|".join(STRIPS)),
+        Option("pattern", "auto", "what the axes unroll to", str, "|".join(PATTERNS)),
+        Option("smooth", False, "smooth solids instead of faceted ones", bool),
+    )
+
+    def __post_init__(self) -> None:
+        check_size("lamella width", self.width)
+        check_size("lamella thickness", self.thickness)
+        check_size("clearance", self.clearance)
+        check_size("hole", self.hole)
+        if self.overhang is not None:
+            check_size("overhang", self.overhang)
+        for name, value, choices in (
+            ("position", self.position, POSITIONS),
+            ("strip", self.strip, STRIPS),
+            ("pattern", self.pattern, PATTERNS),
+        ):
+            if value not in choices:
+                raise InputError(f"{name}: expected one of {', '.join(choices)}, got '{value}'")
+        if self.layers not in (1, 2):
+            raise InputError(f"layers: expected 1 or 2, got {self.layers}")
+        self._check_together()
+
+    def _check_together(self) -> None:
+        if not self.standing and self.layers == 1:
+            raise InputError("layers: lying lamellas cannot cross in one layer; take --layers 2")
+        if self.smooth and self.strip == "developable":
+            raise InputError(
+                "strip: smooth solids follow rulings square to the axis; take --strip twisted"
+            )
+        if self.thickness >= self.width:
+            raise InputError(
+                f"lamella thickness: {self.thickness:g} mm is not less than the width of "
+                f"{self.width:g} mm; swap them or take other sizes"
+            )
+        if self.layers == 1 and self.clearance >= self.width / 2:
+            raise InputError(
+                f"clearance: slots of half the width and {self.clearance:g} mm are deeper than "
+                f"three quarters of {self.width:g} mm; take a clearance below {self.width / 2:g} mm"
+            )
+        if self.layers == 2 and self.width < 2 * _EDGE_DISTANCE * self.hole:
+            raise InputError(
+                f"hole: {self.hole:g} mm in the middle of {self.width:g} mm is nearer to the edges "
+                f"than {_EDGE_DISTANCE:g} diameters; take a hole of at most "
+                f"{self.width / 2 / _EDGE_DISTANCE:.3g} mm"
+            )
+
+    @property
+    def standing(self) -> bool:
+        """Whether the strips stand normal to the surface."""
+        return self.position == "standing"
+
+    def levels(self, family: str) -> tuple[float, float]:
+        """Levels of the lower and upper edge along the rulings, mm from the axis."""
+        if self.layers == 1 or not self.standing:
+            return -self.width / 2, self.width / 2
+        if family == "v":
+            return -self.width - self.clearance / 2, -self.clearance / 2
+        return self.clearance / 2, self.width + self.clearance / 2
+
+    def level_of(self, family: str) -> float:
+        """Distance of the axis of a lying lamella from the surface, mm; v below, all else above."""
+        return (self.thickness + self.clearance) / 2 * (-1 if family == "v" else 1)
+
+    @property
+    def reach(self) -> float:
+        """Width about the axis inside which rulings must not meet, mm."""
+        return 2 * max(abs(level) for level in self.levels("u"))

@@ -1,0 +1,123 @@
+"""The system of lamellas: parts and report."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, Pattern, lamella_on, pattern_of
+from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing, crossings
+from freecad_ortho.fabrication.systems.lamellas.ends import reaches
+from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
+from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from solver.errors import InputError
+from solver.mesh.lines import ParameterLine
+
+
+@dataclass(frozen=True)
+class Lamellas(LamellaSettings, System):
+    """Strips along the chosen parameter lines, one part a line or a piece of one."""
+
+    name: ClassVar[str] = "lamellas"
+
+    def build(self, site: Site) -> SystemParts:
+        """Work out the lamellas.
+
+        Raises:
+            InputError: a net too far from what the patterns need, rulings that meet inside the
+                width, slots or holes that do not fit.
+        """
+        pattern = pattern_of(site, self)
+        lines = [line for line in site.chosen_lines if len(line.vertices) > 1]
+        if self.layers == 2 and any(not line.family for line in lines):
+            raise InputError(
+                "layers: the lines of this net cannot be told apart into families u and v, so two "
+                "layers cannot be made; take --layers 1"
+            )
+        lamellas = [
+            lamella_on(site, line, self, pattern, lamella_name(line), beyond)
+            for line, beyond in zip(
+                lines, reaches(site.mesh, pattern.axes, lines, self), strict=True
+            )
+        ]
+        met = crossings(lamellas, self)
+        cuts = [cut(each, here, self) for each, here in zip(lamellas, met, strict=True)]
+        parts = tuple(lamella_part(made, site) for made in cuts)
+        report = self._report(lamellas, met, parts, pattern)
+        return SystemParts(parts, report, tuple(self._messages(lamellas, pattern)), lamellas)
+
+    def _report(
+        self,
+        lamellas: list[Lamella],
+        met: list[list[Crossing]],
+        parts: tuple[Part, ...],
+        pattern: Pattern,
+    ) -> dict[str, Any]:
+        measured = [each.measures for each in lamellas]
+        slots = [each.slot.width for row in met for each in row if each.slot is not None]
+        allowed = min(each.admissible_width for each in measured)
+        return {
+            "width_mm": self.width,
+            "thickness_mm": self.thickness,
+            "position": self.position,
+            "layers": self.layers,
+            "pattern": pattern.kind,
+            "radius_mm": abs(pattern.radius) if np.isfinite(pattern.radius) else None,
+            "developable": sum(not each.twisted for each in lamellas),
+            "twisted": sum(each.twisted for each in lamellas),
+            "crossings": sum(len(row) for row in met) // 2,
+            "slot_width_min_mm": min(slots, default=None),
+            "slot_width_max_mm": max(slots, default=None),
+            "straightness_max_mm": _worst(parts, "straightness_mm"),
+            "radius_spread_max_mm": _worst(parts, "radius_spread_mm"),
+            "gap_max_mm": _worst(parts, "gap_mm"),
+            "lean_max_deg": _worst(parts, "lean_deg"),
+            "torsion_max_deg_per_m": _worst(parts, "torsion_deg_per_m"),
+            "bend_radius_min_mm": min(
+                (part.measures.min_bend_radius_mm or np.inf for part in parts), default=None
+            ),
+            "admissible_width_mm": allowed if np.isfinite(allowed) else None,
+            **sums(parts),
+        }
+
+    def _messages(self, lamellas: list[Lamella], pattern: Pattern) -> list[str]:
+        messages = []
+        twisted = [each for each in lamellas if each.twisted]
+        if twisted and self.strip == "auto":
+            gap = max(each.measures.gap for each in twisted)
+            messages.append(
+                f"lamellas: {len(twisted)} of {len(lamellas)} twist, as plane faces "
+                f"{self.width:g} mm wide would meet, slant or bend too much, {twisted[0].name} for "
+                f"one; their edges stretch by up to {gap:.2g} mm an edge"
+            )
+        if pattern.kind == "free" and self.pattern == "auto":
+            messages.append(
+                "lamellas: the net is neither asymptotic nor CMC, so the patterns are curved as "
+                "they come; optimise with --net asymptotic for straight ones, --net cmc for arcs"
+                if self.standing
+                else "lamellas: the net is not geodesic, so the patterns are curved as they come; "
+                "optimise with --net geodesic for straight ones"
+            )
+        leaning = [each.name for each in lamellas if each.pattern != pattern.kind]
+        if leaning:
+            messages.append(
+                f"lamellas: {', '.join(leaning[:4])}{' ...' if len(leaning) > 4 else ''} at the "
+                "boundary, where the net asks nothing of the line, follow the normals and are not "
+                f"exactly {'straight' if pattern.kind == 'straight' else 'arcs'}"
+            )
+        return messages
+
+
+def lamella_name(line: ParameterLine) -> str:
+    """``L-U003`` is line 2 of family u; ``L-003`` where there are no families."""
+    return f"L-{line.family.upper()}{line.number + 1:03d}"
+
+
+def _worst(parts: tuple[Part, ...], measure: str) -> float | None:
+    values = [getattr(part.measures, measure) for part in parts]
+    return max((value for value in values if value is not None), default=None)

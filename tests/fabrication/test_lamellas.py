@@ -1,0 +1,298 @@
+"""Lamellas: exact patterns, valid solids, slots that fit, files that read back."""
+
+import csv
+import math
+
+import cadquery
+import ezdxf
+import numpy as np
+import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+
+from freecad_ortho.fabrication import Lamellas, Selection, build, write
+from freecad_ortho.fabrication.pattern import polygon_area
+from freecad_ortho.fabrication.step import read_step
+from solver import optimise
+from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
+from tests.conftest import grid_faces, shared_mesh, surface_of_revolution
+from tests.meshes import helicoid, scherk, unduloid
+
+
+def net(mesh, name):
+    outcome = optimise(mesh, name)
+    assert outcome.report.status == "converged", outcome.report.message
+    return outcome.mesh.scaled(2000.0)
+
+
+@pytest.fixture(scope="module")
+def minimal():
+    """Asymptotic net on Scherk's surface, edges of about 0.3 m."""
+    return net(scherk(), "asymptotic")
+
+
+@pytest.fixture(scope="module")
+def round_net():
+    """CMC net on an unduloid, edges of about 0.3 m."""
+    return net(unduloid(11, 11), "cmc")
+
+
+def flat_grid(rows=4, columns=5, angle=90.0):
+    """Level parallelograms with edges of 400 mm."""
+    i, j = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
+    turn = math.radians(angle)
+    points = np.stack([i + j * math.cos(turn), j * math.sin(turn), 0.0 * i], axis=-1)
+    return QuadMesh.from_arrays(400.0 * points.reshape(-1, 3), grid_faces(rows, columns))
+
+
+def rounded():
+    """Meridians and parallels of a barrel, edges of about 0.6 m: rulings square to the lines."""
+    return surface_of_revolution().scaled(1000.0)
+
+
+def shared_volume(one, other):
+    common = BRepAlgoAPI_Common(one.wrapped, other.wrapped)
+    assert common.IsDone()
+    return cadquery.Shape.cast(common.Shape()).Volume()
+
+
+def worst_clash(structure, count=40):
+    parts, solids = structure.parts, structure.solids()
+    low = np.array([part.points.min(axis=0) for part in parts])
+    high = np.array([part.points.max(axis=0) for part in parts])
+    meet = ((low[:, None] <= high[None] + 1) & (low[None] <= high[:, None] + 1)).all(axis=2)
+    pairs = np.argwhere(np.triu(meet, 1))
+    return max(
+        shared_volume(solids[i], solids[j]) / min(parts[i].volume, parts[j].volume)
+        for i, j in pairs[:: max(1, len(pairs) // count)]
+    )
+
+
+def check_solids(structure):
+    for part, solid in zip(structure.parts, structure.solids(), strict=True):
+        assert solid.isValid(), part.name
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-9), part.name
+        assert len(solid.Solids()) == len(solid.Shells()) == 1
+
+
+def test_lamellas_of_a_minimal_surface_unroll_straight(minimal):
+    structure = build(minimal, [Lamellas(40, 3)])
+    assert structure.results["lamellas"].report["pattern"] == "straight"
+    measured = [part.measures for part in structure.parts if part.measures.straightness_mm]
+    assert len(measured) >= 20
+    for part in structure.parts:
+        if part.measures.straightness_mm is not None:
+            assert part.measures.straightness_mm <= 1e-9 * part.length
+            axis = part.pattern.axis
+            assert np.ptp(axis[:, 1]) <= 1e-9 * part.length
+            assert part.measures.lean_deg <= 5.0
+    check_solids(structure)
+
+
+def test_lamellas_of_a_cmc_net_unroll_to_arcs_of_one_radius(round_net):
+    structure = build(round_net, [Lamellas(40, 3)])
+    report = structure.results["lamellas"].report
+    assert report["pattern"] == "arc"
+    arcs = [part for part in structure.parts if part.measures.radius_mm is not None]
+    inner = [part for part in arcs if len(part.vertices) > 2]
+    assert len(inner) >= 10
+    for part in inner:
+        assert part.measures.radius_mm == pytest.approx(report["radius_mm"], rel=1e-9)
+        assert part.measures.radius_spread_mm <= 1e-6
+    check_solids(structure)
+
+
+def test_plane_faces_fold_back_and_are_as_large_as_their_pattern():
+    structure = build(rounded(), [Lamellas(120, 8, strip="developable")])
+    for lamella, part in zip(structure.results["lamellas"].geometry, structure.parts, strict=True):
+        strip = lamella.ribbon.strip
+        place = strip.refolded()
+        assert np.abs(place[:, 0] - strip.points).max() <= 1e-8
+        assert np.abs(place[:, 1] - strip.rulings).max() <= 1e-10
+        assert part.volume == pytest.approx(part.area * part.thickness, rel=1e-6)
+        assert part.measures.gap_mm <= 1e-9
+    check_solids(structure)
+
+
+@pytest.mark.parametrize(
+    ("strip", "smooth"), [("developable", False), ("twisted", False), ("twisted", True)]
+)
+def test_crossing_lamellas_share_no_volume(strip, smooth):
+    system = Lamellas(120, 8, strip=strip, smooth=smooth)
+    structure = build(rounded(), [system], selection=Selection(lines=(0, 2, 3)))
+    assert worst_clash(structure, 12) <= 1e-6
+
+
+def test_a_slot_without_play_would_touch(minimal):
+    tight = build(flat_grid(), [Lamellas(80, 6, clearance=0.002)], selection=Selection(lines=(1,)))
+    solids = tight.solids()
+    assert worst_clash(tight) <= 1e-6
+    moved = solids[0].translate(cadquery.Vector(0.5, 0.5, 0.5))
+    assert shared_volume(moved, solids[1]) > 1.0
+
+
+@pytest.mark.parametrize("angle", [90.0, 60.0])
+def test_slots_are_as_wide_as_the_angle_asks(angle):
+    structure = build(flat_grid(angle=angle), [Lamellas(80, 6, clearance=1.5)])
+    turn = math.radians(angle)
+    wanted = 6 / math.sin(turn) + 6 / math.tan(turn) + 1.5
+    report = structure.results["lamellas"].report
+    assert report["slot_width_min_mm"] == pytest.approx(wanted, rel=1e-9)
+    assert report["slot_width_max_mm"] == pytest.approx(wanted, rel=1e-9)
+    depth = 40 + 0.75
+    for part in structure.parts:
+        slots = len(part.vertices)
+        assert part.area == pytest.approx(part.length * 80 - slots * wanted * depth, rel=1e-9)
+        assert part.volume == pytest.approx(part.area * 6, rel=1e-9)
+    assert worst_clash(structure) == 0.0
+
+
+def test_slots_of_one_family_open_above_those_of_the_other_below():
+    structure = build(flat_grid(), [Lamellas(80, 6)])
+    for part in structure.parts:
+        heights = part.pattern.outline[:, 1]
+        floors = heights[(heights > 30) & (heights < 50)]
+        assert floors == pytest.approx(39.5 if part.family == "u" else 40.5)
+        z = part.points[:, 2]
+        assert z.max() - z.min() == pytest.approx(80)
+
+
+def test_names_and_neighbours_are_on_the_pattern_and_depend_on_connectivity_only(minimal):
+    structure = build(minimal, [Lamellas(40, 3)])
+    moved = minimal.with_vertices(minimal.vertices + 5 * np.sin(minimal.vertices / 300))
+    again = build(moved, [Lamellas(40, 3, pattern="free")])
+    assert [part.name for part in again.parts] == [part.name for part in structure.parts]
+    by_name = {part.name: part for part in structure.parts}
+    part = by_name["L-U003"]
+    assert (part.family, part.line) == ("u", 2)
+    for other in (mark.text for mark in part.pattern.marks if mark.text):
+        assert set(by_name[other].vertices) & set(part.vertices)
+    crossed = [mark.text for mark in part.pattern.marks if mark.text]
+    assert len(crossed) == len(set(crossed)) == len(part.vertices)
+
+
+def test_two_layers_have_a_bolt_hole_at_each_crossing():
+    for position in ("standing", "lying"):
+        system = Lamellas(60, 5, position=position, layers=2, hole=11)
+        structure = build(flat_grid(), [system])
+        for part, solid in zip(structure.parts, structure.solids(), strict=True):
+            assert len(part.pattern.holes) == len(part.vertices)
+            assert {hole.diameter for hole in part.pattern.holes} == {11}
+            assert solid.isValid()
+            assert solid.Volume() == pytest.approx(part.area * 5, rel=1e-9)
+        assert worst_clash(structure) == 0.0
+    # lying: the holes of both layers are above each other
+    holes = {}
+    for part in structure.parts:
+        for hole, vertex in zip(part.pattern.holes, part.vertices, strict=True):
+            local = np.append(hole.centre - part.pattern.axis[(len(part.pattern.axis) - 1) // 2], 0)
+            holes.setdefault(vertex, []).append(part.origin + local @ part.frame)
+    for vertex, pair in holes.items():
+        assert len(pair) == 2
+        assert np.abs(np.diff(pair, axis=0))[0, :2].max() <= 1e-9, vertex
+
+
+def test_files_read_back(minimal, tmp_path):
+    structure = build(minimal, [Lamellas(40, 3)], selection=Selection(lines=(3, 7)))
+    write(structure, tmp_path)
+    shapes = read_step(tmp_path / "structure.step")
+    assert [name for name, _ in shapes] == [part.name for part in structure.parts]
+    for (_, shape), part in zip(shapes, structure.parts, strict=True):
+        assert shape.isValid()
+        assert shape.Volume() == pytest.approx(part.volume, rel=1e-6)
+    drawing = ezdxf.readfile(tmp_path / "flat.dxf")
+    assert not drawing.audit().errors
+    for part in structure.parts:
+        block = drawing.blocks.get(part.name)
+        outline = np.array(block.query('LWPOLYLINE[layer=="CUT"]')[0].get_points("xy"))
+        assert polygon_area(outline) == pytest.approx(part.area, rel=1e-9)
+        axis = np.array(block.query('LWPOLYLINE[layer=="AXIS"]')[0].get_points("xy"))
+        assert np.ptp(axis[:, 1]) <= 1e-9 * part.length
+        texts = {text.dxf.text for text in block.query('TEXT[layer=="ENGRAVE"]')}
+        assert texts == {name for name in texts if name[:3] in ("L-U", "L-V")}
+        assert [text.dxf.text for text in block.query('TEXT[layer=="LABEL"]')] == [part.name]
+    with (tmp_path / "parts.csv").open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert {row["kind"] for row in rows} == {"lamella"}
+    assert {row["line"] for row in rows} == {"3", "7"}
+
+
+def test_closed_lines_are_cut_between_two_crossings():
+    angle = np.linspace(0, 2 * np.pi, 12, endpoint=False)
+    rings = [np.stack([np.cos(angle), np.sin(angle), 0 * angle + z], axis=1) for z in (0, 0.4, 0.8)]
+    number = np.arange(36).reshape(3, 12)
+    faces = [
+        [number[k, i], number[k, (i + 1) % 12], number[k + 1, (i + 1) % 12], number[k + 1, i]]
+        for k in range(2)
+        for i in range(12)
+    ]
+    mesh = QuadMesh.from_arrays(1000 * np.concatenate(rings), faces)
+    structure = build(mesh, [Lamellas(60, 4)])
+    rings = [part for part in structure.parts if len(part.vertices) == 12]
+    assert len(rings) == 3
+    check_solids(structure)
+    assert worst_clash(structure, 50) <= 1e-6
+    circumference = 12 * 2 * 1000 * math.sin(math.pi / 12)
+    assert rings[1].length == pytest.approx(circumference - 1.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"width": 5, "thickness": 6}, "not less than the width"),
+        ({"clearance": 50}, "deeper than three quarters"),
+        ({"position": "lying"}, "cannot cross in one layer"),
+        ({"layers": 3}, "expected 1 or 2"),
+        ({"layers": 2, "hole": 40}, "a hole of at most 33.3 mm"),
+        ({"strip": "developable", "smooth": True}, "take --strip twisted"),
+        ({"strip": "rigid"}, "expected one of auto, developable"),
+        ({"overhang": -4}, "overhang: expected a number above 0"),
+    ],
+)
+def test_settings_that_cannot_be_used_are_refused(settings, words):
+    with pytest.raises(InputError, match=words):
+        Lamellas(**{"width": 80, "thickness": 5, **settings})
+
+
+def test_nets_that_are_not_fit_are_refused_with_what_to_do(minimal):
+    bumpy = minimal.with_vertices(minimal.vertices + 90 * np.sin(minimal.vertices / 200))
+    with pytest.raises(InputError, match=r"misses it by .* optimise with --net asymptotic"):
+        build(bumpy, [Lamellas(40, 3, pattern="straight")])
+    with pytest.raises(InputError, match=r"rulings of L-U00. meet .* mm would do"):
+        build(minimal, [Lamellas(250, 3, strip="developable")])
+    with pytest.raises(InputError, match="run into each other"):
+        build(flat_grid(), [Lamellas(500, 410, overhang=900)])
+    with pytest.raises(InputError, match="runs out at the end"):
+        build(minimal, [Lamellas(40, 3, overhang=1)])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "kind", "width"),
+    [("knet1", "asymptotic", 60), ("helical-minimal", "asymptotic", 30), ("cmc1", "cmc", 50)],
+)
+def test_gridshells_of_the_paper(name, kind, width):
+    outcome = optimise(shared_mesh(name), kind)
+    structure = build(outcome.mesh.scaled(1000.0), [Lamellas(width, 4)])
+    boundary = outcome.mesh.connectivity.boundary_vertices
+    inner = [part for part in structure.parts if not boundary[list(part.vertices[1:2])].any()]
+    assert len(inner) >= 32
+    for part in inner:
+        if kind == "asymptotic":
+            assert part.measures.straightness_mm <= 1e-6 * part.length
+        else:
+            assert part.measures.radius_spread_mm <= 1e-6 * part.length
+        assert part.measures.lean_deg <= 5
+    check_solids(structure)
+    assert worst_clash(structure, 20) <= 1e-6
+
+
+def test_a_helicoid_may_stand_in_two_layers():
+    structure = build(
+        net(helicoid(9, 7), "asymptotic"),
+        [Lamellas(30, 3, layers=2)],
+        selection=Selection(lines=(3,)),
+    )
+    for part, solid in zip(structure.parts, structure.solids(), strict=True):
+        assert solid.isValid()
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-4)
