@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Body
+from freecad_ortho.fabrication.bodies import Body, Polyhedron
 from freecad_ortho.fabrication.solids import cut_solids
 from solver.mesh.quadmesh import FloatArray
 
@@ -57,6 +57,10 @@ class DrilledBody(Body):
         """Volume less a cylinder of the plate's thickness for each hole."""
         bored = (np.pi / 4 * drill.diameter**2 * drill.thickness for drill in self.drills)
         return self.whole.volume - float(sum(bored))
+
+    def pieces(self) -> tuple[Polyhedron, ...]:
+        """Those of the whole body."""
+        return self.whole.pieces()
 
     def solid(self) -> cadquery.Solid:
         """Build the whole and cut all holes from it at once."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Body
+from freecad_ortho.fabrication.bodies import Body, Loops, Polyhedron
 from freecad_ortho.fabrication.solids import plane_of
 from solver.mesh.quadmesh import FloatArray
 
@@ -20,6 +20,8 @@ Side = tuple[int, ...]
 # Distance from a plane, mm, below which the CAD kernel takes a side for plane.
 _PLANE = 1e-8
 _TOLERANCE = 1e-7
+# Corners at one end of a block that has more points than its corners.
+_RING = {16: 4}
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,11 +35,28 @@ class RuledBody(Body):
             with that from the fourth to the third. All others are plane.
         handles: inner control points (2, 3) of the edges that are cubic curves, by their corners,
             the smaller number first; all other edges are straight.
+        blocks: (6, 3) or (8, 3) corners of prisms that together hold the body, one end's, then the
+            other's; (16, 3) with the control points of curved edges after them.
     """
 
     corners: FloatArray
     sides: tuple[Side, ...]
     handles: Mapping[tuple[int, int], FloatArray] = field(default_factory=dict)
+    blocks: tuple[FloatArray, ...] = ()
+
+    def pieces(self) -> tuple[Polyhedron, ...]:
+        """The blocks."""
+        if not self.blocks:
+            return super().pieces()
+        found = []
+        for block in self.blocks:
+            half = _RING.get(len(block), len(block) // 2)
+            sides = [(k, (k + 1) % half, (k + 1) % half + half, k + half) for k in range(half)]
+            ends = [tuple(range(half, 2 * half)), tuple(reversed(range(half)))]
+            # Hulls of another number of points are another shape to the clash check.
+            loops: Loops = tuple([*ends, *sides][:: -1 if len(block) in _RING else 1])
+            found.append(Polyhedron(block, loops))
+        return tuple(found)
 
     @cached_property
     def points(self) -> FloatArray:

@@ -8,6 +8,7 @@ no other cell shares.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -108,13 +109,14 @@ def ruled_body(ribbon: Ribbon, grid: Grid, smooth: bool) -> RuledBody:
                     ends = number(line, row, side), number(line + 1, row, side)
                     span = grid.places[line : line + 2, row]
                     handles[ends] = rails.handles(span, row, side)
-    return _used(corners, quads, handles)
+    return _used(corners, quads, handles, _blocks(rails, grid, ribbon.width))
 
 
 def _used(
     corners: FloatArray,
     quads: list[tuple[int, int, int, int]],
     handles: dict[tuple[int, int], FloatArray],
+    blocks: tuple[FloatArray, ...],
 ) -> RuledBody:
     """The body without corners and curves that no side uses."""
     kept = np.unique(np.array(quads))
@@ -131,7 +133,31 @@ def _used(
         for (a, b), inner in handles.items()
         if (int(new[a]), int(new[b])) in pairs
     }
-    return RuledBody(corners[kept], sides, curves)
+    return RuledBody(corners[kept], sides, curves, blocks)
+
+
+def _blocks(rails: _Rails, grid: Grid, width: float) -> tuple[FloatArray, ...]:
+    """Hulls of the cells, long ones in three so that they are nearly plane where others cross."""
+    found = []
+    for cell, row in np.argwhere(grid.full).tolist():
+        first, last = grid.places[cell], grid.places[cell + 1]
+        share = width / rails.length(first[row], last[row])
+        cuts = (0.0, share, 1 - share, 1.0) if share < 0.4 else (0.0, 1.0)
+        for low, high in pairwise(cuts):
+            spans = np.stack([first + low * (last - first), first + high * (last - first)])
+            rings = [
+                rails.at(spans[:, level], level, side)[order]
+                for level in (row, row + 1)
+                for side, order in ((0, slice(None)), (1, slice(None, None, -1)))
+            ]
+            if rails.spline is not None:
+                rings += [
+                    rails.handles(spans[:, level], level, side)
+                    for level in (row, row + 1)
+                    for side in (0, 1)
+                ]
+            found.append(np.concatenate(rings))
+    return tuple(found)
 
 
 class _Rails:
@@ -166,6 +192,11 @@ class _Rails:
         points = self.spline(ends)[:, row, side]
         third = (ends[1] - ends[0]) / 3
         return np.stack([points[0] + third * slopes[0], points[1] - third * slopes[1]])
+
+    def length(self, start: float, end: float) -> float:
+        """Length of the axis between two parameters, mm."""
+        first, last = self._along(np.array([start, end]))
+        return float(last - first)
 
     def _along(self, places: FloatArray) -> FloatArray:
         return np.interp(places, np.arange(len(self.lengths)), self.lengths)

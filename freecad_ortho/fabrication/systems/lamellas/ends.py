@@ -53,7 +53,7 @@ def reaches(
         angle = max(math.acos(min(cosine, 1.0)), _NARROW)
         # The end is square to the edge, and the edge not to the axis that the ends share.
         lean = abs(float(axis @ direction))
-        room = settings.thickness / 2 / math.tan(angle / 2) + settings.clearance / 2
+        room = settings.thickness / 2 / math.tan(angle / 2) + settings.clearance
         return -(room + settings.width / 2 * lean) / math.sqrt(max(1 - lean**2, _NARROW))
 
     result = []

@@ -32,7 +32,13 @@ def folded_body(ribbon: Ribbon, outline: FloatArray) -> RuledBody:
     for point, station in pieces.station.items():
         half[point] = ribbon.mitres[station]
     corners = np.concatenate([middle - half, middle + half])
-    return RuledBody(corners, _sides([loop for _, loop in pieces.done], len(points)))
+    loops = [loop for _, loop in pieces.done]
+    prisms = tuple(
+        corners[[*corner, *(point + len(points) for point in corner)]]
+        for loop in loops
+        for corner in triangles(points, loop)
+    )
+    return RuledBody(corners, _sides(loops, len(points)), blocks=prisms)
 
 
 @dataclass
@@ -130,3 +136,25 @@ def _sides(pieces: list[list[int]], count: int) -> tuple[Side, ...]:
         if (end, start) not in edges:
             sides.append((start, end, end + count, start + count))
     return tuple(sides)
+
+
+def triangles(points: FloatArray, loop: list[int]) -> list[tuple[int, int, int]]:
+    """Triangles of a simple counter-clockwise polygon, by clipping its ears."""
+    left, found = list(loop), []
+    while len(left) > 3:
+        ear = next((k for k in range(len(left)) if _is_ear(points, left, k)), 0)
+        before, here, after = left[ear - 1], left[ear], left[(ear + 1) % len(left)]
+        found.append((before, here, after))
+        del left[ear]
+    return [*found, (left[0], left[1], left[2])]
+
+
+def _is_ear(points: FloatArray, loop: list[int], place: int) -> bool:
+    corner = [loop[place - 1], loop[place], loop[(place + 1) % len(loop)]]
+    a, b, c = points[corner]
+    steps = np.array([b - a, c - b, a - c])
+    if steps[0, 0] * steps[1, 1] - steps[0, 1] * steps[1, 0] <= 0:
+        return False
+    others = points[[point for point in loop if point not in corner]]
+    arms = others[:, None] - np.array([a, b, c])
+    return not (steps[:, 0] * arms[..., 1] - steps[:, 1] * arms[..., 0] >= 0).all(axis=1).any()

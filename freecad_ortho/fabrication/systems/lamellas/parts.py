@@ -141,7 +141,9 @@ def _drill(ribbon: Ribbon, station: int) -> tuple[FloatArray, FloatArray]:
 def _moved(body: RuledBody, origin: FloatArray, frame: FloatArray) -> RuledBody:
     """The body in a part's own coordinates."""
     handles = {ends: (inner - origin) @ frame.T for ends, inner in body.handles.items()}
-    return replace(body, corners=(body.corners - origin) @ frame.T, handles=handles)
+    blocks = tuple((block - origin) @ frame.T for block in body.blocks)
+    corners = (body.corners - origin) @ frame.T
+    return replace(body, corners=corners, handles=handles, blocks=blocks)
 
 
 def _pattern(made: Cut) -> FlatPattern:

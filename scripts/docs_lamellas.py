@@ -1,0 +1,106 @@
+"""Makes the table and the picture of lamellas in docs/fabrication.md.
+
+Run with the project's Python:
+    python scripts/docs_lamellas.py [--write]
+
+Needs the meshes of the paper's authors beside the repository.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from bench import ROOT
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+sys.path.insert(0, str(ROOT))
+
+from freecad_ortho import api
+from freecad_ortho.fabrication import Structure
+from tests.conftest import SHARED
+
+MARK = "<!-- lamellas table -->"
+PICTURE = ROOT / "docs" / "pictures" / "lamellas.png"
+EXAMPLES = (
+    ("knet1", "asymptotic", 60.0, 4.0),
+    ("helical-minimal", "asymptotic", 30.0, 2.0),
+    ("cmc1", "cmc", 50.0, 5.0),
+)
+
+
+def make(name: str, net: str, width: float, thickness: float) -> Structure:
+    """Optimise a mesh and build its lamellas."""
+    mesh = api.optimise(api.read_mesh(SHARED / f"{name}.obj").mesh, net).mesh
+    return api.fabricate(mesh, "lamellas", unit="m", width=width, thickness=thickness)
+
+
+def row(name: str, structure: Structure) -> str:
+    """A row of the table."""
+    report = structure.results["lamellas"].report
+    off = report["straightness_max_mm"] or report["radius_spread_max_mm"]
+    kind = report["pattern"]
+    if report["radius_mm"]:
+        kind = f"arcs of {report['radius_mm']:.1f} mm"
+    return (
+        f"| {name}, {report['width_mm']:g} x {report['thickness_mm']:g} mm, {kind} "
+        f"| {len(structure.parts)} | {report['crossings']} | {off:.0e} mm "
+        f"| {report['lean_max_deg']:.1f}° | {report['gap_max_mm']:.1g} mm "
+        f"| {report['bend_radius_min_mm'] / 1000:.1f} m |"
+    )
+
+
+def draw(structures: list[Structure]) -> None:
+    """Lamellas in space, and some of their flat patterns below."""
+    figure = plt.figure(figsize=(13, 7.5), dpi=90)
+    for column, structure in enumerate(structures):
+        space = figure.add_subplot(2, 3, column + 1, projection="3d")
+        for part in structure.parts:
+            corners = part.origin + part.body.corners @ part.frame
+            sides = [corners[list(side)] for side in part.body.sides]
+            colour = "#4a7ab5" if part.family == "u" else "#d08a3c"
+            space.add_collection3d(Poly3DCollection(sides, facecolors=colour, linewidths=0))
+        points = structure.mesh.vertices
+        middle, size = points.mean(axis=0), np.ptp(points, axis=0).max() / 2.2
+        space.set(**{f"{k}lim": (m - size, m + size) for k, m in zip("xyz", middle, strict=True)})
+        space.set_axis_off()
+        flat = figure.add_subplot(2, 3, column + 4)
+        level = 0.0
+        for part in [each for each in structure.parts if len(each.vertices) > 2][2:32:6]:
+            outline = part.pattern.outline[:, ::1] + [0.0, level]
+            flat.fill(*outline.T, facecolor="#d9e4f1", edgecolor="#26292f", linewidth=0.5)
+            axis = part.pattern.axis + [0.0, level]
+            flat.plot(*axis.T, color="#b81a26", linewidth=0.5)
+            level += part.pattern.size[1] + 250.0
+        flat.set_aspect("equal")
+        flat.set_axis_off()
+    figure.subplots_adjust(0, 0.02, 1, 1, 0, 0)
+    figure.savefig(PICTURE)
+
+
+def main() -> None:
+    """Print the rows, write picture and page."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    structures = [make(*example) for example in EXAMPLES]
+    rows = [row(example[0], made) for example, made in zip(EXAMPLES, structures, strict=True)]
+    print("\n".join(rows))
+    draw(structures)
+    if options.write:
+        page = ROOT / "docs" / "fabrication.md"
+        lines = page.read_text(encoding="utf-8").splitlines()
+        end = lines.index(MARK)
+        names = tuple(f"| {example[0]}," for example in EXAMPLES)
+        kept = [line for line in lines[:end] if not line.startswith(names)]
+        page.write_text("\n".join([*kept, *rows, *lines[end:]]) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
