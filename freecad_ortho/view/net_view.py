@@ -10,6 +10,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho import convert, preferences
+from freecad_ortho.documents.net_settings import reference_surface
 from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon
 from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
@@ -38,6 +39,7 @@ _COLOURING = (
     "ReflectionLines",
     "Visibility",
 )
+_GAP = "Gap to reference"
 # Edges that carry the colours are this much wider.
 _COLOURED_LINES = 2.5
 
@@ -239,7 +241,8 @@ class NetView(Stateless):
         decades = (view.LowestDecade, view.HighestDecade)
         chosen = Range(view.AutomaticRange, view.LowestValue, view.HighestValue, decades)
         try:
-            return painting(mesh, name, chosen, view.FaceColor)
+            reference = reference_surface(self.Object, mesh) if name == _GAP else None
+            return painting(mesh, name, chosen, view.FaceColor, reference)
         except OrthoError as error:
             # A view has no one to raise to: the net stays visible, and the reason is said.
             FreeCAD.Console.PrintWarning(f"{self.Object.Label}: {error}\n")

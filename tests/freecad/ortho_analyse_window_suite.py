@@ -9,9 +9,11 @@ import ortho_suite_tools as tools
 from ortho_suite_tools import press, wait
 from PySide import QtGui
 
-from freecad_ortho import api
+from freecad_ortho import api, convert
 from freecad_ortho.commands import dialogs, messages
+from freecad_ortho.documents import net_settings
 from freecad_ortho.panels import check_panel, display_panel
+from solver.analysis.fields import field
 from solver.errors import InputError
 
 
@@ -155,6 +157,23 @@ class TestDisplay(AnalyseCase):
 
     def net_name(self):
         return "Net"
+
+
+class TestReference(AnalyseCase):
+    def test_gap_is_measured_to_the_faces_that_a_net_was_sampled_from(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        cylinder.Radius, cylinder.Height = 3000.0, 5000.0
+        self.document.recompute()
+        net = api.net_from_faces([(cylinder, "Face1")])
+        api.show_net(net, "Gap to reference")
+        reference = net_settings.reference_surface(net, convert.quad_mesh(net))
+        values = field(convert.quad_mesh(net), "Gap to reference", reference).values
+        self.assertLess(values.max(), 1.0)
+        moved = [FreeCAD.Vector(p.x * 1.1, p.y * 1.1, p.z) for p in net.Vertices]
+        net.Vertices = moved
+        values = field(convert.quad_mesh(net), "Gap to reference", reference).values
+        self.assertAlmostEqual(values.max(), 300.0, delta=1.0)
+        self.assertGreater(net.ViewObject.Proxy._painting(convert.quad_mesh(net)).scale.high, 250.0)
 
 
 class TestCheck(AnalyseCase):
