@@ -59,6 +59,20 @@ class Sequence:
         steps = self.dice.randint(1, 4)
         self.allowed_to_fail(partial(api.optimise_net, net=kind, max_steps=steps), net)
 
+    def drag_net(self):
+        net = self.any_net()
+        if net is None or self.dice.random() < 0.5:
+            return False
+        number = self.dice.randrange(len(net.Vertices))
+        place = net.Vertices[number] + FreeCAD.Vector(0, 0, self.dice.uniform(-100, 100))
+        self.allowed_to_fail(partial(api.drag_net, max_steps=5), net, {number: tuple(place)})
+
+    def set_net(self):
+        net = self.any_net()
+        if net is None:
+            return False
+        api.set_net(net, net=self.dice.choice(["principal", "orthogonal"]), fix="corners")
+
     def add_beams(self):
         net = self.any_net()
         if net is None or len(self.structures()) > 3:

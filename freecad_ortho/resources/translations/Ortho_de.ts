@@ -24,6 +24,11 @@
    <translation>Winkel um x, dann y, dann z</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Ask it of the diagonals of the faces, not of the edges</source>
+   <translation>Von den Diagonalen der Maschen verlangen, nicht von den Kanten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
@@ -39,9 +44,19 @@
    <translation>Blau bei und unter diesem Wert (mm, 1/m, 1/m2, Grad), wenn nicht automatisch</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bore: hole along the axis of hubs, 0 for none</source>
+   <translation>Bohrung: Loch längs der Achse der Naben, 0 für keines</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Boxes: fast; outlines: denser, with a library</source>
    <translation>Boxes: schnell; Outlines: dichter, mit einer Bibliothek</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>CMC nets: radius of the vertex spheres; 0 is free</source>
+   <translation>CMC-Netze: Radius der Eckenkugeln; 0 ist frei</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -57,6 +72,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Centre of the sphere</source>
    <translation>Mittelpunkt der Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Chebyshev nets: each direction has a length of its own</source>
+   <translation>Tschebyschow-Netze: jede Richtung hat eine eigene Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Chebyshev nets: length of the edges; 0 is free</source>
+   <translation>Tschebyschow-Netze: Länge der Kanten; 0 ist frei</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -99,6 +124,11 @@
    <translation>Dichte in kg/m3; 0: die des Materials</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Edges and faces that vertices glide on, exactly</source>
+   <translation>Kanten und Flächen, auf denen Ecken exakt gleiten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Elliptic coordinate in the role of t</source>
    <translation>Elliptische Koordinate in der Rolle von t</translation>
@@ -122,6 +152,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Faces that the net is sampled from and stays linked to</source>
    <translation>Flächen, aus denen das Netz abgetastet ist und mit denen es verknüpft bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Faces that the net stays near as far as it can</source>
+   <translation>Flächen, denen das Netz so nahe bleibt, wie es kann</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -199,6 +234,11 @@
    <translation>Fuge: Fuge zwischen Platten</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Gliding without an object: boundary, or such as z=0</source>
+   <translation>Gleiten ohne Objekt: boundary, oder etwa z=0</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Height</source>
    <translation>Höhe</translation>
@@ -224,9 +264,39 @@
    <translation>Wie oft</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly faces keep their shape; -1 automatic</source>
+   <translation>Wie stark Maschen ihre Form behalten; -1 automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly lines are drawn straight; -1 automatic</source>
+   <translation>Wie stark Linien gestreckt werden; -1 automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly pairs of faces stay orthogonal; -1 automatic</source>
+   <translation>Wie stark Paare von Maschen orthogonal bleiben; -1 automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly vertices stay at the start; -1 automatic</source>
+   <translation>Wie stark Ecken am Anfang bleiben; -1 automatisch</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter: across the faces of hubs</source>
    <translation>Nabendurchmesser: über die Flächen der Naben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub diameter: across the faces of hubs, or of sockets</source>
+   <translation>Nabendurchmesser: über die Flächen der Naben oder Hülsen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
+   <translation>Isometrische Netze: Netz, dessen Maschen die Form geben; leer: wie es beginnt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -242,6 +312,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Keep the last line where the step misses it</source>
    <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Largest residual that counts as zero</source>
+   <translation>Größtes Residuum, das als null gilt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -304,6 +379,11 @@
    <translation>Mittelpunkte, oder geglättet</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Mirror planes through the origin: letters of x, y, z</source>
+   <translation>Spiegelebenen durch den Ursprung: Buchstaben aus x, y, z</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Names of the parts, in the order of the shape</source>
    <translation>Namen der Teile, in der Reihenfolge der Form</translation>
@@ -335,6 +415,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Node: what joins the beams</source>
+   <translation>Knoten: was die Träger verbindet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Normal of the plane</source>
    <translation>Normale der Ebene</translation>
   </message>
@@ -344,9 +429,19 @@
    <translation>Anzahl der Tafeln</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Numbers of further vertices that do not move</source>
+   <translation>Nummern weiterer Ecken, die sich nicht bewegen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Numbers of these parameter lines; empty: all</source>
    <translation>Nummern dieser Parameterlinien; leer: alle</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Numbers of vertices that are drawn to a place</source>
+   <translation>Nummern von Ecken, die an einen Ort gezogen werden</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -362,6 +457,11 @@
    <location filename="../../../freecad_ortho/view/structure_view.py" />
    <source>One colour for all parts, or green and red by their verdicts</source>
    <translation>Eine Farbe für alle Teile, oder Grün und Rot nach ihrem Befund</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Orthogonal nets: angle between the two directions</source>
+   <translation>Orthogonale Netze: Winkel zwischen den beiden Richtungen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -402,6 +502,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pitch</source>
    <translation>Ganghöhe</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Places that the handles are drawn to, in mm</source>
+   <translation>Orte, an die die Griffe gezogen werden, in mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -575,6 +680,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Socket depth: how far plates stand in sockets</source>
+   <translation>Hülsentiefe: wie weit Bleche in Hülsen stehen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Squares of the semi-axes of the first ellipse</source>
    <translation>Quadrate der Halbachsen der ersten Ellipse</translation>
   </message>
@@ -582,6 +692,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Steps along u and v</source>
    <translation>Schritte längs u und v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: downward load at every vertex</source>
+   <translation>Spannungsnetze: Last nach unten an jeder Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: downward load of a square millimetre</source>
+   <translation>Spannungsnetze: Last nach unten je Quadratmillimeter</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: forces that edges may carry</source>
+   <translation>Spannungsnetze: Kräfte, die Kanten tragen dürfen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: weight of a millimetre of edge</source>
+   <translation>Spannungsnetze: Gewicht eines Millimeters Kante</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -612,6 +742,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The mirror image alone</source>
    <translation>Nur das Spiegelbild</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>The net that optimising and editing aim at</source>
+   <translation>Das Netz, auf das Optimieren und Bearbeiten zielen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -664,6 +799,11 @@
    <translation>Ecken längs u und v</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Vertices that do not move</source>
+   <translation>Ecken, die sich nicht bewegen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Waist</source>
    <translation>Taille</translation>
@@ -709,6 +849,11 @@
    <translation>Welchen Linien der Fläche das Netz folgt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Which vertices glide on each: their numbers, empty for those near it</source>
+   <translation>Welche Ecken auf jeder gleiten: ihre Nummern, leer für die nahen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Widest</source>
    <translation>Weiteste</translation>
@@ -747,9 +892,39 @@
  <context>
   <name>Ortho</name>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>0: the solver finds it</source>
+   <translation>0: der Löser findet es</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface of geodesic squares.</source>
+   <translation>Eine abwickelbare Fläche aus geodätischen Quadraten.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface of squares, all edges equal.</source>
+   <translation>Eine abwickelbare Fläche aus Quadraten, alle Kanten gleich.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface, by the stricter definition.</source>
+   <translation>Eine abwickelbare Fläche, nach der strengeren Definition.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface: it is bent from flat sheet.</source>
+   <translation>Eine abwickelbare Fläche: aus ebenem Blech gebogen.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A membrane or cable net in equilibrium with its supports and loads</source>
    <translation>Eine Membran oder ein Seilnetz im Gleichgewicht mit Lagern und Lasten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A minimal surface with straight upright lamellas.</source>
+   <translation>Eine Minimalfläche mit geraden, aufrechten Lamellen.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -760,6 +935,11 @@
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Add points</source>
    <translation>Punkte hinzufügen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Advanced</source>
+   <translation>Erweitert</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -848,6 +1028,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bore</source>
+   <translation>Bohrung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>CAD faces sampled along their own parameter lines</source>
    <translation>CAD-Flächen, längs ihrer eigenen Parameterlinien abgetastet</translation>
   </message>
@@ -887,9 +1072,19 @@
    <translation>Tschebyschow</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Chebyshev: equal edges</source>
+   <translation>Tschebyschow: gleiche Kanten</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Check</source>
    <translation>Prüfen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Choose the recommended net</source>
+   <translation>Das empfohlene Netz wählen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -922,6 +1117,16 @@
    <translation>Spiel</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click edges, faces or planes that the boundary near them (on a curved face: every vertex) glides on, exactly</source>
+   <translation>Kanten, Flächen oder Ebenen anklicken, auf denen der Rand in ihrer Nähe (auf gekrümmter Fläche: jede Ecke) exakt gleitet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click faces that the net stays near as far as it can</source>
+   <translation>Flächen anklicken, denen das Netz so nahe bleibt, wie es kann</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Click points on the quadric; right click or Esc ends.</source>
    <translation>Punkte auf der Quadrik anklicken; Rechtsklick oder Esc beendet.</translation>
@@ -930,6 +1135,16 @@
    <location filename="../../../freecad_ortho/panels/form_panel.py" />
    <source>Click vertices in the 3D view to hold them; click again to free</source>
    <translation>Ecken in der 3D-Ansicht anklicken, um sie zu halten; noch einmal, um sie zu lösen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click vertices that are held softly, or drag them to a place</source>
+   <translation>Ecken anklicken, die weich gehalten werden, oder an einen Ort ziehen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click vertices that do not move; again: they may</source>
+   <translation>Ecken anklicken, die sich nicht bewegen; noch einmal: sie dürfen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -942,12 +1157,17 @@
    <translation>Schließen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Close the open task panel first.</source>
+   <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Closed</source>
    <translation>Geschlossen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Closeness</source>
    <translation>Nähe</translation>
   </message>
@@ -965,6 +1185,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Conical</source>
    <translation>Konisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Constant mean curvature; lamellas unroll to equal arcs.</source>
+   <translation>Konstante mittlere Krümmung; Lamellen wickeln zu gleichen Bögen ab.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Constraints</source>
+   <translation>Bedingungen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1017,6 +1247,21 @@
    <translation>Doppelklick: in Farben zeigen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Drag</source>
+   <translation>Ziehen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Drag a vertex. Click: choose; Ctrl: several; Shift and drag: all in a frame; Del: no handle any more; Esc: put back. Handles that are not dragged hold the net. Each drag is one step for Undo.</source>
+   <translation>Eine Ecke ziehen. Klick: wählen; Strg: mehrere; Umschalt und ziehen: alle in einem Rahmen; Entf: kein Griff mehr; Esc: zurück. Griffe, die nicht gezogen werden, halten das Netz. Jedes Ziehen ist ein Schritt für Rückgängig.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Drag vertices</source>
+   <translation>Ecken ziehen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Draw</source>
    <translation>Zeichnen</translation>
@@ -1025,6 +1270,11 @@
    <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
    <source>Drawing page</source>
    <translation>Zeichnungsblatt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Each vertex lies on one sphere with its neighbours.</source>
+   <translation>Jede Ecke liegt mit ihren Nachbarn auf einer Kugel.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1040,6 +1290,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge load</source>
    <translation>Kantenlast</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Edges along the principal stresses, in equilibrium.</source>
+   <translation>Kanten längs der Hauptspannungen, im Gleichgewicht.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Edit net</source>
+   <translation>Netz bearbeiten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/source_net_view.py" />
@@ -1092,14 +1352,24 @@
    <translation>Fertigungsdateien geschrieben nach {}</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Faces keep the shape they have: paper that is bent.</source>
+   <translation>Maschen behalten ihre Form: Papier, das gebogen wird.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Factor</source>
    <translation>Faktor</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Fairness</source>
    <translation>Glattheit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>Finding the exact net ...</source>
+   <translation>Das exakte Netz wird gesucht ...</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1132,6 +1402,11 @@
    <translation>Erste Formel</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Fix</source>
+   <translation>Festhalten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Fixed point</source>
    <translation>Fester Punkt</translation>
@@ -1140,6 +1415,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flange thickness</source>
    <translation>Flanschdicke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Flat faces with an exact offset at constant thickness.</source>
+   <translation>Ebene Maschen mit exaktem Versatz konstanter Dicke.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Flat faces with right angles; torsion-free beams.</source>
+   <translation>Ebene Maschen mit rechten Winkeln; torsionsfreie Träger.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Flat faces, each with a circle through its corners.</source>
+   <translation>Ebene Maschen, jede mit einem Kreis durch ihre Ecken.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1155,6 +1445,11 @@
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Ordner für die Fertigungsdateien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>For developable nets: the sheet bends and hardly stretches</source>
+   <translation>Für abwickelbare Netze: das Blech biegt sich und dehnt sich kaum</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1227,9 +1522,34 @@
    <translation>Geodätisch</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Glide</source>
+   <translation>Gleiten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Glide on ...</source>
+   <translation>Gleiten auf ...</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Grain</source>
    <translation>Faserrichtung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Handle</source>
+   <translation>Griff</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Handles</source>
+   <translation>Griffe</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Hardly possible: {}</source>
+   <translation>Kaum möglich: {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1242,6 +1562,11 @@
    <translation>Helikoid um z, Radien von -Radius bis Radius.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Hold</source>
+   <translation>Halten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Wie weit das Netz über die Fläche reicht</translation>
@@ -1250,6 +1575,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times</source>
    <translation>Wie oft</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly faces keep their shape, such as 10; none</source>
+   <translation>Wie stark Maschen ihre Form behalten, etwa 10; keine</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly lines are drawn straight on the way, 0.01</source>
+   <translation>Wie stark Linien unterwegs gestreckt werden, 0.01</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly pairs of faces stay orthogonal, 0.001</source>
+   <translation>Wie stark Paare von Maschen orthogonal bleiben, 0.001</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly vertices stay where they are, 0.003</source>
+   <translation>Wie stark Ecken bleiben, wo sie sind, 0.003</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1302,6 +1647,16 @@
    <translation>Irreguläre Ecken</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Isometric (no stretching)</source>
+   <translation>Isometrisch (ohne Dehnung)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Isometry</source>
+   <translation>Isometrie</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Its radius</source>
    <translation>Ihr Radius</translation>
@@ -1317,11 +1672,6 @@
    <translation>Rand behalten</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Keep in place</source>
-   <translation>Festhalten</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Keep the last line where the step misses it</source>
    <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
@@ -1335,6 +1685,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Art</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Largest residual that counts as zero</source>
+   <translation>Größtes Residuum, das als null gilt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
+   <source>Largest residuals by steps; below the dashed line: zero</source>
+   <translation>Größte Residuen nach Schritten; unter der gestrichelten Linie: null</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1387,6 +1747,11 @@
    <translation>Linien</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Lines that cross at right angles, faces not flat.</source>
+   <translation>Linien, die sich rechtwinklig kreuzen, Maschen nicht eben.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Last an jeder Ecke, Kraft</translation>
@@ -1432,11 +1797,6 @@
    <translation>Ecken näher als dies verschmelzen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Mesh</source>
-   <translation>Netz</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Midpoints of the edges: a parallelogram in each face</source>
    <translation>Mittelpunkte der Kanten: ein Parallelogramm in jeder Masche</translation>
@@ -1445,6 +1805,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Midpoints, or smoothed</source>
    <translation>Mittelpunkte, oder geglättet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Mirror</source>
+   <translation>Spiegeln</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1457,6 +1822,11 @@
    <translation>Verschieben</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Move there</source>
+   <translation>Dorthin bewegen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Moved, turned and scaled</source>
    <translation>Verschoben, gedreht und skaliert</translation>
@@ -1467,9 +1837,19 @@
    <translation>Bewegt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Multi-net</source>
+   <translation>Multinetz</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Narrowest</source>
    <translation>Engste</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Near</source>
+   <translation>Nahe</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -1490,6 +1870,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>No boundary beams</source>
    <translation>Keine Randträger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>No recommendation for this mesh.</source>
+   <translation>Keine Empfehlung für dieses Netz.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Node</source>
+   <translation>Knoten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1535,6 +1925,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Optimise</source>
    <translation>Optimieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Optimise {}</source>
+   <translation>{} optimieren</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/requirements.py" />
@@ -1610,6 +2005,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Periods</source>
    <translation>Perioden</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Pick</source>
+   <translation>Wählen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/form_panel.py" />
@@ -1697,6 +2097,11 @@
    <translation>Profil aus Punkten (Radius, Höhe), um z gedreht, n Punkte längs durch Interpolation.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>Put back.</source>
+   <translation>Zurückgestellt.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Quad mesh (*.obj *.ply *.off *.json)</source>
    <translation>Vierecksnetz (*.obj *.ply *.off *.json)</translation>
@@ -1732,6 +2137,16 @@
    <translation>Reichweite</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Recommended: &lt;b&gt;{}&lt;/b&gt;</source>
+   <translation>Empfohlen: &lt;b&gt;{}&lt;/b&gt;</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Redraws</source>
+   <translation>Bilder</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Reflect</source>
    <translation>Spiegeln</translation>
@@ -1745,6 +2160,11 @@
    <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Remeshing to quads</source>
    <translation>Umbau in Vierecke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Remove</source>
+   <translation>Entfernen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1857,6 +2277,11 @@
    <translation>Halbachsen der Quadrik</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Settings of the net</source>
+   <translation>Einstellungen des Netzes</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Several nets joined into one where their borders meet</source>
    <translation>Mehrere Netze zu einem verbunden, wo ihre Ränder sich treffen</translation>
@@ -1885,6 +2310,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Size</source>
    <translation>Größe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Socket depth</source>
+   <translation>Hülsentiefe</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -1920,6 +2350,16 @@
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>Start</source>
    <translation>Start</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>State</source>
+   <translation>Zustand</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Stays</source>
+   <translation>Bleibt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -2015,9 +2455,19 @@ Installieren lädt sie und was sie brauchen, bis zu 2 GB auf der Platte, in Free
 Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The chosen vertices are no handles any more</source>
+   <translation>Die gewählten Ecken sind keine Griffe mehr</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The first holds the first vertex</source>
    <translation>Das erste enthält die erste Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>The mesh is {:.1e} from it on average</source>
+   <translation>Das Netz ist im Mittel {:.1e} davon entfernt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2035,6 +2485,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Das Netz hat sich inzwischen geändert. Start beginnt von vorn.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The net is as it was before.</source>
+   <translation>Das Netz ist wie vorher.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>The net keeps being its own mirror image in the plane through 0</source>
+   <translation>Das Netz bleibt sein eigenes Spiegelbild in der Ebene durch 0</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>The net was changed.</source>
+   <translation>Das Netz wurde geändert.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>The packages could not be installed:</source>
    <translation>Die Pakete konnten nicht installiert werden:</translation>
@@ -2043,11 +2508,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness</source>
    <translation>Dicke</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Time a step</source>
-   <translation>Zeit je Schritt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -2060,7 +2520,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Bis</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Tolerance</source>
    <translation>Toleranz</translation>
   </message>
@@ -2110,6 +2570,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Teil von u</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Undo</source>
+   <translation>Rückgängig</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Unduloid (Delaunay), mean curvature 1 / (widest + narrowest) as the mean of both principals.</source>
    <translation>Unduloid (Delaunay), mittlere Krümmung 1 / (weiteste + engste) als Mittel beider Hauptkrümmungen.</translation>
@@ -2120,9 +2585,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Tragwerke aktualisieren</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Use</source>
+   <translation>Nehmen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>V part</source>
    <translation>Teil von v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Vertex</source>
+   <translation>Ecke</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2130,9 +2605,9 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Eckenlast</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Vertices / faces</source>
-   <translation>Ecken / Maschen</translation>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>Vertex {} is fixed.</source>
+   <translation>Ecke {} ist fest.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2140,7 +2615,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Ecken längs u und v</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Vertices that do not move; numbers such as 0,5,12 work too</source>
    <translation>Ecken, die sich nicht bewegen; auch Nummern wie 0,5,12</translation>
   </message>
@@ -2205,6 +2680,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>a length for each direction</source>
+   <translation>eine Länge für jede Richtung</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>above</source>
    <translation>darüber</translation>
@@ -2215,9 +2695,34 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>über die Flächen der Naben</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>across the faces of hubs, or of sockets</source>
+   <translation>über die Flächen der Naben oder Hülsen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>all</source>
    <translation>alle</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along X (X)</source>
+   <translation>längs X (X)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along Y (Y)</source>
+   <translation>längs Y (Y)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along Z (Z)</source>
+   <translation>längs Z (Z)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along the normal (N)</source>
+   <translation>längs der Normalen (N)</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2235,9 +2740,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Bogen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>as it starts</source>
+   <translation>wie es beginnt</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic</source>
    <translation>asymptotisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>asymptotic: minimal surface</source>
+   <translation>asymptotisch: Minimalfläche</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/fields.py" />
@@ -2255,7 +2770,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>beide Scharen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>boundary</source>
    <translation>Rand</translation>
   </message>
@@ -2305,7 +2820,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Schachbrett</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>circular</source>
    <translation>zirkular</translation>
   </message>
@@ -2320,6 +2835,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>vergröbern</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>compression and tension</source>
+   <translation>Druck und Zug</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>compression only</source>
+   <translation>nur Druck</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>cone</source>
    <translation>Kegel</translation>
@@ -2330,12 +2855,17 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>konfokale Kegelschnitte</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>conical</source>
    <translation>konisch</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>constant mean curvature</source>
+   <translation>konstante mittlere Krümmung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>corners</source>
    <translation>Eckpunkte</translation>
   </message>
@@ -2415,9 +2945,24 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>geodätisch</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>geodesic and Chebyshev</source>
+   <translation>geodätisch und Tschebyschow</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>geodesic, four equal angles</source>
+   <translation>geodätisch, vier gleiche Winkel</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic-chebyshev</source>
    <translation>geodätisch und Tschebyschow</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>geodesic: developable</source>
+   <translation>geodätisch: abwickelbar</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2425,9 +2970,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>GFK</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>glide on {}</source>
+   <translation>auf {} gleiten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>helicoid</source>
    <translation>Helikoid</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>hole along the axis of hubs, 0 for none</source>
+   <translation>Loch längs der Achse der Naben, 0 für keines</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2438,6 +2993,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>how beams meet</source>
    <translation>wie Träger sich treffen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>how far plates stand in sockets</source>
+   <translation>wie weit Bleche in Hülsen stehen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2458,6 +3018,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>isometric</source>
    <translation>isometrisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>isometric: faces keep their shape</source>
+   <translation>isometrisch: Maschen behalten ihre Form</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>its own boundary</source>
+   <translation>sein eigener Rand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2525,7 +3095,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>nein</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>nothing</source>
    <translation>nichts</translation>
   </message>
@@ -2565,6 +3135,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>der Bleche</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>on the diagonals of the faces</source>
+   <translation>auf den Diagonalen der Maschen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>on the surface (S)</source>
+   <translation>auf der Fläche (S)</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>one-sheeted hyperboloid</source>
    <translation>einschaliges Hyperboloid</translation>
@@ -2575,9 +3155,14 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>orientieren</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>orthogonal</source>
    <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>parallel to the screen (V)</source>
+   <translation>parallel zum Bildschirm (V)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2608,6 +3193,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>principal</source>
    <translation>Hauptkrümmung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>principal stress: equilibrium</source>
+   <translation>Hauptspannung: Gleichgewicht</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>principal: flat panels</source>
+   <translation>Hauptkrümmung: ebene Platten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2656,13 +3251,28 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>socket</source>
+   <translation>Hülse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>sphere</source>
    <translation>Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>spherical stars</source>
+   <translation>sphärische Sterne</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>stainless</source>
    <translation>Edelstahl</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>stay near {}</source>
+   <translation>nahe {} bleiben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2688,6 +3298,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>tangent-developable</source>
    <translation>Tangentenfläche</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>tension only</source>
+   <translation>nur Zug</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>the level of its lowest vertex</source>
+   <translation>die Höhe seiner tiefsten Ecke</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2740,6 +3360,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>v-Linien</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>vertex {} drawn to its place</source>
+   <translation>Ecke {} an ihren Ort gezogen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>wave</source>
    <translation>Welle</translation>
@@ -2751,6 +3376,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>what joins the beams</source>
+   <translation>was die Träger verbindet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>where the plates lie</source>
    <translation>wo die Bleche liegen</translation>
   </message>
@@ -2758,6 +3388,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>yes</source>
    <translation>ja</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{:,} vertices, {:,} faces</source>
+   <translation>{:,} Ecken, {:,} Maschen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{:,} vertices, {:,} variables, {:,} constraints, {} a step</source>
+   <translation>{:,} Ecken, {:,} Unbekannte, {:,} Bedingungen, {} je Schritt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>{:.0f} a second</source>
+   <translation>{:.0f} je Sekunde</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
@@ -2780,9 +3425,24 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} Netz</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>{} of {} chosen</source>
+   <translation>{} von {} gewählt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>{} on the diagonals</source>
+   <translation>{} auf den Diagonalen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>{} points</source>
    <translation>{} Punkte</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
+   <source>{} steps</source>
+   <translation>{} Schritte</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/source_panel.py" />

@@ -24,6 +24,11 @@
    <translation>Angles autour de x, puis y, puis z</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Ask it of the diagonals of the faces, not of the edges</source>
+   <translation>Le demander aux diagonales des faces, pas aux arêtes</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
@@ -39,9 +44,19 @@
    <translation>Bleu à cette valeur et en dessous (mm, 1/m, 1/m2, degrés) si non automatique</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bore: hole along the axis of hubs, 0 for none</source>
+   <translation>Alésage : trou le long de l'axe des moyeux, 0 pour aucun</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Boxes: fast; outlines: denser, with a library</source>
    <translation>Boxes : rapide ; Outlines : plus dense, avec une bibliothèque</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>CMC nets: radius of the vertex spheres; 0 is free</source>
+   <translation>Réseaux CMC : rayon des sphères de sommets ; 0 est libre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -57,6 +72,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Centre of the sphere</source>
    <translation>Centre de la sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Chebyshev nets: each direction has a length of its own</source>
+   <translation>Réseaux de Tchebychev : chaque direction a sa propre longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Chebyshev nets: length of the edges; 0 is free</source>
+   <translation>Réseaux de Tchebychev : longueur des arêtes ; 0 est libre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -99,6 +124,11 @@
    <translation>Densité en kg/m3 ; 0 : celle du matériau</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Edges and faces that vertices glide on, exactly</source>
+   <translation>Arêtes et faces sur lesquelles les sommets glissent exactement</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Elliptic coordinate in the role of t</source>
    <translation>Coordonnée elliptique dans le rôle de t</translation>
@@ -122,6 +152,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Faces that the net is sampled from and stays linked to</source>
    <translation>Faces dont le réseau est échantillonné et auxquelles il reste lié</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Faces that the net stays near as far as it can</source>
+   <translation>Faces dont le réseau reste proche autant que possible</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -199,6 +234,11 @@
    <translation>Joint : joint entre panneaux</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Gliding without an object: boundary, or such as z=0</source>
+   <translation>Glissement sans objet : boundary, ou par exemple z=0</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Height</source>
    <translation>Hauteur</translation>
@@ -224,9 +264,39 @@
    <translation>Combien de fois</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly faces keep their shape; -1 automatic</source>
+   <translation>Avec quelle force les faces gardent leur forme ; -1 automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly lines are drawn straight; -1 automatic</source>
+   <translation>Avec quelle force les lignes sont redressées ; -1 automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly pairs of faces stay orthogonal; -1 automatic</source>
+   <translation>Avec quelle force les paires de faces restent orthogonales ; -1 automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>How strongly vertices stay at the start; -1 automatic</source>
+   <translation>Avec quelle force les sommets restent au départ ; -1 automatique</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter: across the faces of hubs</source>
    <translation>Diamètre du moyeu : entre les faces des moyeux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub diameter: across the faces of hubs, or of sockets</source>
+   <translation>Diamètre du moyeu : entre les faces des moyeux ou des douilles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
+   <translation>Réseaux isométriques : réseau dont les faces donnent la forme ; vide : comme il commence</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -242,6 +312,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Keep the last line where the step misses it</source>
    <translation>Garder la dernière ligne là où le pas la manque</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Largest residual that counts as zero</source>
+   <translation>Plus grand résidu qui compte pour zéro</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -304,6 +379,11 @@
    <translation>Milieux, ou lissé</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Mirror planes through the origin: letters of x, y, z</source>
+   <translation>Plans de symétrie par l'origine : lettres parmi x, y, z</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Names of the parts, in the order of the shape</source>
    <translation>Noms des pièces, dans l'ordre de la forme</translation>
@@ -335,6 +415,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Node: what joins the beams</source>
+   <translation>Nœud : ce qui relie les poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Normal of the plane</source>
    <translation>Normale du plan</translation>
   </message>
@@ -344,9 +429,19 @@
    <translation>Nombre de tôles</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Numbers of further vertices that do not move</source>
+   <translation>Numéros d'autres sommets qui ne bougent pas</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Numbers of these parameter lines; empty: all</source>
    <translation>Numéros de ces lignes paramétriques ; vide : toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Numbers of vertices that are drawn to a place</source>
+   <translation>Numéros de sommets attirés vers un lieu</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -362,6 +457,11 @@
    <location filename="../../../freecad_ortho/view/structure_view.py" />
    <source>One colour for all parts, or green and red by their verdicts</source>
    <translation>Une couleur pour toutes les pièces, ou vert et rouge selon leur verdict</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Orthogonal nets: angle between the two directions</source>
+   <translation>Réseaux orthogonaux : angle entre les deux directions</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -402,6 +502,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pitch</source>
    <translation>Pas</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Places that the handles are drawn to, in mm</source>
+   <translation>Lieux vers lesquels les poignées sont attirées, en mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -575,6 +680,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Socket depth: how far plates stand in sockets</source>
+   <translation>Profondeur des douilles : de combien les plats entrent dans les douilles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Squares of the semi-axes of the first ellipse</source>
    <translation>Carrés des demi-axes de la première ellipse</translation>
   </message>
@@ -582,6 +692,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Steps along u and v</source>
    <translation>Pas selon u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: downward load at every vertex</source>
+   <translation>Réseaux de contraintes : charge vers le bas à chaque sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: downward load of a square millimetre</source>
+   <translation>Réseaux de contraintes : charge vers le bas par millimètre carré</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: forces that edges may carry</source>
+   <translation>Réseaux de contraintes : forces que les arêtes peuvent porter</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Stress nets: weight of a millimetre of edge</source>
+   <translation>Réseaux de contraintes : poids d'un millimètre d'arête</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -612,6 +742,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The mirror image alone</source>
    <translation>L'image miroir seule</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>The net that optimising and editing aim at</source>
+   <translation>Le réseau visé par l'optimisation et l'édition</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -664,6 +799,11 @@
    <translation>Sommets selon u et v</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Vertices that do not move</source>
+   <translation>Sommets qui ne bougent pas</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Waist</source>
    <translation>Taille</translation>
@@ -709,6 +849,11 @@
    <translation>Quelles lignes de la surface le réseau suit</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <source>Which vertices glide on each: their numbers, empty for those near it</source>
+   <translation>Quels sommets glissent sur chacune : leurs numéros, vide pour les proches</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Widest</source>
    <translation>Le plus large</translation>
@@ -747,9 +892,39 @@
  <context>
   <name>Ortho</name>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>0: the solver finds it</source>
+   <translation>0 : le solveur le trouve</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface of geodesic squares.</source>
+   <translation>Une surface développable de carrés géodésiques.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface of squares, all edges equal.</source>
+   <translation>Une surface développable de carrés, toutes arêtes égales.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface, by the stricter definition.</source>
+   <translation>Une surface développable, selon la définition plus stricte.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A developable surface: it is bent from flat sheet.</source>
+   <translation>Une surface développable : courbée d'une tôle plane.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A membrane or cable net in equilibrium with its supports and loads</source>
    <translation>Une membrane ou un réseau de câbles en équilibre avec ses appuis et ses charges</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>A minimal surface with straight upright lamellas.</source>
+   <translation>Une surface minimale à lamelles droites et dressées.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -760,6 +935,11 @@
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Add points</source>
    <translation>Ajouter des points</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Advanced</source>
+   <translation>Avancé</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -848,6 +1028,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bore</source>
+   <translation>Alésage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>CAD faces sampled along their own parameter lines</source>
    <translation>Faces CAO échantillonnées le long de leurs propres lignes paramétriques</translation>
   </message>
@@ -887,9 +1072,19 @@
    <translation>Tchebychev</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Chebyshev: equal edges</source>
+   <translation>Tchebychev : arêtes égales</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Check</source>
    <translation>Vérifier</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Choose the recommended net</source>
+   <translation>Choisir le réseau recommandé</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -922,6 +1117,16 @@
    <translation>Jeu</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click edges, faces or planes that the boundary near them (on a curved face: every vertex) glides on, exactly</source>
+   <translation>Cliquer arêtes, faces ou plans sur lesquels le bord proche (sur une face courbe : chaque sommet) glisse exactement</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click faces that the net stays near as far as it can</source>
+   <translation>Cliquer les faces dont le réseau reste proche autant que possible</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Click points on the quadric; right click or Esc ends.</source>
    <translation>Cliquer des points sur la quadrique ; clic droit ou Échap termine.</translation>
@@ -930,6 +1135,16 @@
    <location filename="../../../freecad_ortho/panels/form_panel.py" />
    <source>Click vertices in the 3D view to hold them; click again to free</source>
    <translation>Cliquer des sommets dans la vue 3D pour les tenir ; cliquer à nouveau pour les libérer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click vertices that are held softly, or drag them to a place</source>
+   <translation>Cliquer les sommets tenus souplement, ou les tirer vers un lieu</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Click vertices that do not move; again: they may</source>
+   <translation>Cliquer les sommets qui ne bougent pas ; à nouveau : ils peuvent</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -942,12 +1157,17 @@
    <translation>Fermer</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Close the open task panel first.</source>
+   <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Closed</source>
    <translation>Fermé</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Closeness</source>
    <translation>Proximité</translation>
   </message>
@@ -965,6 +1185,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Conical</source>
    <translation>Conique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Constant mean curvature; lamellas unroll to equal arcs.</source>
+   <translation>Courbure moyenne constante ; les lamelles se déroulent en arcs égaux.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Constraints</source>
+   <translation>Contraintes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1017,6 +1247,21 @@
    <translation>Double clic : l'afficher en couleurs</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Drag</source>
+   <translation>Tirer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Drag a vertex. Click: choose; Ctrl: several; Shift and drag: all in a frame; Del: no handle any more; Esc: put back. Handles that are not dragged hold the net. Each drag is one step for Undo.</source>
+   <translation>Tirer un sommet. Clic : choisir ; Ctrl : plusieurs ; Maj et tirer : tous dans un cadre ; Suppr : plus de poignée ; Échap : remettre. Les poignées qui ne sont pas tirées tiennent le réseau. Chaque tirage est un pas pour Annuler.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Drag vertices</source>
+   <translation>Tirer des sommets</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Draw</source>
    <translation>Dessiner</translation>
@@ -1025,6 +1270,11 @@
    <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
    <source>Drawing page</source>
    <translation>Page de dessin</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Each vertex lies on one sphere with its neighbours.</source>
+   <translation>Chaque sommet est sur une sphère avec ses voisins.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1040,6 +1290,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge load</source>
    <translation>Charge d'arête</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Edges along the principal stresses, in equilibrium.</source>
+   <translation>Arêtes le long des contraintes principales, en équilibre.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Edit net</source>
+   <translation>Éditer le réseau</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/source_net_view.py" />
@@ -1092,14 +1352,24 @@
    <translation>Fichiers de fabrication écrits dans {}</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Faces keep the shape they have: paper that is bent.</source>
+   <translation>Les faces gardent leur forme : du papier que l'on courbe.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Factor</source>
    <translation>Facteur</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Fairness</source>
    <translation>Lissage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>Finding the exact net ...</source>
+   <translation>Recherche du réseau exact ...</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1132,6 +1402,11 @@
    <translation>Première formule</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Fix</source>
+   <translation>Fixer</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Fixed point</source>
    <translation>Point fixe</translation>
@@ -1140,6 +1415,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flange thickness</source>
    <translation>Épaisseur des semelles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Flat faces with an exact offset at constant thickness.</source>
+   <translation>Faces planes avec un décalage exact d'épaisseur constante.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Flat faces with right angles; torsion-free beams.</source>
+   <translation>Faces planes à angles droits ; poutres sans torsion.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Flat faces, each with a circle through its corners.</source>
+   <translation>Faces planes, chacune avec un cercle par ses coins.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1155,6 +1445,11 @@
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Dossier des fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>For developable nets: the sheet bends and hardly stretches</source>
+   <translation>Pour les réseaux développables : la feuille se courbe et ne s'étire guère</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1227,9 +1522,34 @@
    <translation>Géodésique</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Glide</source>
+   <translation>Glisser</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Glide on ...</source>
+   <translation>Glisser sur ...</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Grain</source>
    <translation>Sens du fil</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Handle</source>
+   <translation>Poignée</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Handles</source>
+   <translation>Poignées</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Hardly possible: {}</source>
+   <translation>Guère possible : {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1242,6 +1562,11 @@
    <translation>Hélicoïde autour de z, rayons de -rayon à rayon.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Hold</source>
+   <translation>Tenir</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
@@ -1250,6 +1575,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times</source>
    <translation>Combien de fois</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly faces keep their shape, such as 10; none</source>
+   <translation>Avec quelle force les faces gardent leur forme, par exemple 10 ; aucune</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly lines are drawn straight on the way, 0.01</source>
+   <translation>Avec quelle force les lignes sont redressées en chemin, 0.01</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly pairs of faces stay orthogonal, 0.001</source>
+   <translation>Avec quelle force les paires de faces restent orthogonales, 0.001</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>How strongly vertices stay where they are, 0.003</source>
+   <translation>Avec quelle force les sommets restent où ils sont, 0.003</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1302,6 +1647,16 @@
    <translation>Sommets irréguliers</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Isometric (no stretching)</source>
+   <translation>Isométrique (sans étirement)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Isometry</source>
+   <translation>Isométrie</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Its radius</source>
    <translation>Son rayon</translation>
@@ -1317,11 +1672,6 @@
    <translation>Garder le bord</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Keep in place</source>
-   <translation>Garder en place</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Keep the last line where the step misses it</source>
    <translation>Garder la dernière ligne là où le pas la manque</translation>
@@ -1335,6 +1685,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Type</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Largest residual that counts as zero</source>
+   <translation>Plus grand résidu qui compte pour zéro</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
+   <source>Largest residuals by steps; below the dashed line: zero</source>
+   <translation>Plus grands résidus par pas ; sous la ligne tiretée : zéro</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1387,6 +1747,11 @@
    <translation>Lignes</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>Lines that cross at right angles, faces not flat.</source>
+   <translation>Lignes qui se croisent à angle droit, faces non planes.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Charge à chaque sommet, force</translation>
@@ -1432,11 +1797,6 @@
    <translation>Fusionner les sommets plus proches que cela</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Mesh</source>
-   <translation>Maillage</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Midpoints of the edges: a parallelogram in each face</source>
    <translation>Milieux des arêtes : un parallélogramme dans chaque face</translation>
@@ -1445,6 +1805,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Midpoints, or smoothed</source>
    <translation>Milieux, ou lissé</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Mirror</source>
+   <translation>Miroir</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1457,6 +1822,11 @@
    <translation>Déplacer</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Move there</source>
+   <translation>Déplacer là</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Moved, turned and scaled</source>
    <translation>Déplacé, tourné et mis à l'échelle</translation>
@@ -1467,9 +1837,19 @@
    <translation>Mobile</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Multi-net</source>
+   <translation>Multi-réseau</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Narrowest</source>
    <translation>Le plus étroit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Near</source>
+   <translation>Près</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -1490,6 +1870,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>No boundary beams</source>
    <translation>Sans poutres de bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>No recommendation for this mesh.</source>
+   <translation>Pas de recommandation pour ce maillage.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Node</source>
+   <translation>Nœud</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1535,6 +1925,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Optimise</source>
    <translation>Optimiser</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Optimise {}</source>
+   <translation>Optimiser {}</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/requirements.py" />
@@ -1610,6 +2005,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Periods</source>
    <translation>Périodes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Pick</source>
+   <translation>Choisir</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/form_panel.py" />
@@ -1697,6 +2097,11 @@
    <translation>Profil de points (rayon, hauteur) tourné autour de z, n points le long par interpolation.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>Put back.</source>
+   <translation>Remis en place.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Quad mesh (*.obj *.ply *.off *.json)</source>
    <translation>Maillage de quadrilatères (*.obj *.ply *.off *.json)</translation>
@@ -1732,6 +2137,16 @@
    <translation>Portée</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Recommended: &lt;b&gt;{}&lt;/b&gt;</source>
+   <translation>Recommandé : &lt;b&gt;{}&lt;/b&gt;</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Redraws</source>
+   <translation>Images</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Reflect</source>
    <translation>Refléter</translation>
@@ -1745,6 +2160,11 @@
    <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Remeshing to quads</source>
    <translation>Remaillage en quadrilatères</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>Remove</source>
+   <translation>Enlever</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1857,6 +2277,11 @@
    <translation>Demi-axes de la quadrique</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Settings of the net</source>
+   <translation>Réglages du réseau</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Several nets joined into one where their borders meet</source>
    <translation>Plusieurs réseaux réunis en un seul où leurs bords se touchent</translation>
@@ -1885,6 +2310,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Size</source>
    <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Socket depth</source>
+   <translation>Profondeur des douilles</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -1920,6 +2350,16 @@
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>Start</source>
    <translation>Démarrer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>State</source>
+   <translation>État</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Stays</source>
+   <translation>Reste</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -2015,9 +2455,19 @@ Installer les télécharge avec ce dont ils dépendent, jusqu'à 2 Go sur le dis
 Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The chosen vertices are no handles any more</source>
+   <translation>Les sommets choisis ne sont plus des poignées</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The first holds the first vertex</source>
    <translation>Le premier contient le premier sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>The mesh is {:.1e} from it on average</source>
+   <translation>Le maillage en est à {:.1e} en moyenne</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2035,6 +2485,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Le réseau a changé entre-temps. Démarrer recommence.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The net is as it was before.</source>
+   <translation>Le réseau est comme avant.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>The net keeps being its own mirror image in the plane through 0</source>
+   <translation>Le réseau reste sa propre image miroir dans le plan par 0</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>The net was changed.</source>
+   <translation>Le réseau a été modifié.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>The packages could not be installed:</source>
    <translation>Les paquets n'ont pas pu être installés :</translation>
@@ -2043,11 +2508,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness</source>
    <translation>Épaisseur</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Time a step</source>
-   <translation>Temps par pas</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -2060,7 +2520,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>À</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Tolerance</source>
    <translation>Tolérance</translation>
   </message>
@@ -2110,6 +2570,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Part de u</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Undo</source>
+   <translation>Annuler</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Unduloid (Delaunay), mean curvature 1 / (widest + narrowest) as the mean of both principals.</source>
    <translation>Onduloïde (Delaunay), courbure moyenne 1 / (plus large + plus étroit), moyenne des deux principales.</translation>
@@ -2120,9 +2585,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Mettre à jour les structures</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Use</source>
+   <translation>Utiliser</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>V part</source>
    <translation>Part de v</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>Vertex</source>
+   <translation>Sommet</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2130,9 +2605,9 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Charge de sommet</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
-   <source>Vertices / faces</source>
-   <translation>Sommets / faces</translation>
+   <location filename="../../../freecad_ortho/panels/editing.py" />
+   <source>Vertex {} is fixed.</source>
+   <translation>Le sommet {} est fixe.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2140,7 +2615,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Sommets selon u et v</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Vertices that do not move; numbers such as 0,5,12 work too</source>
    <translation>Sommets qui ne bougent pas ; des numéros comme 0,5,12 conviennent aussi</translation>
   </message>
@@ -2205,6 +2680,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>a length for each direction</source>
+   <translation>une longueur par direction</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>above</source>
    <translation>au-dessus</translation>
@@ -2215,9 +2695,34 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>entre les faces des moyeux</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>across the faces of hubs, or of sockets</source>
+   <translation>entre les faces des moyeux ou des douilles</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>all</source>
    <translation>toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along X (X)</source>
+   <translation>selon X (X)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along Y (Y)</source>
+   <translation>selon Y (Y)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along Z (Z)</source>
+   <translation>selon Z (Z)</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>along the normal (N)</source>
+   <translation>selon la normale (N)</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2235,9 +2740,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>arc</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>as it starts</source>
+   <translation>comme il commence</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic</source>
    <translation>asymptotique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>asymptotic: minimal surface</source>
+   <translation>asymptotique : surface minimale</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/fields.py" />
@@ -2255,7 +2770,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>les deux familles</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>boundary</source>
    <translation>bord</translation>
   </message>
@@ -2305,7 +2820,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>damier</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>circular</source>
    <translation>circulaire</translation>
   </message>
@@ -2320,6 +2835,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>grossir</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>compression and tension</source>
+   <translation>compression et traction</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>compression only</source>
+   <translation>compression seule</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>cone</source>
    <translation>cône</translation>
@@ -2330,12 +2855,17 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>coniques homofocales</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>conical</source>
    <translation>conique</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>constant mean curvature</source>
+   <translation>courbure moyenne constante</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>corners</source>
    <translation>coins</translation>
   </message>
@@ -2415,9 +2945,24 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>géodésique</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>geodesic and Chebyshev</source>
+   <translation>géodésique et Tchebychev</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>geodesic, four equal angles</source>
+   <translation>géodésique, quatre angles égaux</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic-chebyshev</source>
    <translation>géodésique et Tchebychev</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>geodesic: developable</source>
+   <translation>géodésique : développable</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2425,9 +2970,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>PRV</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>glide on {}</source>
+   <translation>glisser sur {}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>helicoid</source>
    <translation>hélicoïde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>hole along the axis of hubs, 0 for none</source>
+   <translation>trou le long de l'axe des moyeux, 0 pour aucun</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2438,6 +2993,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>how beams meet</source>
    <translation>comment les poutres se joignent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>how far plates stand in sockets</source>
+   <translation>de combien les plats entrent dans les douilles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2458,6 +3018,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>isometric</source>
    <translation>isométrique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>isometric: faces keep their shape</source>
+   <translation>isométrique : les faces gardent leur forme</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>its own boundary</source>
+   <translation>son propre bord</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2525,7 +3095,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>non</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>nothing</source>
    <translation>rien</translation>
   </message>
@@ -2565,6 +3135,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>des plats</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>on the diagonals of the faces</source>
+   <translation>sur les diagonales des faces</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>on the surface (S)</source>
+   <translation>sur la surface (S)</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>one-sheeted hyperboloid</source>
    <translation>hyperboloïde à une nappe</translation>
@@ -2575,9 +3155,14 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>orienter</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>orthogonal</source>
    <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>parallel to the screen (V)</source>
+   <translation>parallèle à l'écran (V)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2608,6 +3193,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>principal</source>
    <translation>principal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>principal stress: equilibrium</source>
+   <translation>contraintes principales : équilibre</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>principal: flat panels</source>
+   <translation>principal : panneaux plans</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2656,13 +3251,28 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>socket</source>
+   <translation>douille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>sphere</source>
    <translation>sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>spherical stars</source>
+   <translation>étoiles sphériques</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>stainless</source>
    <translation>inox</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>stay near {}</source>
+   <translation>rester près de {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2688,6 +3298,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>tangent-developable</source>
    <translation>développable de tangentes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>tension only</source>
+   <translation>traction seule</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>the level of its lowest vertex</source>
+   <translation>le niveau de son sommet le plus bas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2740,6 +3360,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>lignes v</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>vertex {} drawn to its place</source>
+   <translation>sommet {} attiré vers son lieu</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>wave</source>
    <translation>onde</translation>
@@ -2751,6 +3376,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>what joins the beams</source>
+   <translation>ce qui relie les poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>where the plates lie</source>
    <translation>où se trouvent les plats</translation>
   </message>
@@ -2758,6 +3388,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>yes</source>
    <translation>oui</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{:,} vertices, {:,} faces</source>
+   <translation>{:,} sommets, {:,} faces</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{:,} vertices, {:,} variables, {:,} constraints, {} a step</source>
+   <translation>{:,} sommets, {:,} inconnues, {:,} contraintes, {} par pas</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>{:.0f} a second</source>
+   <translation>{:.0f} par seconde</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
@@ -2780,9 +3425,24 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} maillage</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>{} of {} chosen</source>
+   <translation>{} sur {} choisis</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>{} on the diagonals</source>
+   <translation>{} sur les diagonales</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>{} points</source>
    <translation>{} points</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
+   <source>{} steps</source>
+   <translation>{} pas</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/source_panel.py" />
