@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import FreeCAD
@@ -16,8 +17,8 @@ from solver.errors import InputError
 if TYPE_CHECKING:
     Length = float | str | FreeCAD.Units.Quantity
 
-# FreeCAD's own empty page, by the name it has had since version 0.16.
-_TEMPLATE = "Mod/TechDraw/Templates/A3_LandscapeTD.svg"
+# FreeCAD's own page, by its name until version 1.0 and since.
+_TEMPLATES = ("A3_LandscapeTD.svg", "ISO/A3_Landscape_TD.svg")
 _PAGE = (420.0, 297.0)
 _MARGIN = 25.0
 
@@ -96,11 +97,15 @@ def add_drawing_page(feature: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject:
         raise InputError(
             "drawing: this FreeCAD has no TechDraw workbench; install a full FreeCAD"
         ) from None
+    folder = Path(FreeCAD.getResourceDir()) / "Mod" / "TechDraw" / "Templates"
+    path = next((folder / name for name in _TEMPLATES if (folder / name).is_file()), None)
+    if path is None:
+        raise InputError(f"drawing: no page of A3 in {folder}; install all of TechDraw")
     document = feature.Document
     with transaction(document, FreeCAD.Qt.translate("Ortho", "Drawing page")):
         page = document.addObject("TechDraw::DrawPage", "Page")
         template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
-        template.Template = FreeCAD.getResourceDir() + _TEMPLATE
+        template.Template = str(path)
         page.Template = template
         _add_view(page, feature)
         document.recompute()

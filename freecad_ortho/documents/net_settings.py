@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
-from freecad_ortho import convert
+from freecad_ortho import convert, preferences
 from freecad_ortho.documents import guides
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES, FORCES, NETS
@@ -181,7 +181,9 @@ def solver_settings(values: dict[str, Any], mesh: QuadMesh) -> dict[str, Any]:
     Raises:
         InputError: a guide that has gone, or settings that do not fit the mesh.
     """
-    settings = {word: values[word] for word in _WEIGHTS if values[word] is not None}
+    # Which solver is a matter of the machine and its user, not of the net.
+    settings: dict[str, Any] = preferences.solver_settings()
+    settings.update((word, values[word]) for word in _WEIGHTS if values[word] is not None)
     options = {word: values[word] for word in _OPTIONS}
     if values["net"] == "stress":
         options.update({word: values[word] for word in _LOADS})

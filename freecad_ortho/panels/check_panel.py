@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho import convert
 from freecad_ortho.commands import context
+from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.resources import icon
 from solver.analysis.check import check
 from solver.analysis.fields import RESIDUALS
@@ -48,7 +49,7 @@ class CheckPanel:
 
     def getStandardButtons(self) -> int:
         """Nothing is changed here, so there is nothing to cancel."""
-        return int(QtGui.QDialogButtonBox.Close)
+        return close_only()
 
     def reject(self) -> bool:
         """Close."""

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.net_settings import NETS
+from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.editing import Editing
 from freecad_ortho.panels.fields import ChoiceField, LengthField
 from freecad_ortho.panels.net_words import explain, net_words, outlook
@@ -50,7 +51,7 @@ class EditPanel:
 
     def getStandardButtons(self) -> int:
         """Each drag is a step of its own, so there is nothing to confirm."""
-        return int(QtGui.QDialogButtonBox.Close)
+        return close_only()
 
     def reject(self) -> bool:
         """Leave edit mode, which ends everything else."""

@@ -9,6 +9,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho.view.lens import Lens
+from freecad_ortho.view.pixel_pair import pixel_pair
 from solver.mesh.quadmesh import FloatArray
 
 # Pixels around a point in which the mouse takes hold of it.
@@ -170,8 +171,7 @@ class Drawing:
     def _lens(self, node: Any) -> tuple[Lens, FloatArray]:
         """The projection at an event, and where the mouse is in pixels."""
         viewport = node.getAction().getViewportRegion()
-        mouse = node.getEvent().getPosition(viewport).getValue()
-        return Lens(self._view, viewport), np.array(mouse, dtype=np.float64)
+        return Lens(self._view, viewport), pixel_pair(node.getEvent().getPosition(viewport))
 
     def _ray(self, node: Any) -> tuple[FloatArray, FloatArray]:
         lens, mouse = self._lens(node)

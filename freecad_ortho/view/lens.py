@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from freecad_ortho.view.pixel_pair import pixel_pair
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -25,7 +26,7 @@ class Lens:
             volume.scale(1.0 / aspect)
         # Row vectors: points times this matrix.
         self._matrix = np.array(volume.getMatrix().getValue(), dtype=np.float64)
-        self._size = np.array(viewport.getViewportSizePixels().getValue(), dtype=np.float64)
+        self._size = pixel_pair(viewport.getViewportSizePixels())
 
     def pixels(self, points: FloatArray) -> FloatArray:
         """(n, 2) places in pixels from the lower left, of (n, 3) points in mm."""

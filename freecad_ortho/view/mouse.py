@@ -9,6 +9,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho.view.handles import Handles
+from freecad_ortho.view.pixel_pair import pixel_pair
 from freecad_ortho.view.screen import Ray, Screen
 from solver.mesh.quadmesh import FloatArray
 
@@ -110,7 +111,7 @@ class Mouse:
             return
         screen = Screen.of_event(node)
         region = node.getAction().getViewportRegion()
-        pixel = np.array(event.getPosition(region).getValue(), dtype=np.float64)
+        pixel = pixel_pair(event.getPosition(region))
         if moved:
             handled = self._moved(screen, pixel)
         elif event.getState() == coin.SoButtonEvent.DOWN:

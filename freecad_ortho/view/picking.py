@@ -9,6 +9,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho.view.lens import Lens
+from freecad_ortho.view.pixel_pair import pixel_pair
 from solver.mesh.quadmesh import FloatArray
 
 # Pixels around a vertex in which a click means it.
@@ -80,7 +81,7 @@ class Picking:
         if not (self.active and left and event.getState() == coin.SoButtonEvent.DOWN):
             return
         viewport = node.getAction().getViewportRegion()
-        mouse = np.array(event.getPosition(viewport).getValue(), dtype=np.float64)
+        mouse = pixel_pair(event.getPosition(viewport))
         apart = np.linalg.norm(Lens(self._view, viewport).pixels(self._points) - mouse, axis=1)
         nearest = int(np.argmin(apart))
         if apart[nearest] <= _NEAR:

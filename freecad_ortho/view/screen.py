@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
+from freecad_ortho.view.pixel_pair import pixel_pair
 from solver.mesh.quadmesh import FloatArray
 
 # Of vertices under the mouse, those further behind than this part of the scene are hidden.
@@ -39,7 +40,7 @@ class Screen:
         """The view in which the event of a SoEventCallback happened."""
         action = node.getAction()
         volume = coin.SoViewVolumeElement.get(action.getState())
-        region = action.getViewportRegion().getViewportSizePixels().getValue()
+        region = pixel_pair(action.getViewportRegion().getViewportSizePixels())
         return cls(np.array(volume.getMatrix().getValue()), (int(region[0]), int(region[1])))
 
     def pixels(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -178,6 +178,10 @@ class TestPreferences(FirstStepsCase):
         document = FreeCAD.ActiveDocument
         self.assertEqual(document.Net.Unit, "cm")
         group.SetInt("ImportUnit", 0)
+        group.SetInt("SparseSolver", preferences.SPARSE_SOLVERS.index("scipy"))
+        outcome = api.optimise_net(document.Net, max_steps=1)
+        self.assertEqual(outcome.report.as_dict()["solver"], "scipy")
+        document.undo()
         document.Net.Vertices = [point * 0.1 for point in document.Net.Vertices]
         for command in ("Ortho_Beams", "Ortho_Panels"):
             FreeCADGui.runCommand(command)

@@ -314,9 +314,34 @@
    <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest angle from the surface normal that passes; 0: any</source>
+   <translation>Größter zulässiger Winkel zur Flächennormalen; 0: jeder</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest distance from plane or developable that passes; 0: any</source>
+   <translation>Größter zulässiger Abstand von eben oder abwickelbar; 0: jeder</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest distance of an unrolled axis from its arc that passes; 0: any</source>
+   <translation>Größter zulässiger Abstand einer abgewickelten Achse von ihrem Bogen; 0: jeder</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest distance of an unrolled axis from straight that passes; 0: any</source>
+   <translation>Größter zulässiger Abstand einer abgewickelten Achse von der Geraden; 0: jeder</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Largest residual that counts as zero</source>
    <translation>Größtes Residuum, das als null gilt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest twist of a beam that passes; 0: any</source>
+   <translation>Größte zulässige Verwindung eines Trägers; 0: jede</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -347,6 +372,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Load of the faces, force / mm2</source>
    <translation>Last der Maschen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Louvre axis: family of lines that louvres turn about</source>
+   <translation>Lamellenachse: Schar der Linien, um die Sonnenlamellen drehen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -462,6 +492,11 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Orthogonal nets: angle between the two directions</source>
    <translation>Orthogonale Netze: Winkel zwischen den beiden Richtungen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel edge: sides of the panels</source>
+   <translation>Plattenkante: Seiten der Platten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -757,6 +792,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness: of the plates</source>
    <translation>Dicke: der Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilt: of louvres about that axis</source>
+   <translation>Neigung: der Sonnenlamellen um diese Achse</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1772,6 +1812,11 @@
    <translation>Lasten</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Louvre axis</source>
+   <translation>Lamellenachse</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Material</source>
    <translation>Material</translation>
@@ -1975,6 +2020,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Packing</source>
    <translation>Packung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel edge</source>
+   <translation>Plattenkante</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2510,6 +2560,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Dicke</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilt</source>
+   <translation>Neigung</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
    <source>Time limit (s)</source>
    <translation>Zeitgrenze (s)</translation>
@@ -2765,6 +2820,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>darunter</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bevel</source>
+   <translation>abgeschrägt</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>both families</source>
    <translation>beide Scharen</translation>
@@ -2918,6 +2978,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>faces</source>
    <translation>Flächen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>family of lines that louvres turn about</source>
+   <translation>Schar der Linien, um die Sonnenlamellen drehen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3116,6 +3181,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>of louvres about that axis</source>
+   <translation>der Sonnenlamellen um diese Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>of the beams</source>
    <translation>der Träger</translation>
   </message>
@@ -3241,6 +3311,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>sides of the panels</source>
+   <translation>Seiten der Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>snap</source>
    <translation>anlegen</translation>
   </message>
@@ -3263,6 +3338,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>spherical stars</source>
    <translation>sphärische Sterne</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>square</source>
+   <translation>rechtwinklig</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3345,6 +3425,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>zweischaliges Hyperboloid</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>u</source>
+   <translation>u</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>u lines</source>
    <translation>u-Linien</translation>
@@ -3353,6 +3438,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>unduloid</source>
    <translation>Unduloid</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>v</source>
+   <translation>v</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -3707,6 +3797,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Show the selected flat patterns on a page to print</source>
    <translation>Die gewählten Abwicklungen auf einem Blatt zum Drucken zeigen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_EditNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Drag vertices of the selected net; the others follow so that it stays its kind of net</source>
+   <translation>Ecken des gewählten Netzes ziehen; die anderen folgen, sodass es seine Art von Netz bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Edit net</source>
+   <translation>Netz bearbeiten</translation>
   </message>
  </context>
  <context>

@@ -314,9 +314,34 @@
    <translation>Garder la dernière ligne là où le pas la manque</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest angle from the surface normal that passes; 0: any</source>
+   <translation>Plus grand angle admis à la normale de la surface ; 0 : tous</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest distance from plane or developable that passes; 0: any</source>
+   <translation>Plus grande distance admise au plan ou au développable ; 0 : toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest distance of an unrolled axis from its arc that passes; 0: any</source>
+   <translation>Plus grande distance admise d'un axe déroulé à son arc ; 0 : toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest distance of an unrolled axis from straight that passes; 0: any</source>
+   <translation>Plus grande distance admise d'un axe déroulé à la droite ; 0 : toutes</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Largest residual that counts as zero</source>
    <translation>Plus grand résidu qui compte pour zéro</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <source>Largest twist of a beam that passes; 0: any</source>
+   <translation>Plus grande torsion admise d'une poutre ; 0 : toutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -347,6 +372,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Load of the faces, force / mm2</source>
    <translation>Charge des faces, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Louvre axis: family of lines that louvres turn about</source>
+   <translation>Axe des brise-soleil : famille de lignes autour desquelles tournent les brise-soleil</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -462,6 +492,11 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Orthogonal nets: angle between the two directions</source>
    <translation>Réseaux orthogonaux : angle entre les deux directions</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel edge: sides of the panels</source>
+   <translation>Chant des panneaux : côtés des panneaux</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -757,6 +792,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness: of the plates</source>
    <translation>Épaisseur : des plats</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilt: of louvres about that axis</source>
+   <translation>Inclinaison : des brise-soleil autour de cet axe</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1772,6 +1812,11 @@
    <translation>Charges</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Louvre axis</source>
+   <translation>Axe des brise-soleil</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Material</source>
    <translation>Matériau</translation>
@@ -1975,6 +2020,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Packing</source>
    <translation>Rangement</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel edge</source>
+   <translation>Chant des panneaux</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2510,6 +2560,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Épaisseur</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilt</source>
+   <translation>Inclinaison</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
    <source>Time limit (s)</source>
    <translation>Limite de temps (s)</translation>
@@ -2765,6 +2820,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>en dessous</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bevel</source>
+   <translation>biseauté</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>both families</source>
    <translation>les deux familles</translation>
@@ -2918,6 +2978,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>faces</source>
    <translation>faces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>family of lines that louvres turn about</source>
+   <translation>famille de lignes autour desquelles tournent les brise-soleil</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3116,6 +3181,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>of louvres about that axis</source>
+   <translation>des brise-soleil autour de cet axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>of the beams</source>
    <translation>des poutres</translation>
   </message>
@@ -3241,6 +3311,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>sides of the panels</source>
+   <translation>côtés des panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>snap</source>
    <translation>ajuster</translation>
   </message>
@@ -3263,6 +3338,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>spherical stars</source>
    <translation>étoiles sphériques</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>square</source>
+   <translation>d'équerre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3345,6 +3425,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>hyperboloïde à deux nappes</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>u</source>
+   <translation>u</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>u lines</source>
    <translation>lignes u</translation>
@@ -3353,6 +3438,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>unduloid</source>
    <translation>onduloïde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>v</source>
+   <translation>v</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -3707,6 +3797,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Show the selected flat patterns on a page to print</source>
    <translation>Montrer les développés sélectionnés sur une page à imprimer</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_EditNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Drag vertices of the selected net; the others follow so that it stays its kind of net</source>
+   <translation>Tirer des sommets du réseau sélectionné ; les autres suivent pour qu'il reste de son type</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Edit net</source>
+   <translation>Éditer le réseau</translation>
   </message>
  </context>
  <context>
