@@ -14,6 +14,11 @@
    <translation>Längs der Normalen, Kraft / mm2</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, negative for below</source>
+   <translation>Längs der Normalen, negativ für darunter</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Along: parts keep their length along the sheet</source>
    <translation>Along: Teile behalten ihre Länge längs der Tafel</translation>
@@ -92,6 +97,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clearance: in slots and at hubs</source>
    <translation>Spiel: in Schlitzen und an Naben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clearance: of slots</source>
+   <translation>Spiel: von Schlitzen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -255,6 +265,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hole: diameter of bolt holes</source>
+   <translation>Loch: Durchmesser der Schraubenlöcher</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Wie weit das Netz über die Fläche reicht</translation>
   </message>
@@ -342,6 +357,11 @@
    <location filename="../../../freecad_ortho/objects/limit_properties.py" />
    <source>Largest twist of a beam that passes; 0: any</source>
    <translation>Größte zulässige Verwindung eines Trägers; 0: jede</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Layers: 1 with slots, 2 with bolt holes</source>
+   <translation>Lagen: 1 mit Schlitzen, 2 mit Schraubenlöchern</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -495,6 +515,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Overhang: beyond the last vertex; half the width unless given</source>
+   <translation>Überstand: über die letzte Ecke hinaus; halbe Breite, wenn nicht angegeben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Panel edge: sides of the panels</source>
    <translation>Plattenkante: Seiten der Platten</translation>
   </message>
@@ -530,6 +555,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pattern: what the axes unroll to</source>
+   <translation>Zuschnitt: wozu die Achsen abwickeln</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Periods</source>
    <translation>Perioden</translation>
   </message>
@@ -557,6 +587,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points whose tangents make the sheet; empty for a helix</source>
    <translation>Punkte, deren Tangenten das Blech bilden; leer für eine Helix</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Position: to the surface</source>
+   <translation>Stellung: zur Fläche</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -715,6 +750,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Smooth: smooth solids instead of faceted ones</source>
+   <translation>Glatt: glatte Körper statt facettierter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Socket depth: how far plates stand in sockets</source>
    <translation>Hülsentiefe: wie weit Bleche in Hülsen stehen</translation>
   </message>
@@ -752,6 +792,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strip: of plane faces or twisted</source>
+   <translation>Streifen: aus ebenen Flächen oder verwunden</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -864,6 +909,11 @@
    <translation>Was über das Netz, wie es gemacht wurde, zu wissen ist</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What keeps the distance</source>
+   <translation>Was den Abstand hält</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What the net is built with</source>
    <translation>Womit das Netz gebaut wird</translation>
@@ -920,6 +970,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Width: of the strips</source>
+   <translation>Breite: der Streifen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Zigzag border, or closed by narrow quads</source>
    <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
   </message>
@@ -935,6 +990,21 @@
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>0: the solver finds it</source>
    <translation>0: der Löser findet es</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1</source>
+   <translation>1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1 with slots, 2 with bolt holes</source>
+   <translation>1 mit Schlitzen, 2 mit Schraubenlöchern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>2</source>
+   <translation>2</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -968,6 +1038,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>A parallel net at a distance that is constant where the net allows it</source>
+   <translation>Ein paralleles Netz in einem Abstand, der konstant ist, wo das Netz es zulässt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Ein Punkt der Ebene</translation>
   </message>
@@ -990,6 +1065,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Along the normals, force / mm2</source>
    <translation>Längs der Normalen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, negative for below</source>
+   <translation>Längs der Normalen, negativ für darunter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1608,6 +1688,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hole</source>
+   <translation>Loch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Wie weit das Netz über die Fläche reicht</translation>
   </message>
@@ -1740,6 +1825,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Latitudes</source>
    <translation>Breiten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Layers</source>
+   <translation>Lagen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -2007,6 +2097,11 @@
    <translation>Außen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Overhang</source>
+   <translation>Überstand</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Overlays</source>
    <translation>Überlagerungen</translation>
@@ -2050,6 +2145,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Part of the range that is left free at the ends</source>
    <translation>Teil des Bereichs, der an den Enden frei bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pattern</source>
+   <translation>Zuschnitt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2120,6 +2220,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points whose tangents make the sheet; empty for a helix</source>
    <translation>Punkte, deren Tangenten das Blech bilden; leer für eine Helix</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Position</source>
+   <translation>Stellung</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2363,6 +2468,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Smooth</source>
+   <translation>Glatt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Socket depth</source>
    <translation>Hülsentiefe</translation>
   </message>
@@ -2455,6 +2565,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strip</source>
+   <translation>Streifen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2686,6 +2801,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>What keeps the distance</source>
+   <translation>Was den Abstand hält</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Where the net stands and how it is turned</source>
    <translation>Wo das Netz steht und wie es gedreht ist</translation>
   </message>
@@ -2791,6 +2911,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>arc</source>
+   <translation>Bogen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>arch</source>
    <translation>Bogen</translation>
   </message>
@@ -2810,6 +2935,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>asymptotisch: Minimalfläche</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>auto</source>
+   <translation>automatisch</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/fields.py" />
    <source>automatic</source>
    <translation>automatisch</translation>
@@ -2823,6 +2953,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bevel</source>
    <translation>abgeschrägt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>beyond the last vertex; half the width unless given</source>
+   <translation>über die letzte Ecke hinaus; halbe Breite, wenn nicht angegeben</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -2941,8 +3076,18 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>developable</source>
+   <translation>abwickelbar</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>diagonal mesh</source>
    <translation>Diagonalnetz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>diameter of bolt holes</source>
+   <translation>Durchmesser der Schraubenlöcher</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2953,6 +3098,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>drop</source>
    <translation>weglassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>edge</source>
+   <translation>Kante</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2973,6 +3123,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>enneper</source>
    <translation>Enneper</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>face</source>
+   <translation>Masche</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3003,6 +3158,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>formulas</source>
    <translation>Formeln</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>free</source>
+   <translation>frei</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3126,6 +3286,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>lying</source>
+   <translation>liegend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>medial mesh</source>
    <translation>Mittelnetz</translation>
   </message>
@@ -3186,6 +3351,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>of plane faces or twisted</source>
+   <translation>aus ebenen Flächen oder verwunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of slots</source>
+   <translation>von Schlitzen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>of the beams</source>
    <translation>der Träger</translation>
   </message>
@@ -3203,6 +3378,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>of the plates</source>
    <translation>der Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the strips</source>
+   <translation>der Streifen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>offset</source>
+   <translation>Versatz</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
@@ -3228,6 +3413,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>orthogonal</source>
    <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parallel</source>
+   <translation>parallel</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3316,6 +3506,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>smooth solids instead of faceted ones</source>
+   <translation>glatte Körper statt facettierter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>snap</source>
    <translation>anlegen</translation>
   </message>
@@ -3348,6 +3543,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>stainless</source>
    <translation>Edelstahl</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>standing</source>
+   <translation>stehend</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3406,6 +3606,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>to the surface</source>
+   <translation>zur Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>transform</source>
    <translation>abbilden</translation>
   </message>
@@ -3418,6 +3623,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>trim</source>
    <translation>beschneiden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>twisted</source>
+   <translation>verwunden</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3450,6 +3660,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>v-Linien</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>vertex</source>
+   <translation>Ecke</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>vertex {} drawn to its place</source>
    <translation>Ecke {} an ihren Ort gezogen</translation>
@@ -3468,6 +3683,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>what joins the beams</source>
    <translation>was die Träger verbindet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>what the axes unroll to</source>
+   <translation>wozu die Achsen abwickeln</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3730,8 +3950,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
-   <source>Put a torsion-free beam on every edge of the selected net</source>
-   <translation>Auf jede Kante des gewählten Netzes einen torsionsfreien Träger setzen</translation>
+   <source>Put torsion-free beams on the edges or parameter lines of the selected net</source>
+   <translation>Torsionsfreie Träger auf Kanten oder Parameterlinien des gewählten Netzes setzen</translation>
   </message>
  </context>
  <context>
@@ -3957,6 +4177,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Louvres</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Louvres</source>
+   <translation>Sonnenlamellen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a slat on the midpoints of every face of the selected net</source>
+   <translation>In jede Masche des gewählten Netzes eine Lamelle auf die Mittelpunkte setzen</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_MultiNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -3980,6 +4213,32 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/groups.py" />
    <source>New net</source>
    <translation>Neues Netz</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Nodes</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Nodes</source>
+   <translation>Knoten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a hub or a joint at the vertices of the selected net</source>
+   <translation>An die Ecken des gewählten Netzes eine Nabe oder ein Gelenk setzen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Offset</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A parallel net at an even distance</source>
+   <translation>Ein paralleles Netz in gleichmäßigem Abstand</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Offset</source>
+   <translation>Lage</translation>
   </message>
  </context>
  <context>

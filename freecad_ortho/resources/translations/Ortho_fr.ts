@@ -14,6 +14,11 @@
    <translation>Le long des normales, force / mm2</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, negative for below</source>
+   <translation>Le long des normales, négatif pour dessous</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Along: parts keep their length along the sheet</source>
    <translation>Along : les pièces gardent leur longueur le long de la tôle</translation>
@@ -92,6 +97,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clearance: in slots and at hubs</source>
    <translation>Jeu : dans les encoches et aux moyeux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clearance: of slots</source>
+   <translation>Jeu : des encoches</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -255,6 +265,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hole: diameter of bolt holes</source>
+   <translation>Trou : diamètre des trous de boulons</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
   </message>
@@ -342,6 +357,11 @@
    <location filename="../../../freecad_ortho/objects/limit_properties.py" />
    <source>Largest twist of a beam that passes; 0: any</source>
    <translation>Plus grande torsion admise d'une poutre ; 0 : toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Layers: 1 with slots, 2 with bolt holes</source>
+   <translation>Couches : 1 avec encoches, 2 avec trous de boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -495,6 +515,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Overhang: beyond the last vertex; half the width unless given</source>
+   <translation>Débord : au-delà du dernier sommet ; la moitié de la largeur par défaut</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Panel edge: sides of the panels</source>
    <translation>Chant des panneaux : côtés des panneaux</translation>
   </message>
@@ -530,6 +555,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pattern: what the axes unroll to</source>
+   <translation>Développé : ce en quoi les axes se déroulent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Periods</source>
    <translation>Périodes</translation>
   </message>
@@ -557,6 +587,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points whose tangents make the sheet; empty for a helix</source>
    <translation>Points dont les tangentes forment la feuille ; vide pour une hélice</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Position: to the surface</source>
+   <translation>Position : par rapport à la surface</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -715,6 +750,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Smooth: smooth solids instead of faceted ones</source>
+   <translation>Lisse : solides lisses au lieu de facettés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Socket depth: how far plates stand in sockets</source>
    <translation>Profondeur des douilles : de combien les plats entrent dans les douilles</translation>
   </message>
@@ -752,6 +792,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strip: of plane faces or twisted</source>
+   <translation>Bande : de faces planes ou tordue</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -864,6 +909,11 @@
    <translation>Ce qu'il faut savoir du réseau tel qu'il a été fait</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What keeps the distance</source>
+   <translation>Ce qui garde la distance</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What the net is built with</source>
    <translation>Ce avec quoi le réseau est construit</translation>
@@ -920,6 +970,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Width: of the strips</source>
+   <translation>Largeur : des bandes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Zigzag border, or closed by narrow quads</source>
    <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
   </message>
@@ -935,6 +990,21 @@
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>0: the solver finds it</source>
    <translation>0 : le solveur le trouve</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1</source>
+   <translation>1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1 with slots, 2 with bolt holes</source>
+   <translation>1 avec encoches, 2 avec trous de boulons</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>2</source>
+   <translation>2</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -968,6 +1038,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>A parallel net at a distance that is constant where the net allows it</source>
+   <translation>Un réseau parallèle à une distance constante là où le réseau le permet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Un point du plan</translation>
   </message>
@@ -990,6 +1065,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Along the normals, force / mm2</source>
    <translation>Le long des normales, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Along the normals, negative for below</source>
+   <translation>Le long des normales, négatif pour dessous</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1608,6 +1688,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hole</source>
+   <translation>Trou</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
   </message>
@@ -1740,6 +1825,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Latitudes</source>
    <translation>Latitudes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Layers</source>
+   <translation>Couches</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -2007,6 +2097,11 @@
    <translation>Extérieur</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Overhang</source>
+   <translation>Débord</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Overlays</source>
    <translation>Superpositions</translation>
@@ -2050,6 +2145,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Part of the range that is left free at the ends</source>
    <translation>Part de la plage laissée libre aux bouts</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pattern</source>
+   <translation>Développé</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2120,6 +2220,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points whose tangents make the sheet; empty for a helix</source>
    <translation>Points dont les tangentes forment la feuille ; vide pour une hélice</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Position</source>
+   <translation>Position</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2363,6 +2468,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Smooth</source>
+   <translation>Lisse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Socket depth</source>
    <translation>Profondeur des douilles</translation>
   </message>
@@ -2455,6 +2565,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strip</source>
+   <translation>Bande</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2686,6 +2801,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>What keeps the distance</source>
+   <translation>Ce qui garde la distance</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Where the net stands and how it is turned</source>
    <translation>Où se trouve le réseau et comment il est tourné</translation>
   </message>
@@ -2791,6 +2911,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>arc</source>
+   <translation>arc</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>arch</source>
    <translation>arc</translation>
   </message>
@@ -2810,6 +2935,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>asymptotique : surface minimale</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>auto</source>
+   <translation>automatique</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/fields.py" />
    <source>automatic</source>
    <translation>automatique</translation>
@@ -2823,6 +2953,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bevel</source>
    <translation>biseauté</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>beyond the last vertex; half the width unless given</source>
+   <translation>au-delà du dernier sommet ; la moitié de la largeur par défaut</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -2941,8 +3076,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>developable</source>
+   <translation>développable</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>diagonal mesh</source>
    <translation>maillage diagonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>diameter of bolt holes</source>
+   <translation>diamètre des trous de boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2953,6 +3098,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>drop</source>
    <translation>omettre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>edge</source>
+   <translation>arête</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2973,6 +3123,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>enneper</source>
    <translation>Enneper</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>face</source>
+   <translation>face</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3003,6 +3158,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>formulas</source>
    <translation>formules</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>free</source>
+   <translation>libre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3126,6 +3286,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>lying</source>
+   <translation>couché</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>medial mesh</source>
    <translation>maillage médian</translation>
   </message>
@@ -3186,6 +3351,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>of plane faces or twisted</source>
+   <translation>de faces planes ou tordue</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of slots</source>
+   <translation>des encoches</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>of the beams</source>
    <translation>des poutres</translation>
   </message>
@@ -3203,6 +3378,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>of the plates</source>
    <translation>des plats</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>of the strips</source>
+   <translation>des bandes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>offset</source>
+   <translation>décalage</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
@@ -3228,6 +3413,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>orthogonal</source>
    <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parallel</source>
+   <translation>parallèle</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3316,6 +3506,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>smooth solids instead of faceted ones</source>
+   <translation>solides lisses au lieu de facettés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>snap</source>
    <translation>ajuster</translation>
   </message>
@@ -3348,6 +3543,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>stainless</source>
    <translation>inox</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>standing</source>
+   <translation>debout</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3406,6 +3606,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>to the surface</source>
+   <translation>par rapport à la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>transform</source>
    <translation>transformer</translation>
   </message>
@@ -3418,6 +3623,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>trim</source>
    <translation>rogner</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>twisted</source>
+   <translation>tordu</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3450,6 +3660,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>lignes v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>vertex</source>
+   <translation>sommet</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>vertex {} drawn to its place</source>
    <translation>sommet {} attiré vers son lieu</translation>
@@ -3468,6 +3683,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>what joins the beams</source>
    <translation>ce qui relie les poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>what the axes unroll to</source>
+   <translation>ce en quoi les axes se déroulent</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3730,8 +3950,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
-   <source>Put a torsion-free beam on every edge of the selected net</source>
-   <translation>Mettre une poutre sans torsion sur chaque arête du réseau sélectionné</translation>
+   <source>Put torsion-free beams on the edges or parameter lines of the selected net</source>
+   <translation>Mettre des poutres sans torsion sur les arêtes ou lignes paramétriques du réseau sélectionné</translation>
   </message>
  </context>
  <context>
@@ -3957,6 +4177,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Louvres</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Louvres</source>
+   <translation>Brise-soleil</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a slat on the midpoints of every face of the selected net</source>
+   <translation>Mettre une lame sur les milieux de chaque face du réseau sélectionné</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_MultiNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -3980,6 +4213,32 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/groups.py" />
    <source>New net</source>
    <translation>Nouveau réseau</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Nodes</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Nodes</source>
+   <translation>Nœuds</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a hub or a joint at the vertices of the selected net</source>
+   <translation>Mettre un moyeu ou un assemblage aux sommets du réseau sélectionné</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Offset</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A parallel net at an even distance</source>
+   <translation>Un réseau parallèle à distance régulière</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Offset</source>
+   <translation>Décalage</translation>
   </message>
  </context>
  <context>
