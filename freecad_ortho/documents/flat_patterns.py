@@ -17,8 +17,8 @@ from solver.errors import InputError
 if TYPE_CHECKING:
     Length = float | str | FreeCAD.Units.Quantity
 
-# FreeCAD's own page, by its name until version 1.0 and since.
-_TEMPLATES = ("A3_LandscapeTD.svg", "ISO/A3_Landscape_TD.svg")
+# FreeCAD's own page by its names in versions 0.20, 1.0 and 1.1.
+_TEMPLATES = ("A3_LandscapeTD.svg", "A3_Landscape_TD.svg", "ISO/A3_Landscape_TD.svg")
 _PAGE = (420.0, 297.0)
 _MARGIN = 25.0
 
