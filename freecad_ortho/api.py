@@ -25,6 +25,7 @@ from solver.mesh.primitives import primitive
 from solver.mesh.remesh import quads_from_triangles
 from solver.multinet import Quadric, elliptic_net, multi_net
 from solver.offset.offset_mesh import offset_mesh
+from solver.unroll.patch import flattened
 
 if TYPE_CHECKING:
     from freecad_ortho.fabrication import Limits, Structure
@@ -39,6 +40,7 @@ __all__ = [
     "elliptic_net",
     "fabricate",
     "find_form",
+    "flattened",
     "multi_net",
     "net_from_step",
     "offset_mesh",

@@ -162,8 +162,14 @@ def _pattern(made: Cut) -> FlatPattern:
 
     outline_mm = placed(made.outline)
     lower, upper = ribbon.edge(ribbon.lower), ribbon.edge(ribbon.upper)
+    ends = np.stack([lower, upper], axis=1)
+    for crossing in made.crossings:
+        # Where the bend line runs into the slot it ends at the floor.
+        if crossing.slot is not None and made.lamella.twisted:
+            end = 1 if crossing.slot.upward else 0
+            ends[crossing.station, end] = crossing.slot.sides(ribbon).mean(axis=0)
     bends = tuple(
-        Bend(placed(np.stack([lower[station], upper[station]])), float(np.degrees(angle)))
+        Bend(placed(ends[station]), float(np.degrees(angle)))
         for station, angle in enumerate(strip.bends)
         if abs(angle) > FLAT
     )
@@ -194,8 +200,6 @@ def _marks(made: Cut, placed, turn: FloatArray) -> list[Mark]:  # type: ignore[n
         tick = np.stack([middle, middle + side * 0.1 * ribbon.width * ruling])
         if crossing.slot is None:
             tick = np.stack([middle - 0.5 * ribbon.width * ruling, tick[0] - 0.3 * ruling])
-        else:
-            tick = tick + side * 0.5 * crossing.slot.floor * 0
         room = 0.4 * float(strip.lengths[min(station, len(strip.lengths) - 1)])
         size = fitted_text_size(crossing.other, room, 0.3 * ribbon.width, 12.0)
         text_room = 0.5 * size * len(crossing.other) + 0.5 * size
