@@ -43,10 +43,19 @@ class Legend:
             overlay.addChild(node)
         self._labels = coin.SoSeparator()
         overlay.addChild(self._labels)
+        self._note = coin.SoText2()
+        self._explained: tuple[object, ...] = ()
         self.hide()
 
     def show(self, title: str, note: str, scale: ColourScale) -> None:
         """Show the scale with its labels, a title, and a short note below the title."""
+        self._note.string = note
+        self.root.whichChild = coin.SO_SWITCH_ALL
+        explained = (title, scale.signed, *scale.labels())
+        if explained == self._explained:
+            # As in most pictures of a net that moves.
+            return
+        self._explained = explained
         self._labels.removeAllChildren()
         self._labels.addChild(_bar(scale.signed))
         colour = coin.SoBaseColor()
@@ -56,24 +65,27 @@ class Legend:
         font.name = "Sans"
         font.size = 14
         self._labels.addChild(font)
-        self._labels.addChild(_text(title, _LEFT, _TOP + 0.13))
-        self._labels.addChild(_text(note, _LEFT, _TOP + 0.07))
+        self._labels.addChild(_text(_words(title), _LEFT, _TOP + 0.13))
+        self._labels.addChild(_text(self._note, _LEFT, _TOP + 0.07))
         for place, words in scale.labels():
             height = _BOTTOM + place * (_TOP - _BOTTOM)
-            self._labels.addChild(_text(words, _RIGHT + 0.015, height - 0.015))
-        self.root.whichChild = coin.SO_SWITCH_ALL
+            self._labels.addChild(_text(_words(words), _RIGHT + 0.015, height - 0.015))
 
     def hide(self) -> None:
         """Show nothing."""
         self.root.whichChild = coin.SO_SWITCH_NONE
 
 
-def _text(words: str, x: float, y: float) -> coin.SoSeparator:
+def _words(words: str) -> coin.SoText2:
+    text = coin.SoText2()
+    text.string = words
+    return text
+
+
+def _text(text: coin.SoText2, x: float, y: float) -> coin.SoSeparator:
     separator = coin.SoSeparator()
     place = coin.SoTranslation()
     place.translation = (x, y, 0.0)
-    text = coin.SoText2()
-    text.string = words
     separator.addChild(place)
     separator.addChild(text)
     return separator
