@@ -18,7 +18,7 @@ CRAMPED = 0.5
 # and so it is where faces meet at more than this angle in degrees and twice that of the input.
 CREASED = 30.0
 # and where a shape that was no plane, but at least so thick, has lost most of its thickness.
-THICK, FLATTENED = 0.02, 0.3
+THICK, FLATTENED = 0.02, 0.4
 
 
 @dataclass(frozen=True)

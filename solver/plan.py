@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from solver.mesh.bend import central_directions, doubly_curved, unbent
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
@@ -13,11 +15,16 @@ from solver.nets.constraints import Constraints, add_constraints
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides
 from solver.problem import Problem
+from solver.terms.evenness import Evenness
 
 # Edges and faces of guarded nets are kept from collapsing and crossing over with this weight.
 _GUARD = 0.1
-# Weights of evenness in the first attempts of sheets, and in those after the first of other nets.
-_SHEETS = (0.3, 3.0)
+# Weights of evenness in the first attempts of sheets: of such that are bent in one direction, of
+# doubly curved ones, which have to give up a curvature, and of such from which it has been taken.
+_SHEETS, _DOMES, _BENT = (0.3, 3.0), (30.0, 3.0, 0.3), (3.0, 30.0, 0.3)
+# Third differences of a start, in mean edges, up to which it has no noise to be smoothed away.
+_SMOOTH = 0.05
+# And in the attempts after the first of other nets.
 _EVENNESS = {"asymptotic": (3.0, 30.0), "cmc": (3.0, 30.0)}
 
 
@@ -39,9 +46,9 @@ class Plan:
 
     def problems(self, mesh: QuadMesh) -> list[Problem]:
         """Return the net from the mesh, then ways round where that leads nowhere, then the rest."""
-        ladder = self._ladder()
         if self.net in DEVELOPABLE:
-            return self._sheets(mesh, ladder)
+            return self._sheets(mesh)
+        ladder = self._ladder()
         if self.net not in CONTINUED:
             return [self.pose(mesh, ladder)]
         others = [self._easier(mesh, ladder, stage) for stage in CONTINUED[self.net]]
@@ -71,17 +78,22 @@ class Plan:
     def _even(self, weights: Sequence[float]) -> list[Weights]:
         return [self.weights.even(weight) for weight in weights]
 
-    def _sheets(self, mesh: QuadMesh, ladder: list[Weights]) -> list[Problem]:
+    def _sheets(self, mesh: QuadMesh) -> list[Problem]:
         """The net from the mesh as it is and from the mesh bent in one direction only."""
-        even = len(_SHEETS)
+        double = doubly_curved(mesh)
+        rest = self.weights.ladder()
+        own = [*self._even(_DOMES if double else _SHEETS), *rest]
+        first = 1 if double else len(_SHEETS)
+        if not double and self.net not in RIGID and _unevenness(mesh) < _SMOOTH:
+            own, first = [rest[0], *own], 1
         bent = []
         if not self.fixed.any() and self.constraints == Constraints():
-            firmest_first = [*ladder[:even][::-1], *ladder[even:]]
-            bent = [self.pose(unbent(mesh, way), firmest_first) for way in central_directions(mesh)]
-        whole = [self.pose(mesh, ladder[:even]), *bent, self.pose(mesh, ladder[even:])]
-        if bent and self.net in RIGID and doubly_curved(mesh):
-            return [*bent, *whole[:1], *whole[-1:]]
-        return whole
+            ladder = [*self._even(_BENT), *rest]
+            bent = [self.pose(unbent(mesh, way), ladder) for way in central_directions(mesh)]
+        before, after = self.pose(mesh, own[:first]), self.pose(mesh, own[first:])
+        if double and self.net in RIGID:
+            return [*bent, before, after]
+        return [before, *bent, after]
 
     def _easier(self, mesh: QuadMesh, ladder: list[Weights], stage: Stage) -> Problem:
         smoother = [replace(one, fairness=stage.fairness * one.fairness) for one in ladder]
@@ -91,3 +103,10 @@ class Plan:
         problem = self.pose(mesh, smoother, stage.net)
         problem.easier = lambda found: self.pose(found, ladder)
         return problem
+
+
+def _unevenness(mesh: QuadMesh) -> float:
+    """Root mean square of the third differences along parameter lines, in mean edges."""
+    term = Evenness(mesh.connectivity.line_quadruples)
+    residual = term.linearise(mesh.vertices.ravel()).residual
+    return float(np.sqrt((residual**2).sum(axis=1).mean()) / mesh.mean_edge) if len(residual) else 0
