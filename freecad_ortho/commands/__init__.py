@@ -14,6 +14,7 @@ TOOLBARS = {
     "Analyse": ("Display", "Check", "SavePicture"),
     "Fabricate": (
         "Beams",
+        "Lamellas",
         "Panels",
         "Louvres",
         "Nodes",
@@ -89,6 +90,7 @@ def _commands() -> list[Command]:
     from freecad_ortho.commands.structures import (
         Bake,
         Beams,
+        Lamellas,
         Louvres,
         Nodes,
         Panels,
@@ -116,6 +118,7 @@ def _commands() -> list[Command]:
         Check(),
         SavePicture(),
         Beams(),
+        Lamellas(),
         Panels(),
         Louvres(),
         Nodes(),

@@ -32,6 +32,17 @@ class Beams(StructureCommand):
     )
 
 
+class Lamellas(StructureCommand):
+    """Developable strips along the parameter lines of a net."""
+
+    icon = "lamellas"
+    text = QT_TRANSLATE_NOOP("Ortho_Lamellas", "Lamellas")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Lamellas",
+        "Put a strip that unrolls flat along every parameter line of the selected net",
+    )
+
+
 class Louvres(StructureCommand):
     """A slat in every face of a net, on the midpoints of its edges."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 VERSION = 1
-# Between sheets, in sheet widths.
-_APART = 0.08
+# Between sheets, in parts of their shorter side.
+_APART = 0.1
 
 _PROPERTIES = (
     Property(
@@ -186,7 +187,8 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     else:
         sheets, placed = _nested(structure.parts, flat, workshop)
     shapes = [_pattern_shape(flat[name], place) for name, place in placed]
-    frames = [_rectangle(sheet, _sheet_origin(sheet, i)) for i, sheet in enumerate(sheets)]
+    origins = _sheet_origins(sheets)
+    frames = [_rectangle(sheet, at) for sheet, at in zip(sheets, origins, strict=True)]
     feature.Shape = Part.makeCompound(shapes + frames)
     feature.PartNames = [name for name, _ in placed]
     feature.LabelPlaces = [_vector(place(flat[name].label[None])[0]) for name, place in placed]
@@ -225,8 +227,7 @@ def _nested(parts: Any, flat: dict[str, FlatPattern], workshop: Any) -> tuple[An
     chosen = [part for part in parts if part.name in flat]
     sheets = nest(chosen, workshop, [flat[part.name] for part in chosen])
     placed = []
-    for number, sheet in enumerate(sheets):
-        origin = _sheet_origin(sheet, number)
+    for sheet, origin in zip(sheets, _sheet_origins(sheets), strict=True):
         for one in sheet.placements:
             placed.append(
                 (
@@ -237,8 +238,15 @@ def _nested(parts: Any, flat: dict[str, FlatPattern], workshop: Any) -> tuple[An
     return sheets, placed
 
 
-def _sheet_origin(sheet: Sheet, number: int) -> FloatArray:
-    return np.array([number * sheet.width * (1 + _APART), 0.0])
+def _sheet_origins(sheets: Sequence[Sheet]) -> list[FloatArray]:
+    """Lower left corners of the sheets, side by side in rows that make the whole about square."""
+    if not sheets:
+        return []
+    width, height = sheets[0].width, sheets[0].height
+    apart = _APART * min(width, height)
+    columns = max(1, round(math.sqrt(len(sheets) * height / width)))
+    step = np.array([width + apart, -height - apart])
+    return [step * [number % columns, number // columns] for number in range(len(sheets))]
 
 
 def _rectangle(sheet: Sheet, origin: FloatArray) -> Part.Shape:
