@@ -31,6 +31,7 @@ from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
 from solver.terms.base import FollowingTerm, Linearisation, Term, follows
 from solver.terms.pull import Pull
+from solver.threads import one_thread
 
 _FADE = 0.3
 _FADE_END = 1e-12
@@ -158,11 +159,12 @@ class Optimisation:
         state = self._state
         used, damping = state.fade, state.damping
         system = (self._terms, state.x, state.linearisations, self._weights(used), damping)
-        if self.holding and state.held:
-            step = self._relaxation.step(*system)
-        else:
-            followed = self._stepper.follow(*system) if reuse else None
-            step = followed or self._stepper.step(*system, bend=state.slow and not reuse)
+        with one_thread():
+            if self.holding and state.held:
+                step = self._relaxation.step(*system)
+            else:
+                followed = self._stepper.follow(*system) if reuse else None
+                step = followed or self._stepper.step(*system, bend=state.slow and not reuse)
         state.x, state.linearisations, state.damping = step.x, step.linearisations, step.damping
         if step.stuck:
             state.idle = _PATIENCE

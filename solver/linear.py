@@ -22,7 +22,7 @@ from solver.pattern import Pattern
 BACKENDS = ("scipy", "rslab")
 
 # Unknowns from which on the threads of rslab outweigh its overhead.
-_RSLAB_PAYS = 30_000
+_RSLAB_PAYS = 60_000
 
 
 class SymmetricSolver(Protocol):

@@ -68,34 +68,79 @@ class SphericalStar:
         """Return (n, 2) and (n, 2, 15), with the curvature's column added or its row eliminated."""
         v = points_of(x, self.unknowns[:, :15])
         spokes = v[:, 1:] - v[:, :1]
+        star = _star(spokes)
         if self.shared is not None:
             k = np.full(len(v), x[self.shared])
         elif self.curvature is not None:
             k = np.full(len(v), self.curvature)
         else:
-            k = own_curvatures(spokes)
-        frame = _frame(spokes, k)
-        residual, by_k = _residuals(frame, k)
-        by_spokes = _by_spokes(frame, spokes, k, residual)
+            k = _own_curvatures(star)
+        frame = _frame(star, k)
+        residual, by_k = _residuals(star, frame, k)
+        by_spokes = _by_spokes(star, frame, spokes, k, residual)
         if self.shared is None and self.curvature is None:
             residual, by_spokes = _without_curvature(residual, by_spokes, by_k)
-        jacobian = np.concatenate([-by_spokes.sum(axis=2, keepdims=True), by_spokes], axis=2)
+        by_centre = -sum(by_spokes[:, :, j : j + 1] for j in range(4))
+        jacobian = np.concatenate([by_centre, by_spokes], axis=2)
         jacobian = jacobian.reshape(len(v), residual.shape[1], 15)
         if self.shared is not None:
             jacobian = np.concatenate([jacobian, by_k[:, :, None]], axis=2)
         return Linearisation(residual, jacobian)
 
 
-def own_curvatures(spokes: FloatArray) -> FloatArray:
+class _Star(NamedTuple):
+    """What the spheres of all curvatures through a star share.
+
+    The normal of the sphere of curvature k is k lean + sqrt(1 - k^2 |lean|^2) upright. Differences
+    and sums of opposite spokes are (n, 2, 3), those of their heights w (n, 2).
+    """
+
+    differences: FloatArray
+    sums: FloatArray
+    height_differences: FloatArray
+    height_sums: FloatArray
+    lengths: FloatArray
+    mean: FloatArray
+    lean: FloatArray
+    upright: FloatArray
+
+
+def _star(spokes: FloatArray) -> _Star:
+    square = np.einsum("nij,nij->ni", spokes, spokes)
+    lengths = np.sqrt(square)
+    differences = spokes[:, :2] - spokes[:, 2:]
+    height_differences = 0.5 * (square[:, :2] - square[:, 2:])
+    a, b = differences[:, 0], differences[:, 1]
+    m = np.cross(a, b)
+    area = length(m)
+    upright = m / area[:, None]
+    # Across both differences, scaled by the other's height: lean . a = alpha, lean . b = beta.
+    drift = height_differences[:, :1] * b - height_differences[:, 1:] * a
+    return _Star(
+        differences=differences,
+        sums=spokes[:, :2] + spokes[:, 2:],
+        height_differences=height_differences,
+        height_sums=0.5 * (square[:, :2] + square[:, 2:]),
+        lengths=lengths,
+        mean=lengths.mean(axis=1),
+        lean=np.cross(drift, upright) / area[:, None],
+        upright=upright,
+    )
+
+
+def _along(pairs: FloatArray, direction: FloatArray) -> FloatArray:
+    """(n, 2) scalar products of two vectors (n, 2, 3) an element with its direction (n, 3)."""
+    return np.stack([dot(pairs[:, 0], direction), dot(pairs[:, 1], direction)], axis=1)
+
+
+def _own_curvatures(star: _Star) -> FloatArray:
     """(n,) curvature with which the star's two residuals are smallest together."""
-    star = _lean(spokes)
     steep = dot(star.lean, star.lean)
     limit = _LARGEST_SINE / np.sqrt(np.maximum(steep, 1e-300))
     # Up to a common factor, r(k) = k lean . sum + sqrt(1 - k^2 steep) upright . sum - k height.
-    leaning = np.stack([dot(star.lean, each) for each in star.sums])
-    upright = np.stack([dot(star.upright, each) for each in star.sums])
-    heights = np.stack(star.heights)
-    k = np.zeros(len(spokes))
+    leaning, upright = _along(star.sums, star.lean).T, _along(star.sums, star.upright).T
+    heights = star.height_sums.T
+    k = np.zeros(len(steep))
     for _ in range(_OWN_STEPS):
         bound = np.clip(k, -limit, limit)
         cosine = np.sqrt(1.0 - steep * bound**2)
@@ -105,117 +150,50 @@ def own_curvatures(spokes: FloatArray) -> FloatArray:
     return k
 
 
-class _Lean(NamedTuple):
-    """What the spheres of all curvatures through a star share.
+class _Frame(NamedTuple):
+    """What residuals and derivatives share.
 
-    The normal of the sphere of curvature k is k lean + sqrt(1 - k^2 |lean|^2) upright.
+    Attributes:
+        normal: (n, 3) of the sphere at the centre.
+        turns: (n, 2, 2) change of the normal with both differences, seen along both sums.
     """
 
-    across: tuple[FloatArray, FloatArray]
-    alpha: FloatArray
-    beta: FloatArray
-    sums: tuple[FloatArray, FloatArray]
-    heights: tuple[FloatArray, FloatArray]
-    lengths: FloatArray
-    lean: FloatArray
-    upright: FloatArray
-
-
-def _lean(spokes: FloatArray) -> _Lean:
-    s1, s2, s3, s4 = (spokes[:, j] for j in range(4))
-    square = np.einsum("nij,nij->ni", spokes, spokes)
-    w = 0.5 * square
-    a, b = s1 - s3, s2 - s4
-    alpha, beta = w[:, 0] - w[:, 2], w[:, 1] - w[:, 3]
-    m = np.cross(a, b)
-    area = length(m)
-    upright = m / area[:, None]
-    towards = alpha[:, None] * np.cross(b, upright) + beta[:, None] * np.cross(upright, a)
-    return _Lean(
-        across=(a, b),
-        alpha=alpha,
-        beta=beta,
-        sums=(s1 + s3, s2 + s4),
-        heights=(w[:, 0] + w[:, 2], w[:, 1] + w[:, 3]),
-        lengths=np.sqrt(square),
-        lean=towards / area[:, None],
-        upright=upright,
-    )
-
-
-class _Frame(NamedTuple):
-    """What residuals and derivatives of stars share."""
-
     normal: FloatArray
-    across: tuple[FloatArray, FloatArray]
-    determinant: FloatArray
-    alpha: FloatArray
-    beta: FloatArray
-    sums: tuple[FloatArray, FloatArray]
-    heights: tuple[FloatArray, FloatArray]
-    lengths: FloatArray
-
-    @property
-    def mean(self) -> FloatArray:
-        """(n,) mean spoke length."""
-        return np.asarray(self.lengths.mean(axis=1))
-
-    def factors(self, row: int) -> tuple[FloatArray, FloatArray]:
-        """Change of the normal with both differences of opposite spokes, seen along a sum."""
-        return (
-            dot(self.across[0], self.sums[row]) / self.determinant,
-            dot(self.across[1], self.sums[row]) / self.determinant,
-        )
+    turns: FloatArray
 
 
-def _frame(spokes: FloatArray, k: FloatArray) -> _Frame:
-    star = _lean(spokes)
-    a, b = star.across
+def _frame(star: _Star, k: FloatArray) -> _Frame:
     sine = k * length(star.lean)
     kept = np.clip(sine, -_LARGEST_SINE, _LARGEST_SINE)
     p = (k * kept / np.where(sine == 0.0, 1.0, sine))[:, None] * star.lean
     n = p + np.sqrt(1.0 - kept**2)[:, None] * star.upright
+    a, b = star.differences[:, 0], star.differences[:, 1]
     across_b, across_a = np.cross(b, n), np.cross(n, a)
-    return _Frame(
-        normal=n,
-        across=(across_b, across_a),
-        determinant=dot(a, across_b),
-        alpha=star.alpha,
-        beta=star.beta,
-        sums=star.sums,
-        heights=star.heights,
-        lengths=star.lengths,
-    )
+    turns = np.stack([_along(star.sums, across_b), _along(star.sums, across_a)], axis=2)
+    return _Frame(n, turns / dot(a, across_b)[:, None, None])
 
 
-def _residuals(frame: _Frame, k: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _residuals(star: _Star, frame: _Frame, k: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Residuals (n, 2) and their derivatives by the curvature (n, 2)."""
-    residual = np.empty((len(k), 2))
-    by_k = np.empty((len(k), 2))
-    for row in range(2):
-        g1, g2 = frame.factors(row)
-        height = frame.heights[row]
-        residual[:, row] = dot(frame.normal, frame.sums[row]) - k * height
-        by_k[:, row] = g1 * frame.alpha + g2 * frame.beta - height
-    scale = (0.5 / frame.mean)[:, None]
+    residual = _along(star.sums, frame.normal) - k[:, None] * star.height_sums
+    drift = frame.turns * star.height_differences[:, None]
+    by_k = drift[:, :, 0] + drift[:, :, 1] - star.height_sums
+    scale = (0.5 / star.mean)[:, None]
     return scale * residual, scale * by_k
 
 
 def _by_spokes(
-    frame: _Frame, spokes: FloatArray, k: FloatArray, residual: FloatArray
+    star: _Star, frame: _Frame, spokes: FloatArray, k: FloatArray, residual: FloatArray
 ) -> FloatArray:
     """Derivatives of the residuals by the spokes, (n, 2, 4, 3)."""
     towards = frame.normal[:, None, :] - k[:, None, None] * spokes
-    direction = spokes / frame.lengths[:, :, None]
-    mean = frame.mean
-    result = np.empty((len(k), 2, 4, 3))
-    for row in range(2):
-        own = np.zeros(4)
-        own[[row, row + 2]] = 1.0
-        g1, g2 = frame.factors(row)
-        factor = (own + np.stack([-g1, -g2, g1, g2], axis=1)) * (0.5 / mean)[:, None]
-        shrink = 0.25 * residual[:, row] / mean
-        result[:, row] = factor[:, :, None] * towards - shrink[:, None, None] * direction
+    direction = spokes / star.lengths[:, :, None]
+    own = np.array([[1.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 1.0]])
+    factor = own + np.concatenate([-frame.turns, frame.turns], axis=2)
+    factor *= (0.5 / star.mean)[:, None, None]
+    shrink = (0.25 / star.mean)[:, None] * residual
+    result = factor[..., None] * towards[:, None]
+    result -= shrink[:, :, None, None] * direction[:, None]
     return result
 
 

@@ -1,0 +1,59 @@
+"""Speed, as ratios of processor time within one process, so that other work does not count."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+
+from solver import NetOptions, start_optimisation
+from solver.nets import RECIPES
+from tests.conftest import wavy_grid
+
+STEPS, REPEATS = 8, 4
+
+
+def times(monkeypatch, mesh, net, steps=STEPS, repeats=REPEATS):
+    """Median step, median part of it in factorisations and solves, and set-up, in seconds.
+
+    Each step counts with the fastest of its repetitions: they are the same steps, noise only adds.
+    """
+    monkeypatch.setattr(time, "perf_counter", time.process_time)
+    rest = mesh.vertices * [1.0, 1.0, 1.02]
+    options = NetOptions(reference=rest) if net == "isometric" else NetOptions()
+    fix = "boundary" if net == "stress" else "none"
+    step, solve, setup = np.full(steps, np.inf), np.full(steps, np.inf), np.inf
+    for _ in range(repeats):
+        run = start_optimisation(
+            mesh, net, fix=fix, options=options, backend="scipy", tolerance=1e-30
+        )
+        for k in range(steps):
+            begin = time.process_time()
+            record = run.step()
+            step[k] = min(step[k], time.process_time() - begin)
+            solve[k] = min(solve[k], record.solve_seconds)
+        setup = min(setup, run.seconds_setup)
+    return float(np.median(step)), float(np.median(solve)), setup
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("net", RECIPES)
+def test_a_step_costs_little_more_than_its_solve(monkeypatch, net):
+    step, solve, setup = times(monkeypatch, wavy_grid(48, 48), net)
+    assert step <= 1.5 * solve
+    assert setup <= 5 * step
+
+
+@pytest.mark.slow
+def test_time_grows_slowly_with_the_mesh(monkeypatch):
+    small, _, _ = times(monkeypatch, wavy_grid(32, 32), "principal")
+    large, _, _ = times(monkeypatch, wavy_grid(100, 100), "principal", repeats=2)
+    assert np.log(large / small) / np.log(10_000 / 1_024) <= 1.4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("net", "wanted"), [("principal", 30), ("cmc", 20), ("stress", 20)])
+def test_steps_a_second(monkeypatch, net, wanted):
+    step, _, _ = times(monkeypatch, wavy_grid(39, 39), net)
+    assert 1 / step >= wanted
