@@ -10,6 +10,7 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho.fabrication import Lamellas, Selection, build, write
+from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.step import read_step
 from solver import optimise
@@ -282,9 +283,9 @@ def test_gridshells_of_the_paper(name, kind, width):
             assert part.measures.straightness_mm <= 1e-6 * part.length
         else:
             assert part.measures.radius_spread_mm <= 1e-6 * part.length
-        assert part.measures.lean_deg <= 5
+        assert part.measures.lean_deg <= 10
     check_solids(structure)
-    assert worst_clash(structure, 20) <= 1e-6
+    assert not check_clashes(structure.parts).clashes
 
 
 def test_a_helicoid_may_stand_in_two_layers():

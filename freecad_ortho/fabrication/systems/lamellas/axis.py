@@ -247,9 +247,13 @@ class _Maker:
         return strip, True, self._measure(strip)
 
     def _fits(self, strip: Strip, measures: StripMeasures) -> bool:
-        """Whether plane faces make a strip that a workshop can make."""
+        """Whether plane faces make a strip that a workshop can make.
+
+        A single plane would lean at both its ends, into those that are cut back beside it.
+        """
         return bool(
-            measures.admissible_width >= _ROOM * self.settings.reach
+            len(self.points) > 2
+            and measures.admissible_width >= _ROOM * self.settings.reach
             and measures.smallest_bend_radius >= self.least_radius
             and np.sin(strip.slant).min() >= _SLANT
             and measures.lean_deg <= _LEAN
