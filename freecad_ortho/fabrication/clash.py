@@ -94,7 +94,7 @@ def check_clashes(
     least = volume[owner[pairs]].min(axis=1) if len(pairs) else shared
     open_pairs = np.unique(np.sort(owner[pairs[shared > CONTACT * least]], axis=1), axis=0)
     work = [(parts[i], parts[j]) for i, j in open_pairs.tolist()]
-    volumes = in_chunks(_shared_volumes, work, executor, progress, size=16)
+    volumes = in_chunks(_shared_volumes, work, executor, progress, size=8)
     clashes = tuple(
         Clash(one.name, other.name, found)
         for (one, other), found in zip(work, volumes, strict=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
@@ -71,8 +72,15 @@ def local_pool(workers: int | None) -> Iterator[Executor | None]:
     spawn.set_executable(interpreter())
     try:
         context = multiprocessing.get_context("spawn")
-        with _plain_main(), ProcessPoolExecutor(workers, mp_context=context) as pool:
-            yield pool
+        pool = ProcessPoolExecutor(workers, context, initializer=_leave_interrupts_alone)
+        with _plain_main(), pool:
+            try:
+                yield pool
+            except BaseException:
+                # What was begun is finished, the rest dropped: processes that are killed while
+                # work is on its way to them can leave this one waiting for good.
+                pool.shutdown(wait=True, cancel_futures=True)
+                raise
     finally:
         spawn.set_executable(before)
 
@@ -93,6 +101,11 @@ def interpreter() -> str:
         if path.is_file():
             return str(path)
     raise InputError(f"workers: no {version} found beside FreeCAD; leave the workers out")
+
+
+def _leave_interrupts_alone() -> None:
+    """Ctrl-C reaches every process of a terminal; the one that was started by hand answers."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 @contextmanager

@@ -1,6 +1,8 @@
 """Work through executors: the same result whoever does it."""
 
+import multiprocessing
 import os
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -55,6 +57,21 @@ def test_interpreter_is_a_python_even_where_the_program_is_freecad(monkeypatch):
     assert interpreter() == sys.executable
     monkeypatch.setattr(sys, "executable", "/usr/bin/freecad")
     assert "python" in os.path.basename(interpreter())
+
+
+def nap(seconds):
+    time.sleep(seconds[0])
+    return seconds
+
+
+@pytest.mark.slow
+def test_stopping_drops_what_was_not_begun():
+    with pytest.raises(KeyboardInterrupt), local_pool(2) as pool:
+        assert in_chunks(nap, [0.0], pool) == [0.0]
+        waiting = [pool.submit(nap, [1.0]) for _ in range(30)]
+        raise KeyboardInterrupt
+    assert sum(future.cancelled() for future in waiting) >= 20
+    assert not multiprocessing.active_children()
 
 
 @pytest.mark.slow
