@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from bench import ROOT, SHARED, write
 
 from freecad_ortho import api
 
-ROOT = Path(__file__).resolve().parents[1]
-MESHES = ROOT.parent / "shared" / "meshes"
 NAMES = ("heart", "conical1", "botanic-garden-bubble-0")
 NETS = ("principal", "circular", "conical")
 KINDS = ("parallel", "vertex", "edge", "face")
@@ -21,7 +19,7 @@ def table() -> str:
         "| --- | --- |" + " --- |" * len(KINDS),
     ]
     for name in NAMES:
-        start = api.read_mesh(MESHES / f"{name}.obj").mesh
+        start = api.read_mesh(SHARED / f"{name}.obj").mesh
         start = start.scaled(EDGE / start.mean_edge)
         for net in NETS:
             mesh = api.optimise(start, net=net).mesh
@@ -32,12 +30,7 @@ def table() -> str:
 
 def main() -> None:
     """Write the table into the document."""
-    path = ROOT / "docs" / "sources.md"
-    text = path.read_text(encoding="utf-8")
-    head, rest = text.split("<!-- offset table: begin -->")
-    tail = rest.split("<!-- offset table: end -->")[1]
-    between = f"<!-- offset table: begin -->\n{table()}\n<!-- offset table: end -->"
-    path.write_text(head + between + tail, encoding="utf-8")
+    write(ROOT / "docs" / "sources.md", "offset", table())
 
 
 if __name__ == "__main__":

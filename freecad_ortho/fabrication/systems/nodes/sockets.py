@@ -14,7 +14,7 @@ from freecad_ortho.fabrication.bodies import Divided, Prism
 from freecad_ortho.fabrication.systems.nodes.hubs import gaps_after
 from solver.mesh.quadmesh import FloatArray
 
-_STEP = np.radians(7.5)  # of the facets of the rim
+_STEP = np.radians(15.0)  # of the facets of the rim
 
 
 def least_radius(angles: FloatArray, half: float) -> float:
