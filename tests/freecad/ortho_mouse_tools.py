@@ -14,7 +14,10 @@ class Hand:
         self.view.viewAxonometric()
         self.view.fitAll()
         wait()
-        self._scene = self.view.getViewer().getSoRenderManager().getSceneGraph()
+        # What the viewer draws; asking FreeCAD 1.1 for the viewer itself crashes it on closing.
+        self._scene = coin.SoSeparator()
+        self._scene.addChild(self.view.getCameraNode())
+        self._scene.addChild(self.view.getSceneGraph())
         self.region = coin.SbViewportRegion(*self.view.getSize())
 
     def send(self, event, pixel=None, ctrl=False, shift=False):
