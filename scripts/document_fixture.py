@@ -66,6 +66,8 @@ def build(target: Path) -> None:
             for item in (beams, panels)
         },
     }
+    # FreeCAD would keep what it overwrites beside it.
+    target.with_name(target.name + ".FCStd").unlink(missing_ok=True)
     document.saveAs(str(target.with_name(target.name + ".FCStd")))
     FreeCAD.closeDocument(document.Name)
     target.with_name(target.name + ".json").write_text(json.dumps(holds), encoding="utf-8")

@@ -4177,6 +4177,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Lamellas</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Lamellas</source>
+   <translation>Lamellen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a strip that unrolls flat along every parameter line of the selected net</source>
+   <translation>Längs jeder Parameterlinie des gewählten Netzes einen Streifen setzen, der flach abwickelt</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_Louvres</name>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />

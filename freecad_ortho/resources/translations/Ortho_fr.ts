@@ -4177,6 +4177,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Lamellas</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Lamellas</source>
+   <translation>Lamelles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a strip that unrolls flat along every parameter line of the selected net</source>
+   <translation>Mettre le long de chaque ligne paramétrique du réseau sélectionné une bande qui se déroule à plat</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_Louvres</name>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
