@@ -151,6 +151,9 @@ class TestPreferences(FirstStepsCase):
     def fill_page(self):
         """Fill FreeCAD's preference dialog, which waits for an answer, and press OK."""
         dialog = QtGui.QApplication.activeModalWidget()
+        if dialog is None:  # a busy machine has not opened it yet
+            QtCore.QTimer.singleShot(500, self.fill_page)
+            return
         try:
             picture = str(tools.SCRATCH / "preferences.png")
             dialog.grab().save(picture)
