@@ -80,7 +80,6 @@ _PROPERTIES = (
         "Material",
         QT_TRANSLATE_NOOP("App::Property", "Material of all parts"),
         choices=tuple(name.capitalize() for name in MATERIALS),
-        flags=OUTPUT,
     ),
     Property(
         "App::PropertyFloat",
@@ -88,7 +87,6 @@ _PROPERTIES = (
         "Material",
         QT_TRANSLATE_NOOP("App::Property", "Density in kg/m3; 0: that of the material"),
         default=0.0,
-        flags=OUTPUT,
     ),
     *limit_properties(),
     Property(

@@ -44,7 +44,9 @@ class CheckPanel:
             ],
             _advice(self.result),
         )
-        for widget in (self.summary, self.recommendation, self.measures, self.nets):
+        self.multi_net = _wrapped(_multi_net(self.result["multi_net"]))
+        rows = (self.summary, self.recommendation, self.measures, self.nets, self.multi_net)
+        for widget in rows:
             column.addWidget(widget)
 
     def getStandardButtons(self) -> int:
@@ -68,6 +70,16 @@ def _summary(label: str, result: dict[str, Any]) -> str:
     words = translate("Ortho", "{}: {} vertices, {} quads, {} irregular, edge ratio {:.2f}")
     counts = (result["vertices"], result["faces"], result["irregular_vertices"])
     return words.format(label, *counts, result["edge_ratio"])
+
+
+def _multi_net(found: dict[str, Any] | None) -> str:
+    if found is None:
+        return translate("Ortho", "Multi-net: no, the mesh is not of grid type")
+    if found["is_multi_net"]:
+        words = translate("Ortho", "Multi-net: yes, to {:.1e} over all rectangles of lines")
+    else:
+        words = translate("Ortho", "Multi-net: no, off by {:.1e} over all rectangles of lines")
+    return words.format(found["worst"])
 
 
 def _measures(result: dict[str, Any]) -> list[list[str]]:
