@@ -15,6 +15,7 @@ TOOLBARS = {
     "Fabricate": (
         "Beams",
         "Lamellas",
+        "Patches",
         "Panels",
         "Louvres",
         "Nodes",
@@ -94,6 +95,7 @@ def _commands() -> list[Command]:
         Louvres,
         Nodes,
         Panels,
+        Patches,
         UpdateStructures,
     )
 
@@ -119,6 +121,7 @@ def _commands() -> list[Command]:
         SavePicture(),
         Beams(),
         Lamellas(),
+        Patches(),
         Panels(),
         Louvres(),
         Nodes(),

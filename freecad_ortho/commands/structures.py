@@ -71,6 +71,16 @@ class Panels(StructureCommand):
     tip = QT_TRANSLATE_NOOP("Ortho_Panels", "Put a flat panel in every face of the selected net")
 
 
+class Patches(StructureCommand):
+    """Whole developable sheets."""
+
+    icon = "patches"
+    text = QT_TRANSLATE_NOOP("Ortho_Patches", "Developable patches")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Patches", "Make the selected net of sheets that are cut flat and bent into place"
+    )
+
+
 class UpdateStructures(Command):
     """Build anew the structures that wait for it."""
 

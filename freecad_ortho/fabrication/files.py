@@ -23,6 +23,7 @@ from freecad_ortho.fabrication.tables import (
     write_parts,
     write_report,
     write_stock,
+    write_table,
 )
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import OutputError
@@ -62,8 +63,8 @@ def write(
         executor: for work on parts; the files are the same with any and without.
 
     Returns:
-        The files, in the order above, then the list of bends where there are some, and the files of
-        the sheets and of the joints to be printed.
+        The files, in the order above, then the list of bends where there are some, the lists that
+        systems add, and the files of the sheets and of the joints to be printed.
 
     Raises:
         InputError: a part that does not fit the workshop's sizes.
@@ -86,8 +87,9 @@ def write(
         say(0.95, "lists and reports")
         write_lists(staging, production)
         _write_joints(staging / JOINTS, structure)
-        bends = [target / BENDS] if (staging / BENDS).exists() else []
-        written = bends + [
+        tables = [table.name for result in structure.results.values() for table in result.tables]
+        extra = [target / name for name in (BENDS, *tables) if (staging / name).exists()]
+        written = extra + [
             target / folder_name / path.name
             for folder_name in (SHEETS, JOINTS)
             for path in sorted((staging / folder_name).glob("*"))
@@ -109,6 +111,9 @@ def write_lists(folder: Path, production: Production) -> None:
     write_stock(folder / "stock.csv", production.bars)
     if any(pattern.bends for pattern in production.named_patterns.values()):
         write_bends(folder / BENDS, production.named_patterns)
+    for result in production.structure.results.values():
+        for table in result.tables:
+            write_table(folder / table.name, table.columns, table.rows)
     write_report(folder / "report.json", production.report())
     (folder / "report.html").write_text(report_page(production), encoding="utf-8")
 

@@ -89,7 +89,7 @@ def write_parts(
         ]
         for part, verdict in zip(parts, verdicts, strict=True)
     )
-    _write(path, COLUMNS, rows)
+    write_table(path, COLUMNS, rows)
 
 
 def write_nodes(path: Path, nodes: Sequence[Node], equal_to: Mapping[str, str]) -> None:
@@ -112,7 +112,7 @@ def write_nodes(path: Path, nodes: Sequence[Node], equal_to: Mapping[str, str]) 
         ]
         for node in nodes
     )
-    _write(path, NODE_COLUMNS, rows)
+    write_table(path, NODE_COLUMNS, rows)
 
 
 def write_stock(path: Path, bars: Sequence[Bar]) -> None:
@@ -132,7 +132,7 @@ def write_stock(path: Path, bars: Sequence[Bar]) -> None:
         ]
         for bar in bars
     )
-    _write(path, STOCK_COLUMNS, rows)
+    write_table(path, STOCK_COLUMNS, rows)
 
 
 def write_bends(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
@@ -150,7 +150,19 @@ def write_bends(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
         for name, pattern in patterns.items()
         for number, bend in enumerate(pattern.bends)
     )
-    _write(path, BEND_COLUMNS, rows)
+    write_table(path, BEND_COLUMNS, rows)
+
+
+def write_table(path: Path, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    """Write a table with a line of names above it.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    with path.open("w", encoding="utf-8", newline="") as stream:
+        table = csv.writer(stream, lineterminator="\n")
+        table.writerow(columns)
+        table.writerows(rows)
 
 
 def write_report(path: Path, report: dict[str, Any]) -> None:
@@ -160,13 +172,6 @@ def write_report(path: Path, report: dict[str, Any]) -> None:
         OSError: the file cannot be written.
     """
     path.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
-
-
-def _write(path: Path, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    with path.open("w", encoding="utf-8", newline="") as stream:
-        table = csv.writer(stream, lineterminator="\n")
-        table.writerow(columns)
-        table.writerows(rows)
 
 
 def _number(value: float | None) -> str:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.sparse import coo_array, eye_array
+from scipy.sparse.linalg import spsolve
 
 from solver.analysis.measures import flipped
 from solver.errors import InputError
@@ -15,6 +17,9 @@ from solver.nets.options import NetOptions
 from solver.optimise import optimise
 
 _STEPS = 60
+# Gauss-Newton steps on the lengths, and their damping, which holds the pattern in its place.
+_POLISHING = 8
+_DAMPING = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +49,9 @@ def flattened(mesh: QuadMesh) -> FlatPatch:
     """Lay a patch flat so that its faces keep their shape as well as they can.
 
     A rectangle of the mean edge lengths is the start; the isometric net polishes it: every face
-    keeps both diagonals and their angle as nearly as the surface is developable.
+    keeps both diagonals and their angle as nearly as the surface is developable. That leaves where
+    the diagonals cross; so in the end edges and diagonals together keep their lengths as well as
+    they can, and a patch of plane faces that unrolls does so exactly.
 
     Args:
         mesh: of grid type, open in both directions, near developable, in any unit.
@@ -71,7 +78,7 @@ def flattened(mesh: QuadMesh) -> FlatPatch:
         options=NetOptions(reference=mesh.vertices),
         max_steps=_STEPS,
     )
-    flat = outcome.mesh
+    flat = _true_to_length(outcome.mesh, mesh)
     if flipped(flat).any():
         face = int(np.argmax(flipped(flat)))
         raise InputError(
@@ -79,3 +86,23 @@ def flattened(mesh: QuadMesh) -> FlatPatch:
             "--net chebyshev first, or cut it into smaller patches"
         )
     return FlatPatch(mesh, flat)
+
+
+def _true_to_length(flat: QuadMesh, bent: QuadMesh) -> QuadMesh:
+    """Move a flat mesh in its plane until edges and diagonals differ least from the bent one's."""
+    faces = flat.faces
+    pairs = np.concatenate([flat.connectivity.edges, faces[:, [0, 2]], faces[:, [1, 3]]])
+    start, end = pairs.T
+    wanted = np.linalg.norm(bent.vertices[end] - bent.vertices[start], axis=1)
+    points = flat.vertices[:, :2].copy()
+    rows = np.repeat(np.arange(len(pairs)), 4)
+    columns = np.stack([2 * end, 2 * end + 1, 2 * start, 2 * start + 1], axis=1).ravel()
+    for _ in range(_POLISHING):
+        arms = points[end] - points[start]
+        lengths = np.linalg.norm(arms, axis=1)
+        slopes = arms / lengths[:, None]
+        entries = np.concatenate([slopes, -slopes], axis=1).ravel()
+        jacobian = coo_array((entries, (rows, columns)), shape=(len(pairs), points.size)).tocsr()
+        normal = (jacobian.T @ jacobian + _DAMPING * eye_array(points.size)).tocsc()
+        points += spsolve(normal, jacobian.T @ (wanted - lengths)).reshape(-1, 2)
+    return flat.with_vertices(np.column_stack([points, np.zeros(len(points))]))

@@ -10,12 +10,13 @@ from freecad_ortho.fabrication.systems.lamellas import Lamellas
 from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from freecad_ortho.fabrication.systems.panels import Panels
+from freecad_ortho.fabrication.systems.patches import Patches
 from freecad_ortho.fabrication.systems.system import Option, System, SystemParts
 from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
-    system.name: system for system in (Beams, Panels, Louvres, Nodes, Lamellas)
+    system.name: system for system in (Beams, Panels, Louvres, Nodes, Lamellas, Patches)
 }
 
 __all__ = [
@@ -26,6 +27,7 @@ __all__ = [
     "Nodes",
     "Option",
     "Panels",
+    "Patches",
     "System",
     "SystemParts",
     "systems_of",

@@ -31,6 +31,21 @@ class Option:
 
 
 @dataclass(frozen=True, eq=False)
+class Table:
+    """A list that a system adds to the files.
+
+    Attributes:
+        name: of the file, ``distortion.csv``.
+        columns: names of the columns.
+        rows: one a line.
+    """
+
+    name: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[object, ...], ...]
+
+
+@dataclass(frozen=True, eq=False)
 class SystemParts:
     """What a system made of a site.
 
@@ -40,6 +55,7 @@ class SystemParts:
         messages: anything out of the ordinary, in plain words.
         geometry: arrays that systems built after this one may lie on.
         joints: of the parts those to be printed, one of each shape.
+        tables: lists of its own to write beside those of every structure.
     """
 
     parts: tuple[Part, ...]
@@ -47,6 +63,7 @@ class SystemParts:
     messages: tuple[str, ...] = ()
     geometry: Any = None
     joints: tuple[Part, ...] = ()
+    tables: tuple[Table, ...] = ()
 
 
 class System(ABC):

@@ -1,0 +1,181 @@
+"""The system of patches: whole sheets that are cut flat and bent into place.
+
+Geodesic and Chebyshev nets with right angles lie on developable surfaces, which unroll.
+
+Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, sections 4.1 and 4.2; Jiang et
+al. (2021), Using isometries for computational design and fabrication.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import check_size, positive
+from freecad_ortho.fabrication.systems.patches.pattern import patch_pattern
+from freecad_ortho.fabrication.systems.patches.pieces import Piece, pieces_of
+from freecad_ortho.fabrication.systems.patches.sheet import (
+    half_thicknesses,
+    sheet_body,
+    smallest_radius,
+)
+from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, Table, sums
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray, unit_rows
+from solver.unroll.patch import FlatPatch, flattened
+
+_COLUMNS = (
+    *("part", "vertex_1", "vertex_2", "length_mm", "flat_mm"),
+    *("distortion_mm", "distortion_percent"),
+)
+
+
+@dataclass(frozen=True)
+class Patches(System):
+    """One plate for each connected piece of the net, cut along the lines that are chosen.
+
+    Args:
+        thickness: of the plates, half to each side of the net, mm.
+        distortion: largest change of an edge's length from the flat pattern that is built, percent.
+
+    Raises:
+        InputError: a size that is not positive and finite.
+    """
+
+    thickness: float = 3.0
+    distortion: float = 1.0
+
+    name: ClassVar[str] = "patches"
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("thickness", 3.0, "of the plates"),
+        Option("distortion", 1.0, "largest that is built, of an edge", float, "PERCENT"),
+    )
+
+    def __post_init__(self) -> None:
+        check_size("patch thickness", self.thickness)
+        positive("distortion", self.distortion, "%")
+
+    def build(self, site: Site) -> SystemParts:
+        """Lay the pieces flat.
+
+        Raises:
+            InputError: a piece that is not a grid, is not developable enough, overlaps itself when
+                laid flat, or is bent too sharply for its thickness.
+        """
+        cuts = np.zeros(len(site.mesh.connectivity.edges), dtype=np.bool_)
+        if not site.selection.everything:
+            cuts |= site.chosen_edges
+        pieces = pieces_of(site.mesh, cuts)
+        laid = [self._laid_flat(piece) for piece in pieces]
+        piece_of_face = {face: piece.name for piece in pieces for face in piece.faces.tolist()}
+        half = half_thicknesses(site.mesh, self.thickness)
+        parts = tuple(
+            self._part(site, piece, patch, half[piece.vertices], piece_of_face)
+            for piece, patch in zip(pieces, laid, strict=True)
+        )
+        table = Table("distortion.csv", _COLUMNS, _rows(pieces, laid))
+        return SystemParts(parts, self._report(laid, parts), geometry=laid, tables=(table,))
+
+    def _laid_flat(self, piece: Piece) -> FlatPatch:
+        try:
+            patch = flattened(piece.mesh)
+        except InputError as error:
+            raise InputError(
+                f"patches: {piece.name}: {error} (--family and --lines choose lines to cut along)"
+            ) from error
+        worst = int(np.abs(patch.strain).argmax())
+        percent = 100 * abs(float(patch.strain[worst]))
+        if percent > self.distortion:
+            ends = piece.vertices[patch.bent.connectivity.edges[worst]].tolist()
+            raise InputError(
+                f"patches: {piece.name} is not developable: laid flat, the edge from vertex "
+                f"{ends[0]} to {ends[1]} changes by {abs(patch.stretch[worst]):.3g} mm, "
+                f"{percent:.3g} %, and {self.distortion:g} % are allowed; optimise with --net "
+                "geodesic-chebyshev, or cut along lines with --family and --lines"
+            )
+        return patch
+
+    def _part(
+        self,
+        site: Site,
+        piece: Piece,
+        patch: FlatPatch,
+        half: FloatArray,
+        piece_of_face: dict[int, str],
+    ) -> Part:
+        """The part, its own coordinates in the face nearest to the middle."""
+        mesh = piece.mesh
+        middles = mesh.vertices[mesh.faces].mean(axis=1)
+        face = int(np.linalg.norm(middles - middles.mean(axis=0), axis=1).argmin())
+        corner = mesh.vertices[mesh.faces[face]]
+        normal = mesh.face_normals[face]
+        along = corner[1] - corner[0]
+        x = unit_rows((along - (along @ normal) * normal)[None])[0]
+        frame = np.stack([x, np.cross(normal, x), normal])
+        body = sheet_body(mesh, half, self.thickness, piece.name)
+        moved = replace(
+            body,
+            corners=(body.corners - middles[face]) @ frame.T,
+            blocks=tuple((block - middles[face]) @ frame.T for block in body.blocks),
+        )
+        pattern = patch_pattern(site, piece, patch, piece_of_face)
+        length, width = pattern.size.tolist()
+        bend = smallest_radius(mesh)
+        return Part(
+            name=piece.name,
+            kind="patch",
+            body=moved,
+            origin=middles[face] + site.shift,
+            frame=frame,
+            pattern=pattern,
+            length=length,
+            width=width,
+            thickness=self.thickness,
+            area=pattern.area,
+            volume=moved.volume,
+            mass=site.material.mass(moved.volume),
+            vertices=tuple(np.unique(piece.vertices).tolist()),
+            measures=Measures(
+                gap_mm=float(np.abs(patch.stretch).max()),
+                min_bend_radius_mm=bend if np.isfinite(bend) else None,
+            ),
+        )
+
+    def _report(self, laid: Sequence[FlatPatch], parts: tuple[Part, ...]) -> dict[str, Any]:
+        stretch = np.abs(np.concatenate([patch.stretch for patch in laid]))
+        percent = 100 * np.abs(np.concatenate([patch.strain for patch in laid]))
+        radii = [part.measures.min_bend_radius_mm for part in parts]
+        return {
+            "thickness_mm": self.thickness,
+            "distortion_max_mm": float(stretch.max()),
+            "distortion_mean_mm": float(stretch.mean()),
+            "distortion_max_percent": float(percent.max()),
+            "distortion_mean_percent": float(percent.mean()),
+            "bend_radius_min_mm": min((r for r in radii if r is not None), default=None),
+            **sums(parts),
+        }
+
+
+def _rows(pieces: Sequence[Piece], laid: Sequence[FlatPatch]) -> tuple[tuple[object, ...], ...]:
+    """One row an edge of a piece: what it changes by from the pattern to its place."""
+    rows: list[tuple[object, ...]] = []
+    for piece, patch in zip(pieces, laid, strict=True):
+        ends = piece.vertices[patch.bent.connectivity.edges]
+        numbers = zip(
+            ends.tolist(),
+            patch.bent.edge_lengths.tolist(),
+            patch.flat.edge_lengths.tolist(),
+            patch.stretch.tolist(),
+            (100 * patch.strain).tolist(),
+            strict=True,
+        )
+        rows += [
+            (piece.name, *pair, f"{bent:.6f}", f"{flat:.6f}", f"{by:.6f}", f"{share:.6f}")
+            for pair, bent, flat, by, share in numbers
+        ]
+    return tuple(rows)
