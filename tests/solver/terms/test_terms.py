@@ -20,6 +20,7 @@ from solver.terms.closeness import Closeness
 from solver.terms.edge_guard import EdgeGuard
 from solver.terms.edge_vectors import EdgeVectors
 from solver.terms.equilibrium import Equilibrium
+from solver.terms.evenness import Evenness
 from solver.terms.face_angles import CircularFace
 from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
@@ -46,6 +47,7 @@ def grid(shape: Callable[[np.ndarray, np.ndarray], list[np.ndarray]]) -> QuadMes
 
 
 STRAIGHT = grid(lambda i, j: [i, 1.5 * j, 0.3 * i - 0.3 * j])
+BENT = grid(lambda i, j: [i, 1.5 * j, 0.1 * i**2 - 0.2 * j**2])
 RECTANGLES = grid(lambda i, j: [i, 1.5 * j, 0 * i])
 SQUARES = grid(lambda i, j: [1.3 * i, 1.3 * j, 0 * i])
 RHOMBI = grid(lambda i, j: [i + 0.5 * j, np.sqrt(0.75) * j, 0 * i])
@@ -123,6 +125,7 @@ CASES = {
     "sphere own": Case(lambda m: SphericalStar(m.connectivity.stars), SPHERE, at_solution=True),
     "equilibrium": Case(two_stars, MIRRORED, [-1.0, 0.0, -1.0, 0.0, -1.0, 0.0, -1.0, 0.0], False),
     "fairness": Case(lambda m: Fairness(m.connectivity.line_triples), STRAIGHT),
+    "evenness": Case(lambda m: Evenness(m.connectivity.line_quadruples), BENT),
     "smooth motion": Case(
         lambda m: Fairness(m.connectivity.line_triples, REST.vertices.ravel()), REST, [], False
     ),
