@@ -37,16 +37,27 @@ class OrthoWorkbench(FreeCADGui.Workbench):
             self.appendMenu(menu, commands.HELP)
             return
         titles = {
-            "Design": Qt.translate("Workbench", "Ortho Design"),
-            "Optimise": Qt.translate("Workbench", "Ortho Optimise"),
-            "Analyse": Qt.translate("Workbench", "Ortho Analyse"),
-            "Fabricate": Qt.translate("Workbench", "Ortho Fabricate"),
+            "Design": (
+                Qt.translate("Workbench", "Ortho Design"),
+                Qt.translate("Workbench", "&Design"),
+            ),
+            "Optimise": (
+                Qt.translate("Workbench", "Ortho Optimise"),
+                Qt.translate("Workbench", "&Optimise"),
+            ),
+            "Analyse": (
+                Qt.translate("Workbench", "Ortho Analyse"),
+                Qt.translate("Workbench", "&Analyse"),
+            ),
+            "Fabricate": (
+                Qt.translate("Workbench", "Ortho Fabricate"),
+                Qt.translate("Workbench", "&Fabricate"),
+            ),
         }
-        for toolbar, title in titles.items():
+        for toolbar, (title, submenu) in titles.items():
             names = commands.names(toolbar)
-            if names:
-                self.appendToolbar(title, names)
-                self.appendMenu(menu, [*names, "Separator"])
+            self.appendToolbar(title, names)
+            self.appendMenu([menu, submenu], names)
         self.appendMenu([menu, Qt.translate("Workbench", "&Examples")], commands.examples())
         self.appendMenu(menu, commands.HELP)
 
@@ -55,6 +66,14 @@ class OrthoWorkbench(FreeCADGui.Workbench):
         from freecad_ortho.commands import requirements
 
         requirements.offer_missing()
+
+    def ContextMenu(self, recipient):
+        """Offer what can be done with the selected net or structure."""
+        from freecad_ortho import commands
+
+        names = commands.for_selection()
+        if names:
+            self.appendContextMenu("", names)
 
     def GetClassName(self):
         """Name the C++ class that carries a workbench written in Python."""

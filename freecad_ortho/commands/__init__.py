@@ -37,6 +37,20 @@ def names(toolbar: str) -> list[str]:
     return [f"Ortho_{name}" for name in TOOLBARS[toolbar]]
 
 
+def for_selection() -> list[str]:
+    """FreeCAD's names of the commands for the context menu of what is selected."""
+    import FreeCADGui
+
+    from freecad_ortho.commands import context
+
+    if not context.selected_nets_and_structures():
+        return []
+    offered = ("EditNet", "Optimise", "Display", "Check", "Beams", "Lamellas", "Panels")
+    offered += ("FlatPatterns", "ExportFabrication", "Bake")
+    found = [f"Ortho_{name}" for name in offered]
+    return [name for name in found if FreeCADGui.isCommandActive(name)]
+
+
 def examples() -> list[str]:
     """FreeCAD's names of the commands that open examples."""
     from freecad_ortho.documents.examples import EXAMPLES

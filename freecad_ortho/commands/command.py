@@ -13,15 +13,18 @@ class Command:
         icon: name of its picture in ``resources/icons``.
         text: in the menu, marked for translation.
         tip: one sentence, marked for translation.
+        shortcut: keys one after the other, for what is used often.
     """
 
     icon: str
     text: str
     tip: str
+    shortcut: str = ""
 
     def GetResources(self) -> dict[str, str]:
-        """Text and icon."""
-        return {"Pixmap": icon(self.icon), "MenuText": self.text, "ToolTip": self.tip}
+        """Text, icon and keys; What's This says the same sentence as the tooltip."""
+        texts = {"MenuText": self.text, "ToolTip": self.tip, "WhatsThis": self.tip}
+        return {"Pixmap": icon(self.icon), "Accel": self.shortcut, **texts}
 
     def IsActive(self) -> bool:
         """Tell whether the command can be used now."""

@@ -15,6 +15,7 @@ class Display(NetCommand):
     """Open the panel that chooses colour map and overlays."""
 
     icon = "display"
+    shortcut = "O, D"
     text = QT_TRANSLATE_NOOP("Ortho_Display", "Display")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_Display", "Choose the colour map and the overlays of the selected net"
@@ -31,6 +32,7 @@ class Check(NetCommand):
     """Open the panel that measures a net against every kind of net."""
 
     icon = "check"
+    shortcut = "O, C"
     text = QT_TRANSLATE_NOOP("Ortho_Check", "Check")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_Check", "Measure the selected net and say which kinds of nets it is near to"

@@ -15,6 +15,7 @@ class ExportFabrication(Command):
     """Open the panel that writes solids, flat patterns, lists and reports into a folder."""
 
     icon = "export"
+    shortcut = "O, X"
     text = QT_TRANSLATE_NOOP("Ortho_ExportFabrication", "Export fabrication files")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_ExportFabrication",

@@ -15,6 +15,7 @@ class FlatPatterns(Command):
     """Open the panel that lays the parts of structures flat."""
 
     icon = "flat_patterns"
+    shortcut = "O, F"
     text = QT_TRANSLATE_NOOP("Ortho_FlatPatterns", "Flat patterns")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_FlatPatterns", "Lay the parts of the selected structures flat, in rows or on sheets"

@@ -16,6 +16,7 @@ class ImportNet(Command):
     """Ask for an OBJ file and make a Net of it."""
 
     icon = "import"
+    shortcut = "O, I"
     text = QT_TRANSLATE_NOOP("Ortho_ImportNet", "Import quad mesh")
     tip = QT_TRANSLATE_NOOP("Ortho_ImportNet", "Read an OBJ file and keep its quads as a net")
 

@@ -15,6 +15,7 @@ class Optimise(NetCommand):
     """Open the panel that moves a net's vertices until its quads are orthogonal and planar."""
 
     icon = "optimise"
+    shortcut = "O, O"
     text = QT_TRANSLATE_NOOP("Ortho_Optimise", "Optimise")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_Optimise",

@@ -65,6 +65,7 @@ class MultiNet(SourceCommand):
 
     group = "multi-net"
     icon = "multi_net"
+    shortcut = "O, M"
     text = QT_TRANSLATE_NOOP("Ortho_MultiNet", "Multi-net")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_MultiNet",

@@ -26,6 +26,7 @@ class Beams(StructureCommand):
     """Beams on the edges or along the parameter lines of a net."""
 
     icon = "beams"
+    shortcut = "O, B"
     text = QT_TRANSLATE_NOOP("Ortho_Beams", "Beams")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_Beams", "Put torsion-free beams on the edges or parameter lines of the selected net"
@@ -36,6 +37,7 @@ class Lamellas(StructureCommand):
     """Developable strips along the parameter lines of a net."""
 
     icon = "lamellas"
+    shortcut = "O, L"
     text = QT_TRANSLATE_NOOP("Ortho_Lamellas", "Lamellas")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_Lamellas",
@@ -57,6 +59,7 @@ class Nodes(StructureCommand):
     """Hubs and joints at the vertices of a net."""
 
     icon = "nodes"
+    shortcut = "O, N"
     text = QT_TRANSLATE_NOOP("Ortho_Nodes", "Nodes")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_Nodes", "Put a hub or a joint at the vertices of the selected net"
@@ -67,6 +70,7 @@ class Panels(StructureCommand):
     """A flat plate in every face of a net."""
 
     icon = "panels"
+    shortcut = "O, P"
     text = QT_TRANSLATE_NOOP("Ortho_Panels", "Panels")
     tip = QT_TRANSLATE_NOOP("Ortho_Panels", "Put a flat panel in every face of the selected net")
 
@@ -85,6 +89,7 @@ class UpdateStructures(Command):
     """Build anew the structures that wait for it."""
 
     icon = "update"
+    shortcut = "O, U"
     text = QT_TRANSLATE_NOOP("Ortho_UpdateStructures", "Update structures")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_UpdateStructures",

@@ -1,5 +1,6 @@
 """The workbench in FreeCAD's window: every command, task panels, pictures. Run by FreeCAD."""
 
+import os
 import unittest
 from unittest import mock
 
@@ -154,6 +155,34 @@ class TestCommands(WindowCase):
     def active(self):
         names = (*NEEDS_NET, "Ortho_ImportNet", "Ortho_ExportFabrication")
         return {name for name in names if FreeCADGui.isCommandActive(name)}
+
+    def test_each_has_a_picture_a_sentence_and_keys_of_its_own(self):
+        from freecad_ortho import commands
+
+        keys = []
+        for command in commands._commands():
+            resources = command.GetResources()
+            self.assertTrue(os.path.isfile(resources["Pixmap"]), resources)
+            self.assertGreater(len(resources["ToolTip"]), 15)
+            self.assertEqual(resources["WhatsThis"], resources["ToolTip"])
+            keys.append(resources["Accel"])
+        keys = [key for key in keys if key]
+        self.assertGreater(len(keys), 8)
+        self.assertEqual(len(keys), len(set(keys)))
+
+    def test_context_menu_offers_what_suits_the_selection(self):
+        from freecad_ortho import commands
+
+        net = self.imported(tools.wavy_mesh())
+        self.assertEqual(commands.for_selection(), [])
+        FreeCADGui.Selection.addSelection(net)
+        offered = commands.for_selection()
+        self.assertIn("Ortho_Optimise", offered)
+        self.assertNotIn("Ortho_ExportFabrication", offered)
+        beams = api.add_beams(net)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(beams)
+        self.assertIn("Ortho_ExportFabrication", commands.for_selection())
 
     def test_grey_where_they_do_not_apply(self):
         self.assertEqual(self.active(), {"Ortho_ImportNet"})
