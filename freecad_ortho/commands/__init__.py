@@ -17,6 +17,7 @@ TOOLBARS = {
         "Lamellas",
         "Patches",
         "Panels",
+        "BentPanels",
         "Louvres",
         "Nodes",
         "UpdateStructures",
@@ -105,6 +106,7 @@ def _commands() -> list[Command]:
     from freecad_ortho.commands.structures import (
         Bake,
         Beams,
+        BentPanels,
         Lamellas,
         Louvres,
         Nodes,
@@ -137,6 +139,7 @@ def _commands() -> list[Command]:
         Lamellas(),
         Patches(),
         Panels(),
+        BentPanels(),
         Louvres(),
         Nodes(),
         UpdateStructures(),

@@ -33,6 +33,16 @@ class Beams(StructureCommand):
     )
 
 
+class BentPanels(StructureCommand):
+    """Rows of faces as single bent plates."""
+
+    icon = "bent-panels"
+    text = QT_TRANSLATE_NOOP("Ortho_BentPanels", "Bent panels")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_BentPanels", "Put one bent plate in every row of faces of the selected net"
+    )
+
+
 class Lamellas(StructureCommand):
     """Developable strips along the parameter lines of a net."""
 

@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.structure import Structure, build
 from freecad_ortho.fabrication.systems import (
     SYSTEMS,
     Beams,
+    BentPanels,
     Lamellas,
     Option,
     Panels,
@@ -30,6 +31,7 @@ __all__ = [
     "SYSTEMS",
     "Beams",
     "Bend",
+    "BentPanels",
     "FlatPattern",
     "Hole",
     "Lamellas",

@@ -297,3 +297,14 @@ def test_a_helicoid_may_stand_in_two_layers():
     for part, solid in zip(structure.parts, structure.solids(), strict=True):
         assert solid.isValid()
         assert solid.Volume() == pytest.approx(part.volume, rel=1e-4)
+
+
+def test_bends_are_positive_where_the_sides_rise_to_the_side_that_is_seen():
+    structure = build(rounded(), [Lamellas(120, 8, strip="developable")])
+    for lamella, part in zip(structure.results["lamellas"].geometry, structure.parts, strict=True):
+        along, (across, _) = lamella.ribbon.strip.along, lamella.ribbon.strip.across
+        rises = np.einsum("fk,fk->f", along[1:], np.cross(along, across)[:-1])
+        bent = np.abs(lamella.ribbon.strip.bends[1:-1]) > 1e-9
+        signs = np.sign([bend.angle_deg for bend in part.pattern.bends])
+        assert (signs == np.sign(rises[bent])).all()
+    assert any(part.pattern.bends for part in structure.parts)

@@ -121,3 +121,15 @@ class TestBaking(StructureCase):
             with self.assertRaises(InputError):
                 api.bake(wrong)
         self.assertEqual(len(self.document.Objects), 2)
+
+
+class TestBentPanels(StructureCase):
+    def test_a_name_with_a_hyphen_makes_an_object_that_follows_its_sizes(self):
+        panels = api.add_structure(self.net, "bent-panels", family="v")
+        self.assertEqual((panels.Name, panels.Label), ("Bentpanels", "Bent-panels"))
+        self.assertTrue(panels.Shape.isValid())
+        self.assertTrue(all(name.startswith("R-V") for name in panels.PartNames))
+        volume = panels.Shape.Volume
+        panels.Thickness = 6.0
+        self.document.recompute()
+        self.assertGreater(panels.Shape.Volume, 1.9 * volume)

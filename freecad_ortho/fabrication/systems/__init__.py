@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from freecad_ortho.fabrication.systems.beams import Beams
+from freecad_ortho.fabrication.systems.bent_panels import BentPanels
 from freecad_ortho.fabrication.systems.lamellas import Lamellas
 from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import Nodes
@@ -16,12 +17,13 @@ from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
-    system.name: system for system in (Beams, Panels, Louvres, Nodes, Lamellas, Patches)
+    system.name: system for system in (Beams, Panels, Louvres, Nodes, Lamellas, BentPanels, Patches)
 }
 
 __all__ = [
     "SYSTEMS",
     "Beams",
+    "BentPanels",
     "Lamellas",
     "Louvres",
     "Nodes",

@@ -169,7 +169,7 @@ def _pattern(made: Cut) -> FlatPattern:
             end = 1 if crossing.slot.upward else 0
             ends[crossing.station, end] = crossing.slot.sides(ribbon).mean(axis=0)
     bends = tuple(
-        Bend(placed(ends[station]), float(np.degrees(angle)))
+        Bend(placed(ends[station]), -float(np.degrees(angle)))
         for station, angle in enumerate(strip.bends)
         if abs(angle) > FLAT
     )

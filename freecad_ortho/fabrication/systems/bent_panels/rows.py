@@ -1,0 +1,93 @@
+"""Rows of faces between neighbouring parameter lines of a family."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.errors import InputError
+from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.lines import FAMILIES, ParameterLines
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """One row of faces.
+
+    Attributes:
+        name: ``R-U003`` is row 2 of family u; rows are counted in the order of their smallest
+            faces.
+        faces: (K,) from one end to the other.
+        first_sides: (K,) side of each face across which the row enters it; it leaves it across the
+            opposite one, and runs with the side after it on its right.
+        rungs: (K + 1, 2) vertices on the left and on the right of the row.
+        closed: true where the row returns to its first face.
+    """
+
+    name: str
+    faces: IntArray
+    first_sides: IntArray
+    rungs: IntArray
+    closed: bool
+
+
+def rows_of(lines: ParameterLines, family: str) -> list[Row]:
+    """All rows between lines of a family.
+
+    Raises:
+        InputError: the families of the net cannot be told apart.
+    """
+    net = lines.connectivity
+    wanted = FAMILIES.index(family)
+    sides = lines.edge_family[net.face_edges]
+    if (sides < 0).any():
+        raise InputError(
+            "bent-panels: the lines of this net cannot be told apart into families u and v, so it "
+            "has no rows; cut it at its irregular vertices"
+        )
+    entry = np.where(sides[:, 0] == wanted, 1, 0)
+    left, found = np.ones(len(net.faces), dtype=np.bool_), []
+    for face in range(len(net.faces)):
+        if left[face]:
+            steps, closed = _walk(net, face, int(entry[face]))
+            left[[face for face, _ in steps]] = False
+            found.append((steps, closed))
+    return [_row(net, steps, closed, family, k) for k, (steps, closed) in enumerate(found)]
+
+
+def _row(
+    net: Connectivity, steps: list[tuple[int, int]], closed: bool, family: str, number: int
+) -> Row:
+    faces, sides = np.array(steps, dtype=np.int64).T
+    entered = np.stack([net.faces[faces, sides], net.faces[faces, (sides + 1) % 4]], axis=1)
+    last = net.faces[faces[-1], [(sides[-1] + 3) % 4, (sides[-1] + 2) % 4]]
+    name = f"R-{family.upper()}{number + 1:03d}"
+    return Row(name, faces, sides, np.concatenate([entered, last[None]]), closed)
+
+
+def _walk(net: Connectivity, face: int, side: int) -> tuple[list[tuple[int, int]], bool]:
+    """Faces of the row through a face with the sides that it enters by; from its smaller end on."""
+    onward = _onward(net, face, side)
+    if onward and _next(net, *onward[-1]) == (face, side):
+        return onward, True
+    back = _onward(net, face, (side + 2) % 4)
+    forward = [(one, (enter + 2) % 4) for one, enter in reversed(back)] + onward[1:]
+    backward = [(one, (enter + 2) % 4) for one, enter in reversed(forward)]
+    return min(forward, backward), False
+
+
+def _onward(net: Connectivity, face: int, side: int) -> list[tuple[int, int]]:
+    """The face and those after it until the row ends or returns."""
+    steps = [(face, side)]
+    while (following := _next(net, *steps[-1])) is not None and following != steps[0]:
+        steps.append(following)
+        if len(steps) > len(net.faces):
+            raise InputError("bent-panels: a row of faces runs into itself; cut the net there")
+    return steps
+
+
+def _next(net: Connectivity, face: int, side: int) -> tuple[int, int] | None:
+    """The face beyond the side opposite to the one entered by, and the side that leads into it."""
+    twin = int(net.twins[4 * face + (side + 2) % 4])
+    return None if twin < 0 else divmod(twin, 4)

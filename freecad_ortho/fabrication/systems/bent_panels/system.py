@@ -1,0 +1,170 @@
+"""The system of bent panels: each row of faces between two parameter lines is one bent plate.
+
+Where the faces are plane the row is developable and unrolls exactly, face by face.
+
+Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import check_size
+from freecad_ortho.fabrication.systems.bent_panels.plate import Plate, plate_of
+from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
+from freecad_ortho.fabrication.systems.panels.geometry import (
+    diagonal_distances,
+    half_angle_tangents,
+)
+from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray
+from solver.unroll.measures import smallest_bend_radius
+
+# Distance between a face's diagonals, in mean diagonals, above which it is not nearly plane.
+_NEARLY_PLANE = 0.02
+
+
+@dataclass(frozen=True)
+class BentPanels(System):
+    """One plate a row, half of its thickness to each side of the net.
+
+    Args:
+        thickness: of the plates, mm.
+        gap: joint between neighbours, mm; each side shrinks by half of it, and by what plates that
+            lean together need.
+
+    Raises:
+        InputError: a size that is not positive and finite.
+    """
+
+    thickness: float = 3.0
+    gap: float = 10.0
+
+    name: ClassVar[str] = "bent-panels"
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("thickness", 3.0, "of the plates"),
+        Option("gap", 10.0, "joint between panels"),
+    )
+
+    def __post_init__(self) -> None:
+        check_size("panel thickness", self.thickness)
+        check_size("gap", self.gap)
+
+    def build(self, site: Site) -> SystemParts:
+        """Unroll the rows along the chosen family, those of u where both are chosen.
+
+        Raises:
+            InputError: faces that are not nearly plane, a gap that leaves nothing of a row, or a
+                pattern that overlaps itself.
+        """
+        family = "u" if site.selection.family == "both" else site.selection.family
+        rows = rows_of(site.lines, family)
+        row_of_face = {face: row.name for row in rows for face in row.faces.tolist()}
+        gaps = self._gaps(site)
+        corner = site.mesh.vertices[site.mesh.faces]
+        side = np.roll(corner, -1, axis=1) - corner
+        bend = half_angle_tangents(site.mesh.connectivity, site.mesh.face_normals, side)
+        insets = self.thickness / 2 * np.abs(np.nan_to_num(bend))
+        chosen = [row for row in rows if _beside_chosen_line(site, row)]
+        plates = [plate_of(site.mesh, row, self.thickness, self.gap, insets) for row in chosen]
+        parts = tuple(
+            self._part(site, family, row, plate, gaps, row_of_face)
+            for row, plate in zip(chosen, plates, strict=True)
+        )
+        return SystemParts(parts, self._report(family, plates, parts), geometry=plates)
+
+    def _gaps(self, site: Site) -> FloatArray:
+        """(F,) distance of each face from plane, mm."""
+        gaps = diagonal_distances(site.mesh)
+        corner = site.mesh.vertices[site.mesh.faces]
+        diagonals = np.linalg.norm(corner[:, :2] - corner[:, 2:], axis=2).mean(axis=1)
+        worst = int((gaps / diagonals).argmax())
+        if gaps[worst] > _NEARLY_PLANE * diagonals[worst]:
+            raise InputError(
+                f"bent-panels: face {worst} is {gaps[worst]:.3g} mm from plane, "
+                f"{100 * gaps[worst] / diagonals[worst]:.2g} % of its diagonals, and "
+                f"{100 * _NEARLY_PLANE:g} % will do; optimise with --net principal first"
+            )
+        return gaps
+
+    def _part(
+        self,
+        site: Site,
+        family: str,
+        row: Row,
+        plate: Plate,
+        gaps: FloatArray,
+        row_of_face: dict[int, str],
+    ) -> Part:
+        """The part, its own coordinates in its middle face."""
+        strip = plate.ribbon.strip
+        face = len(strip.lengths) // 2
+        along, up = strip.along[face], strip.across[0][face]
+        frame = np.stack([along, up, np.cross(along, up)])
+        origin = strip.points[face]
+        body = plate.body()
+        body = replace(
+            body,
+            corners=(body.corners - origin) @ frame.T,
+            blocks=tuple((block - origin) @ frame.T for block in body.blocks),
+        )
+        pattern = plate.pattern(_beside(site, row, row_of_face))
+        bend = smallest_bend_radius(strip, 2 * float(plate.reach.min()))
+        return Part(
+            name=row.name,
+            kind="bent panel",
+            body=body,
+            origin=origin + site.shift,
+            frame=frame,
+            pattern=pattern,
+            length=float(pattern.size[0]),
+            width=float(pattern.size[1]),
+            thickness=self.thickness,
+            area=pattern.area,
+            volume=body.volume,
+            mass=site.material.mass(body.volume),
+            vertices=tuple(np.unique(row.rungs).tolist()),
+            family=family,
+            measures=Measures(
+                gap_mm=float(gaps[row.faces].max()),
+                min_bend_radius_mm=bend if np.isfinite(bend) else None,
+            ),
+        )
+
+    def _report(
+        self, family: str, plates: Sequence[Plate], parts: tuple[Part, ...]
+    ) -> dict[str, Any]:
+        bends = np.concatenate([plate.ribbon.strip.bends for plate in plates])
+        radii = [part.measures.min_bend_radius_mm for part in parts]
+        return {
+            "thickness_mm": self.thickness,
+            "gap_mm": self.gap,
+            "family": family,
+            "bend_max_deg": float(np.degrees(np.abs(bends).max())),
+            "bend_radius_min_mm": min((r for r in radii if r is not None), default=None),
+            "refold_max_mm": max(plate.refold_miss() for plate in plates),
+            **sums(parts),
+        }
+
+
+def _beside_chosen_line(site: Site, row: Row) -> bool:
+    """Whether one of the lines along a row is built on."""
+    sides = (row.first_sides[:, None] + [1, 3]) % 4
+    edges = site.mesh.connectivity.face_edges[row.faces[:, None], sides]
+    return bool(site.chosen_edges[edges].any())
+
+
+def _beside(site: Site, row: Row, row_of_face: dict[int, str]) -> tuple[str, str]:
+    """Names of the rows on the right and left of the middle face, empty at the boundary."""
+    middle = (len(row.faces) - 1) // 2
+    face, side = int(row.faces[middle]), int(row.first_sides[middle])
+    twins = (int(site.mesh.connectivity.twins[4 * face + (side + k) % 4]) for k in (1, 3))
+    right, left = (row_of_face[twin // 4] if twin >= 0 else "" for twin in twins)
+    return right, left
