@@ -137,7 +137,8 @@ def _nearest_step(
     bands[1] = first**2 + second**2
     bands[1] += _DAMPING * max(1.0, float(bands[1].max()))
     bands[0, 1:] = second[:-1] * first[1:]
-    multipliers = np.asarray(solveh_banded(bands, miss))
+    # A single equation has no second diagonal, and LAPACK refuses an empty one.
+    multipliers = np.asarray(solveh_banded(bands[-len(value) :], miss))
     step = back.copy()
     step[:-1] += first * multipliers
     step[1:] += second * multipliers

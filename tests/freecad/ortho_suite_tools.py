@@ -93,3 +93,48 @@ def press(name):
         raise AssertionError(f"no task panel with a button {name}")
     buttons()[0].click()
     wait()
+
+
+def button(text):
+    """The button or check box of the window that is seen with this text."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    def seen():
+        found = FreeCADGui.getMainWindow().findChildren(QtGui.QAbstractButton)
+        return [each for each in found if each.isVisible() and each.text().replace("&", "") == text]
+
+    if not wait(seen, 5):
+        raise AssertionError(f"no button {text}")
+    return seen()[0]
+
+
+def click(text):
+    """Click on the button or check box with this text."""
+    found = button(text)
+    if not found.isEnabled():
+        raise AssertionError(f"{text} is grey")
+    found.click()
+
+
+def choose(text):
+    """Choose a word of whichever list of the task panel has it."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QComboBox)
+    (box,) = [each for each in boxes if each.isVisible() and each.findText(text) >= 0]
+    box.setCurrentText(text)
+
+
+def field(label):
+    """The field of the task panel that stands behind a label."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    for form in FreeCADGui.getMainWindow().findChildren(QtGui.QFormLayout):
+        for row in range(form.rowCount()):
+            item = form.itemAt(row, QtGui.QFormLayout.LabelRole)
+            if item and item.widget().isVisible() and item.widget().text() == label:
+                return form.itemAt(row, QtGui.QFormLayout.FieldRole).widget()
+    raise AssertionError(f"no field {label}")

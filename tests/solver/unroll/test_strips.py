@@ -54,6 +54,13 @@ def test_rulings_make_the_pattern_turn_exactly_as_wanted(share):
     assert np.abs(strip.turns[1:-1] - turns).max() <= 1e-14
 
 
+def test_planes_along_two_edges_only():
+    points, normals = wild(count=3)
+    strip = developable_strip(points, normals, np.zeros(1))
+    assert abs(strip.turns[1]) <= 1e-14
+    assert np.abs(strip.twists).max() <= 1e-12
+
+
 @pytest.mark.parametrize("share", [None, 0.0, 0.4])
 def test_planes_make_the_pattern_turn_exactly_and_do_not_twist(share):
     points, _, upright = helix()

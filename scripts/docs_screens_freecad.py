@@ -1,0 +1,191 @@
+"""Takes the pictures of scripts/docs_screens.py. Run by FreeCAD with a window."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+sys.path.append(os.environ["ORTHO_SUITE_FOLDER"])
+
+FOLDER = Path(os.environ["ORTHO_SUITE_SCRATCH"])
+# Of the 3D view, in pixels; a panel that is higher makes the picture higher.
+VIEW = (760, 560)
+# Commands that open a panel by themselves and are no part of the tutorial.
+SOURCES = ("MultiNet", "Primitive", "EllipticNet", "FaceNet", "QuadsFromMesh", "FormNet")
+CHANGES = ("Derived", "Refine", "Transform", "Offset", "Weld")
+
+
+def look(name: str) -> None:
+    """Save the open task panel, if any, and the 3D view beside it."""
+    from ortho_suite_tools import wait
+
+    wait(seconds=0.5)
+    view = three_d_view()
+    panel = task_panel()
+    height = max(VIEW[1], panel.height() if panel else 0)
+    width = VIEW[0] + (panel.width() if panel else 0)
+    sheet = QtGui.QImage(width, height, QtGui.QImage.Format_RGB32)
+    sheet.fill(QtGui.QColor("white"))
+    painter = QtGui.QPainter(sheet)
+    if panel:
+        painter.drawPixmap(0, 0, panel.grab())
+    if view:
+        path = str(FOLDER / "view.tmp.png")
+        view.saveImage(path, *VIEW, "White")
+        painter.drawImage(width - VIEW[0], (height - VIEW[1]) // 2, QtGui.QImage(path))
+        Path(path).unlink()
+    painter.end()
+    sheet.save(str(FOLDER / f"{name}.png"))
+
+
+def three_d_view():
+    """The 3D view of the active document, None where there is none."""
+    if FreeCAD.ActiveDocument is None:
+        return None
+    views = FreeCADGui.ActiveDocument.mdiViewsOfType("Gui::View3DInventor")
+    return views[0] if views else None
+
+
+def task_panel():
+    """The form of the open task panel with its title, as it stands in the window."""
+    if not FreeCADGui.Control.activeDialog():
+        return None
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+    buttons = next(box for box in boxes if box.isVisible())
+    for area in FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea):
+        if area.isVisible() and area.isAncestorOf(buttons):
+            return area.widget()
+    return buttons.parentWidget()
+
+
+def stand(view_all: bool = True) -> None:
+    """Look at everything from the standard direction."""
+    from freecad_ortho.view import picture
+
+    view = three_d_view()
+    if view and view_all:
+        picture.look(view)
+
+
+def tutorial() -> None:
+    """The tutorial's steps, each seen from the standard direction."""
+    from ortho_tutorial import Tutorial
+
+    def seen(name: str) -> None:
+        if name != "drag":
+            stand()
+        look(name)
+
+    story = Tutorial(seen)
+    story.open_mesh()
+    story.check()
+    list(story.optimise())
+    story.drag()
+    story.colour()
+    for command in ("Beams", "Panels"):
+        story.structure(command, command.lower())
+    document = story.document
+    story.flat_patterns("sheets", on_sheets=True)
+    story.only(document.FlatPatterns)
+    FreeCADGui.activeView().viewTop()
+    FreeCADGui.activeView().fitAll()
+    look("sheets-alone")
+    story.export(FOLDER / "run" / "files")
+    close()
+    story.open_gridshell()
+    document = story.document
+    story.only(document.Net)
+    story.select(document.Net)
+    story.structure("Lamellas", "lamellas", [("Width", 60.0), ("Thickness", 4.0)])
+    story.select(document.Lamellas)
+    story.flat_patterns("strips", on_sheets=False)
+    story.only(document.FlatPatterns)
+    FreeCADGui.activeView().viewTop()
+    FreeCADGui.activeView().fitAll()
+    look("strips-alone")
+    close()
+
+
+def others() -> None:
+    """Panel and result of every other command."""
+    import ortho_suite_tools as tools
+
+    from freecad_ortho import api
+
+    for command in SOURCES:
+        FreeCAD.newDocument("Sources")
+        if command == "FaceNet":
+            sheet = FreeCAD.ActiveDocument.addObject("Part::Cylinder", "Cylinder")
+            sheet.Radius, sheet.Height = 3000, 5000
+            FreeCAD.ActiveDocument.recompute()
+            FreeCADGui.Selection.addSelection(sheet, "Face1")
+        elif command == "FormNet":
+            api.add_primitive("rectangle", sampling=(13, 13), length=12e3, width=12e3)
+        elif command == "QuadsFromMesh":
+            import Mesh
+
+            FreeCAD.ActiveDocument.addObject("Mesh::Feature", "Scan").Mesh = Mesh.createSphere(
+                3000.0, 20
+            )
+            FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Scan)
+        both(command)
+    for command in CHANGES:
+        FreeCAD.newDocument("Changes")
+        nets = [api.add_primitive("translational")]
+        if command == "Weld":
+            nets.append(api.change_net(nets[0], "mirror"))
+        for net in nets:
+            FreeCADGui.Selection.addSelection(net)
+        both(command)
+    for command in ("Louvres", "Nodes"):
+        net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(net)
+        api.add_beams(net)
+        FreeCADGui.Selection.addSelection(net)
+        both(command)
+
+
+def both(command: str) -> None:
+    """Open a command's panel, look, press OK, look, close the document."""
+    from ortho_suite_tools import press, wait
+
+    if not FreeCADGui.isCommandActive(f"Ortho_{command}"):
+        FreeCAD.Console.PrintWarning(f"{command} is grey\n")
+    FreeCADGui.runCommand(f"Ortho_{command}")
+    wait(seconds=0.5)
+    stand()
+    look(f"{command}-panel")
+    if FreeCADGui.Control.activeDialog():
+        press("Ok")
+        wait(seconds=1.0)
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
+    stand()
+    look(command)
+    close()
+
+
+def close() -> None:
+    """Close all documents."""
+    FreeCADGui.Selection.clearSelection()
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
+
+
+def run() -> None:
+    """Take all pictures, then end FreeCAD whatever happens."""
+    try:
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        tutorial()
+        others()
+    finally:
+        close()
+        QtGui.QApplication.quit()
+
+
+QtCore.QTimer.singleShot(1000, run)

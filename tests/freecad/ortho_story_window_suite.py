@@ -1,0 +1,136 @@
+"""The whole story in FreeCAD's window, as docs/tutorial.md tells it. Run by FreeCAD."""
+
+import unittest
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import ortho_suite_tools as tools
+from ortho_suite_tools import vertices, wait
+from ortho_tutorial import Tutorial, state
+
+from freecad_ortho import convert
+from freecad_ortho.commands import messages
+from solver.analysis.advisor import advise
+
+
+class StoryCase(unittest.TestCase):
+    def setUp(self):
+        self.errors = []
+        patch = mock.patch.object(messages, "show_error", self.errors.append)
+        patch.start()
+        self.addCleanup(patch.stop)
+        self.tutorial = Tutorial()
+
+    def tearDown(self):
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        tools.close_all()
+        wait()
+
+    def undone_and_redone(self, steps):
+        """Undo everything, redo everything: the same document to the last bit."""
+        document = FreeCAD.ActiveDocument
+        expected = state(document)
+        self.assertEqual(document.UndoCount, steps)
+        for _ in range(steps):
+            document.undo()
+        wait()
+        undone = state(document)
+        for _ in range(steps):
+            document.redo()
+        wait()
+        self.assertEqual(state(document), expected)
+        return undone
+
+    def reopened(self):
+        """Save, close, open, recompute: the same settings, shapes to the digits of the file."""
+        document = FreeCAD.ActiveDocument
+        expected = state(document)
+        path = str(tools.SCRATCH / f"story-{document.Name}.FCStd")
+        document.saveAs(path)
+        FreeCAD.closeDocument(document.Name)
+        again = FreeCAD.openDocument(path)
+        wait()
+        self.assertSame(state(again), expected)
+        again.recompute()
+        self.assertSame(state(again), expected)
+
+    def assertSame(self, found, expected):
+        (settings, shapes), (wanted_settings, wanted_shapes) = found, expected
+        self.assertEqual(set(settings), set(wanted_settings))
+        for key, value in wanted_settings.items():
+            if isinstance(value, float):
+                self.assertAlmostEqual(settings[key], value, delta=1e-12 * abs(value), msg=key)
+            else:
+                self.assertEqual(settings[key], value, key)
+        self.assertEqual(set(shapes), set(wanted_shapes))
+        for name, numbers in wanted_shapes.items():
+            np.testing.assert_allclose(shapes[name], numbers, rtol=1e-9, atol=1e-6)
+
+    def exported(self, name):
+        folder = tools.SCRATCH / name
+        self.tutorial.export(folder)
+        files = {file.name for file in folder.iterdir()}
+        expected = {"structure.step", "flat.dxf", "parts.csv", "report.json", "report.html"}
+        self.assertLessEqual(expected, files)
+
+
+class TestTutorial(StoryCase):
+    def test_roof(self):
+        story = self.tutorial
+        story.open_mesh()
+        net, start = story.net, vertices(story.net)
+        self.assertEqual(len(net.Faces), 4 * 480)
+        self.assertGreater(min(tools.faults(net)), 1e-2)
+        best = advise(convert.quad_mesh(net))[0]
+        self.assertEqual((best.net, best.possible), ("principal", True))
+        story.check()
+        steps = story.optimise()
+        next(steps)
+        self.assertTrue(tools.button("Start").isEnabled())
+        self.assertEqual(vertices(net).tobytes(), start.tobytes())
+        next(steps)
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        before = vertices(net)
+        middle = story.drag()
+        self.assertGreater(np.linalg.norm(vertices(net)[middle] - before[middle]), 500)
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+        story.colour()
+        self.assertEqual(net.ColourMap, "Gauss curvature")
+        story.structure("Beams", "beams")
+        story.structure("Panels", "panels")
+        document = story.document
+        self.assertEqual(len(document.Beams.PartNames), 1004)
+        self.assertEqual(len(document.Panels.PartNames), 480)
+        self.assertIs(document.Panels.OnBeams, document.Beams)
+        story.flat_patterns("sheets", on_sheets=True)
+        flat = document.FlatPatterns
+        self.assertEqual(len(flat.PartNames), 1484)
+        self.assertGreater(flat.SheetCount, 1)
+        self.exported("roof-files")
+        self.assertEqual(self.errors, [])
+        settings, shapes = self.undone_and_redone(7)
+        self.assertEqual((settings, shapes), ({}, {}))
+        self.reopened()
+
+    def test_gridshell(self):
+        story = self.tutorial
+        story.open_gridshell()
+        document, net = story.document, story.net
+        story.only(net)
+        story.select(net)
+        story.structure("Lamellas", "lamellas", [("Width", 60.0), ("Thickness", 4.0)])
+        lamellas = document.Lamellas
+        self.assertEqual((lamellas.Width.Value, lamellas.Thickness.Value), (60.0, 4.0))
+        self.assertTrue(all(name.startswith("L-") for name in lamellas.PartNames))
+        self.assertEqual(len(lamellas.Shape.Solids), len(lamellas.PartNames))
+        story.select(lamellas)
+        story.flat_patterns("strips", on_sheets=False)
+        self.assertEqual(document.FlatPatterns.SheetCount, 0)
+        self.exported("gridshell-files")
+        self.assertEqual(self.errors, [])
+        _, shapes = self.undone_and_redone(2)
+        self.assertEqual(set(shapes), {"Beams"})
+        self.reopened()

@@ -1,0 +1,223 @@
+"""The steps of docs/tutorial.md in FreeCAD's window, each done as it is written there.
+
+The story suite looks at what comes of them, ``scripts/docs_screens.py`` makes pictures of them.
+"""
+
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import ortho_suite_tools as tools
+from ortho_mouse_tools import Hand
+from ortho_suite_tools import click, press, vertices, wait
+from PySide import QtCore, QtGui
+
+from freecad_ortho import convert
+from freecad_ortho.commands import dialogs
+
+ROOF = tools.ROOT / "examples" / "data" / "demo_roof.obj"
+
+
+class Tutorial:
+    """One step a method; ``look(name)`` is called where the page has a picture."""
+
+    def __init__(self, look=lambda name: None):
+        self.look = look
+
+    @property
+    def document(self):
+        return FreeCAD.ActiveDocument
+
+    @property
+    def net(self):
+        return self.document.Net
+
+    def open_mesh(self, path=ROOF):
+        """File > Open, the file, and the module that FreeCAD asks for."""
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        answers = Answers(str(path))
+        FreeCADGui.runCommand("Std_Open")
+        answers.end()
+        wait(lambda: self.document is not None, 10)
+        wait()
+        self.look("open")
+
+    def check(self):
+        FreeCADGui.runCommand("Ortho_Check")
+        wait()
+        self.look("check")
+        press("Close")
+
+    def optimise(self, stop=True):
+        """Start, Stop after some steps, Start again to the end, OK."""
+        FreeCADGui.runCommand("Ortho_Optimise")
+        wait()
+        click("Start")
+        if stop:
+            # With one step at a time there are enough of them to be stopped between two.
+            with mock.patch("freecad_ortho.panels.run._SECONDS_PER_TICK", 0.0):
+                QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 5)
+                click("Stop")
+                yield
+                click("Start")
+        if not wait(lambda: not tools.button("Stop").isEnabled(), 60):
+            raise AssertionError("the run does not end")
+        wait()
+        self.look("optimise")
+        press("Ok")
+        yield
+
+    def drag(self):
+        """Double click the net, hold its corners by Ctrl-clicks, pull its middle up."""
+        net = self.net
+        hand = Hand(self.document)
+        net.ViewObject.Proxy.doubleClicked(net.ViewObject)
+        wait()
+        mesh = convert.quad_mesh(net)
+        pixels = hand.pixels(mesh.vertices)
+        for corner in corners(mesh):
+            hand.click(pixels[corner], ctrl=True)
+        middle = int(np.argmin(np.linalg.norm(mesh.vertices - mesh.vertices.mean(axis=0), axis=1)))
+        start = pixels[middle]
+        end = start + [0, 40]
+        hand.drag(start, end)
+        hand.release(end)
+        editing = net.ViewObject.Proxy._edit_panel.editing
+        if not wait(lambda: not editing.busy, 60):
+            raise AssertionError("the dragged net does not come to rest")
+        wait()
+        self.look("drag")
+        press("Close")
+        return middle
+
+    def colour(self, colour_map="Gauss curvature"):
+        FreeCADGui.runCommand("Ortho_Display")
+        wait()
+        tools.choose(colour_map)
+        wait()
+        self.look("colours")
+        press("Ok")
+
+    def structure(self, command, name, numbers=()):
+        """A command of the toolbar Fabricate: other numbers by what stands before them, OK."""
+        FreeCADGui.runCommand(f"Ortho_{command}")
+        wait()
+        for label, value in numbers:
+            tools.field(label).setProperty("rawValue", value)
+        self.look(f"{name}-panel")
+        press("Ok")
+        wait()
+        self.look(name)
+
+    def flat_patterns(self, name, on_sheets):
+        FreeCADGui.runCommand("Ortho_FlatPatterns")
+        wait()
+        if not on_sheets:
+            click("Nest on sheets")
+        self.look(f"{name}-panel")
+        press("Ok")
+        wait()
+        self.look(name)
+
+    def drawing_page(self):
+        FreeCADGui.runCommand("Ortho_DrawingPage")
+        wait()
+
+    def export(self, folder):
+        with mock.patch.object(dialogs, "ask_folder", lambda: str(folder)):
+            FreeCADGui.runCommand("Ortho_ExportFabrication")
+            wait()
+            self.look("export")
+            press("Ok")
+
+    def open_gridshell(self):
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        FreeCADGui.runCommand("Ortho_Example_Gridshell")
+        wait()
+        self.look("gridshell")
+
+    def only(self, *items):
+        """Show these objects alone, as the space bar does, and fit them in."""
+        for item in self.document.Objects:
+            if hasattr(item.ViewObject, "Visibility"):
+                item.ViewObject.Visibility = item in items
+        wait()
+
+    def select(self, *items):
+        FreeCADGui.Selection.clearSelection()
+        for item in items:
+            FreeCADGui.Selection.addSelection(item)
+
+
+class Answers:
+    """Answers the dialogs of File > Open: the file, then the module that reads quads."""
+
+    def __init__(self, path):
+        self._path = path
+        self._timer = QtCore.QTimer()
+        self._timer.setInterval(100)
+        self._timer.timeout.connect(self._answer)
+        self._timer.start()
+
+    def end(self):
+        self._timer.stop()
+
+    def _answer(self):
+        dialog = QtGui.QApplication.activeModalWidget()
+        if isinstance(dialog, QtGui.QFileDialog):
+            dialog.findChild(QtGui.QLineEdit).setText(self._path)
+            box = dialog.findChild(QtGui.QDialogButtonBox)
+            box.button(QtGui.QDialogButtonBox.Open).click()
+        elif dialog is not None:
+            choices = dialog.findChildren(QtGui.QRadioButton)
+            for choice in [each for each in choices if "Quad mesh" in each.text()]:
+                choice.click()
+            # The one button of the question; anything else that is asked is answered with no.
+            (dialog.findChild(QtGui.QPushButton).click if choices else dialog.reject)()
+
+
+def corners(mesh):
+    """Vertices of one face only."""
+    counts = np.bincount(mesh.faces.ravel(), minlength=len(mesh.vertices))
+    return np.flatnonzero(counts == 1).tolist()
+
+
+def state(document):
+    """Everything that the document holds: per object its properties, and its shape's measures.
+
+    Returns:
+        settings: by object and property, compared exactly.
+        shapes: by object, numbers that are compared as far as FreeCAD writes digits.
+    """
+    settings, shapes = {}, {}
+    for item in document.Objects:
+        for name in item.PropertiesList:
+            value = plain(getattr(item, name))
+            if value is not None:
+                settings[item.Name, name] = value
+        shape = getattr(item, "Shape", None)
+        if shape is not None:
+            box = shape.BoundBox
+            shapes[item.Name] = [
+                len(shape.Faces),
+                shape.Volume,
+                shape.Area,
+                shape.Length,
+                *(box.XMin, box.XMax, box.YMin, box.YMax, box.ZMin, box.ZMax),
+            ]
+        if item.Name == "Net":
+            settings["positions"] = vertices(item).tobytes()
+    return settings, shapes
+
+
+def plain(value):
+    """A property's value as numbers and texts; None for what is neither."""
+    if isinstance(value, FreeCAD.Units.Quantity):
+        return value.Value
+    if isinstance(value, (bool, int, float, str)):
+        return value
+    if isinstance(value, (list, tuple)):
+        values = [plain(each) for each in value]
+        return None if None in values else values
+    return getattr(value, "Name", None) if hasattr(value, "TypeId") else None
