@@ -133,3 +133,17 @@ class TestBentPanels(StructureCase):
         panels.Thickness = 6.0
         self.document.recompute()
         self.assertGreater(panels.Shape.Volume, 1.9 * volume)
+
+
+class TestCopying(StructureCase):
+    def test_a_copy_in_another_document_lives_on_its_own(self):
+        beams = api.add_beams(self.net)
+        other = FreeCAD.newDocument("Other")
+        copy = other.copyObject(beams, True)
+        other.recompute()
+        self.assertIsNot(copy.Net, self.net)
+        self.assertEqual(copy.PartNames, beams.PartNames)
+        self.assertAlmostEqual(copy.Shape.Volume, beams.Shape.Volume, places=3)
+        copy.Thickness = 2 * beams.Thickness.Value
+        other.recompute()
+        self.assertGreater(copy.Shape.Volume, 1.8 * beams.Shape.Volume)
