@@ -134,6 +134,11 @@
    <translation>Dichte in kg/m3; 0: die des Materials</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distortion: largest that is built, of an edge</source>
+   <translation>Verzerrung: größte einer Kante, die noch gebaut wird</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Kanten und Flächen, auf denen Ecken exakt gleiten</translation>
@@ -1362,6 +1367,11 @@
    <translation>Abstand</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distortion</source>
+   <translation>Verzerrung</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Double click: show it in colours</source>
    <translation>Doppelklick: in Farben zeigen</translation>
@@ -1975,6 +1985,21 @@
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Multi-net</source>
    <translation>Multinetz</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Multi-net: no, off by {:.1e} over all rectangles of lines</source>
+   <translation>Multinetz: nein, um {:.1e} verfehlt über alle Rechtecke aus Parameterlinien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Multi-net: no, the mesh is not of grid type</source>
+   <translation>Multinetz: nein, die Vierecke bilden kein Gitter</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Multi-net: yes, to {:.1e} over all rectangles of lines</source>
+   <translation>Multinetz: ja, auf {:.1e} über alle Rechtecke aus Parameterlinien</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3271,6 +3296,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>largest that is built, of an edge</source>
+   <translation>größte einer Kante, die noch gebaut wird</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>leave the edges of the boundary out</source>
    <translation>die Kanten des Randes auslassen</translation>
   </message>
@@ -3955,6 +3985,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_BentPanels</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Bent panels</source>
+   <translation>Gebogene Paneele</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put one bent plate in every row of faces of the selected net</source>
+   <translation>In jede Reihe von Flächen des gewählten Netzes eine gebogene Platte legen</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_ChangeNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/groups.py" />
@@ -4281,6 +4324,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Patches</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Developable patches</source>
+   <translation>Abwickelbare Flächen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Make the selected net of sheets that are cut flat and bent into place</source>
+   <translation>Das gewählte Netz aus Blechen bauen, die flach zugeschnitten und in Form gebogen werden</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_Primitive</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -4375,8 +4431,28 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <name>Workbench</name>
   <message>
    <location filename="../../../InitGui.py" />
+   <source>&amp;Analyse</source>
+   <translation>&amp;Analysieren</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Design</source>
+   <translation>&amp;Entwerfen</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
    <source>&amp;Examples</source>
    <translation>&amp;Beispiele</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Fabricate</source>
+   <translation>&amp;Fertigen</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Optimise</source>
+   <translation>&amp;Optimieren</translation>
   </message>
   <message>
    <location filename="../../../InitGui.py" />

@@ -134,6 +134,11 @@
    <translation>Densité en kg/m3 ; 0 : celle du matériau</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distortion: largest that is built, of an edge</source>
+   <translation>Distorsion : la plus grande d'une arête encore réalisée</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Arêtes et faces sur lesquelles les sommets glissent exactement</translation>
@@ -1362,6 +1367,11 @@
    <translation>Distance</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distortion</source>
+   <translation>Distorsion</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Double click: show it in colours</source>
    <translation>Double clic : l'afficher en couleurs</translation>
@@ -1975,6 +1985,21 @@
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Multi-net</source>
    <translation>Multi-réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Multi-net: no, off by {:.1e} over all rectangles of lines</source>
+   <translation>Multi-réseau : non, écart de {:.1e} sur tous les rectangles de lignes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Multi-net: no, the mesh is not of grid type</source>
+   <translation>Multi-réseau : non, les quadrilatères ne forment pas une grille</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Multi-net: yes, to {:.1e} over all rectangles of lines</source>
+   <translation>Multi-réseau : oui, à {:.1e} près sur tous les rectangles de lignes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3271,6 +3296,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>largest that is built, of an edge</source>
+   <translation>la plus grande d'une arête encore réalisée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>leave the edges of the boundary out</source>
    <translation>laisser de côté les arêtes du bord</translation>
   </message>
@@ -3955,6 +3985,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_BentPanels</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Bent panels</source>
+   <translation>Panneaux pliés</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put one bent plate in every row of faces of the selected net</source>
+   <translation>Poser une plaque pliée dans chaque rangée de faces du réseau choisi</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_ChangeNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/groups.py" />
@@ -4281,6 +4324,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Patches</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Developable patches</source>
+   <translation>Surfaces développables</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Make the selected net of sheets that are cut flat and bent into place</source>
+   <translation>Réaliser le réseau choisi en tôles découpées à plat puis cintrées en place</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_Primitive</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -4375,8 +4431,28 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <name>Workbench</name>
   <message>
    <location filename="../../../InitGui.py" />
+   <source>&amp;Analyse</source>
+   <translation>&amp;Analyse</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Design</source>
+   <translation>&amp;Conception</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
    <source>&amp;Examples</source>
    <translation>&amp;Exemples</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Fabricate</source>
+   <translation>&amp;Fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../InitGui.py" />
+   <source>&amp;Optimise</source>
+   <translation>&amp;Optimisation</translation>
   </message>
   <message>
    <location filename="../../../InitGui.py" />
