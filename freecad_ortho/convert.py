@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING, Any
 
 import FreeCAD
@@ -176,10 +175,3 @@ def part_shape(shape: cadquery.Shape) -> Part.Shape:
     result = Part.Shape()
     result.importBrepFromString(brep_text(shape))
     return result
-
-
-def cadquery_shape(shape: Part.Shape) -> Any:
-    """Carry a FreeCAD shape over into cadquery."""
-    import cadquery
-
-    return cadquery.Shape.importBrep(io.BytesIO(shape.exportBrepToString().encode("ascii")))

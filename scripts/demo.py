@@ -21,6 +21,7 @@ from typing import IO, Any
 import demo_picture
 import demo_table
 
+from freecad_ortho.fabrication.files import FILES as FABRICATION_FILES
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import OrthoError
 from solver.io.atomic import staged_folder
@@ -30,18 +31,7 @@ from solver.mesh.quadmesh import QuadMesh
 
 ROOT = Path(__file__).resolve().parents[1]
 FREECAD_SECONDS = 900
-FILES = (
-    "structure.step",
-    "flat.dxf",
-    "parts.csv",
-    "nodes.csv",
-    "stock.csv",
-    "report.json",
-    "report.html",
-    "model.FCStd",
-    "preview.png",
-    "principal.obj",
-)
+FILES = (*FABRICATION_FILES, "model.FCStd", "preview.png", "principal.obj")
 
 
 class DemoError(Exception):

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from solver.errors import OrthoError
 
@@ -31,3 +31,13 @@ def errors_shown() -> Iterator[None]:
         yield
     except OrthoError as error:
         show_error(str(error))
+
+
+@contextmanager
+def busy() -> Iterator[None]:
+    """Show the cursor that says to wait."""
+    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        yield
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()

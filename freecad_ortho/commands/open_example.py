@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command
@@ -29,10 +28,6 @@ class OpenExample(Command):
 
     def Activated(self) -> None:
         """Build it."""
-        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            with messages.errors_shown():
-                context.run("open_example", self.name)
-        finally:
-            QtGui.QApplication.restoreOverrideCursor()
+        with messages.errors_shown(), messages.busy():
+            context.run("open_example", self.name)
         FreeCADGui.updateGui()

@@ -10,11 +10,10 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import convert, preferences
-from freecad_ortho.documents import guides
+from freecad_ortho.objects import guides
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES, FORCES, NETS
 from solver.errors import InputError
-from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets.constraints import Constraints
 from solver.nets.options import NetOptions
@@ -246,10 +245,3 @@ def _handles(value: Any) -> tuple[list[int], list[FreeCAD.Vector]]:
             f"handles: expected places by vertex such as {{12: (0, 0, 3500)}}, got {value}"
         ) from None
     return [vertex for vertex, _ in pairs], [place for _, place in pairs]
-
-
-def reference_surface(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> TriangleSurface | None:
-    """What a net is held against: the faces it stays near, else those that it was sampled from."""
-    entries = words(net)["close_to"] or guides.references(getattr(net, "CadFaces", None) or ())
-    near = guides.close_to(entries, mesh)
-    return None if near is None else TriangleSurface(*near)

@@ -11,7 +11,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import messages
-from freecad_ortho.documents import guides
+from freecad_ortho.objects import guides
 from freecad_ortho.panels.fields import NARROW, ChoiceField
 from freecad_ortho.panels.vertex_picker import VertexPicker
 from freecad_ortho.view.mouse import Mouse

@@ -5,21 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 import numpy as np
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
-from freecad_ortho.commands import context, messages
+from freecad_ortho.commands import context
 from freecad_ortho.objects import cad_faces
 from freecad_ortho.panels.fields import LengthField
+from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
-from solver.errors import OrthoError
 
 translate = FreeCAD.Qt.translate
 _QUADS = 400
 
 
-class RemeshPanel:
+class RemeshPanel(WorkPanel):
     """Wanted edge length, layout and time limit; OK makes the net.
 
     Args:
@@ -46,33 +45,25 @@ class RemeshPanel:
         rows.addRow(translate("Ortho", "Time limit (s)"), self.time_limit)
         self.layout.setToolTip(translate("Ortho", "Another number gives another layout of quads"))
 
-    def accept(self) -> bool:
-        """Make the net; an error keeps the panel open."""
-        mesh: Any = self._mesh
-        if not isinstance(mesh, str):
-            document = FreeCAD.listDocuments().get(mesh[0])
-            mesh = document.getObject(mesh[1]) if document else None
-            if mesh is None:
-                FreeCADGui.Control.closeDialog()
-                return True
-        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            context.run(
-                "quads_from_mesh",
-                mesh,
-                edge=self.edge.millimetres,
-                seed=self.layout.value(),
-                time_limit=float(self.time_limit.value()),
-            )
-        except OrthoError as error:
-            QtGui.QApplication.restoreOverrideCursor()
-            messages.show_error(str(error))
-            return False
-        QtGui.QApplication.restoreOverrideCursor()
-        FreeCADGui.Control.closeDialog()
-        return True
+    @property
+    def mesh(self) -> Any:
+        """The Mesh object or the path; None when the object or its document has gone meanwhile."""
+        if isinstance(self._mesh, str):
+            return self._mesh
+        document = FreeCAD.listDocuments().get(self._mesh[0])
+        return document.getObject(self._mesh[1]) if document else None
 
-    def reject(self) -> bool:
-        """Leave everything as it was."""
-        FreeCADGui.Control.closeDialog()
+    def possible(self) -> bool:
+        """Tell whether the mesh is still there."""
+        return self.mesh is not None
+
+    def work(self) -> bool:
+        """Make the net."""
+        context.run(
+            "quads_from_mesh",
+            self.mesh,
+            edge=self.edge.millimetres,
+            seed=self.layout.value(),
+            time_limit=float(self.time_limit.value()),
+        )
         return True

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from freecad_ortho import preferences
-from freecad_ortho.commands import context, messages
+from freecad_ortho.commands import context
 from freecad_ortho.fabrication import MATERIALS, Option
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import choices, is_length, label, options_of
@@ -21,8 +20,9 @@ from freecad_ortho.panels.fields import (
     SwitchField,
     TextField,
 )
+from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
-from solver.errors import InputError, OrthoError
+from solver.errors import InputError
 
 translate = FreeCAD.Qt.translate
 
@@ -37,8 +37,8 @@ _PREFERRED = {
 Field = LengthField | ChoiceField | NumberField | SwitchField | TextField
 
 
-class StructurePanel:
-    """One field an option of the system; OK makes the structure, an error keeps the panel open.
+class StructurePanel(WorkPanel):
+    """One field an option of the system; OK makes the structure.
 
     Attributes:
         fields: by the option's name.
@@ -63,25 +63,13 @@ class StructurePanel:
             return None
         return FreeCAD.getDocument(self._document).getObject(self._net)
 
-    def accept(self) -> bool:
-        """Make the structure."""
-        if self.net is None:
-            FreeCADGui.Control.closeDialog()
-            return True
-        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            context.run("add_structure", self.net, self._system, **self.settings())
-        except OrthoError as error:
-            QtGui.QApplication.restoreOverrideCursor()
-            messages.show_error(str(error))
-            return False
-        QtGui.QApplication.restoreOverrideCursor()
-        FreeCADGui.Control.closeDialog()
-        return True
+    def possible(self) -> bool:
+        """Tell whether the net is still there."""
+        return self.net is not None
 
-    def reject(self) -> bool:
-        """Leave everything as it was."""
-        FreeCADGui.Control.closeDialog()
+    def work(self) -> bool:
+        """Make the structure."""
+        context.run("add_structure", self.net, self._system, **self.settings())
         return True
 
     def settings(self) -> dict[str, Any]:

@@ -5,20 +5,19 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.commands import context, dialogs, messages
 from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField
+from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
-from solver.errors import OrthoError
 
 translate = FreeCAD.Qt.translate
 
 
-class _WorkshopPanel:
-    """Sheet, spacing and kerf; OK does the work, an error keeps the panel open."""
+class _WorkshopPanel(WorkPanel):
+    """Sheet, spacing and kerf."""
 
     def __init__(
         self, structures: list[FreeCAD.DocumentObject], title: str, picture: str, nested: bool
@@ -63,31 +62,9 @@ class _WorkshopPanel:
         settings["seed"] = self.seed.number or 0
         return settings
 
-    def accept(self) -> bool:
-        """Do the work."""
-        if not self.structures:
-            FreeCADGui.Control.closeDialog()
-            return True
-        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            done = self.work()
-        except OrthoError as error:
-            QtGui.QApplication.restoreOverrideCursor()
-            messages.show_error(str(error))
-            return False
-        QtGui.QApplication.restoreOverrideCursor()
-        if done:
-            FreeCADGui.Control.closeDialog()
-        return done
-
-    def reject(self) -> bool:
-        """Leave everything as it was."""
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    def work(self) -> bool:
-        """Run and record the document function; false where the user went back."""
-        raise NotImplementedError
+    def possible(self) -> bool:
+        """Tell whether any structure is still there."""
+        return bool(self.structures)
 
     def _add_sheet_fields(self, nested: bool) -> None:
         self.on_sheets = QtGui.QCheckBox(translate("Ortho", "Nest on sheets"))

@@ -41,7 +41,7 @@ def quad_mesh(
     Connectivity.check_corners(faces, len(vertices))
     _refuse_double_faces(faces)
     remarks: list[str] = []
-    faces = _oriented(faces, len(vertices), remarks)
+    faces = _oriented(faces, remarks)
     mesh = QuadMesh(vertices, Connectivity(faces, len(vertices)))
     _refuse_empty_faces(mesh)
     unused = np.flatnonzero(~mesh.connectivity.referenced)
@@ -105,7 +105,7 @@ def _refuse_double_faces(faces: IntArray) -> None:
         )
 
 
-def _oriented(faces: IntArray, vertex_count: int, remarks: list[str]) -> IntArray:
+def _oriented(faces: IntArray, remarks: list[str]) -> IntArray:
     """Reverse faces until every inner edge runs in both directions."""
     half = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
     pairs, inverse, counts = np.unique(

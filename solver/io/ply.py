@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -102,7 +102,9 @@ def _ascii(body: bytes, elements: list[_Element]) -> tuple[FloatArray, list[list
     return _elements(elements, take)
 
 
-def _elements(elements: list[_Element], take) -> tuple[FloatArray, list[list[int]]]:  # type: ignore[no-untyped-def]
+def _elements(
+    elements: list[_Element], take: Callable[[int, str], list[float]]
+) -> tuple[FloatArray, list[list[int]]]:
     """Walk through all elements value by value; ``take`` gives the next values of a type."""
     vertices: list[list[float]] = []
     polygons: list[list[int]] = []

@@ -123,9 +123,7 @@ class EllipticSystem:
                 f"{np.asarray(values)[bad].flat[0]:.6g}; keep the curve in that range"
             )
 
-    def base_curve(
-        self, moving: str, base: float, factors: tuple[FloatArray, FloatArray]
-    ) -> FloatArray:
+    def base_curve(self, base: float, factors: tuple[FloatArray, FloatArray]) -> FloatArray:
         """(n, 3) points with the moving coordinate at ``base`` and signed factors of the others."""
         own = np.sqrt(np.abs(self.squares + base))
         return own * factors[0] * factors[1] / np.sqrt(np.abs(self._denominators))
@@ -174,15 +172,15 @@ def elliptic_net(
                 factors.append(system.unfolded(name, given)[1])
             else:
                 system._check(name, given)
-                factors.append(_factors(system, name, given))
-        return system.base_curve(moving, base, (factors[0], factors[1]))
+                factors.append(_factors(system, given))
+        return system.base_curve(base, (factors[0], factors[1]))
 
     # By default clear of both ends, where the net is flat and may fold.
     ends = (low + 0.1 * span, low + (1.0 if np.isinf(high) else 0.9) * span)
     return MultiNet(quadric, on_quadric, base, closed, ends)
 
 
-def _factors(system: EllipticSystem, name: str, values: FloatArray) -> FloatArray:
+def _factors(system: EllipticSystem, values: FloatArray) -> FloatArray:
     """Square roots of e + value, zero to the last digit where a value is meant to be a limit."""
     shifted = system.squares + np.asarray(values)[:, None]
     shifted = np.where(np.abs(shifted) < 1e-14 * system.a, 0.0, shifted)

@@ -74,15 +74,6 @@ class Quadric:
         return cls._from_semi_axes(semi_axes, (1, -1, -1), rotation, centre)
 
     @classmethod
-    def from_matrix(cls, matrix: ArrayLike, centre: ArrayLike = (0, 0, 0)) -> Quadric:
-        """Quadric of a symmetric (3, 3) matrix S."""
-        s = np.asarray(matrix, dtype=np.float64)
-        if s.shape != (3, 3) or not np.allclose(s, s.T, rtol=1e-9, atol=1e-12 * np.abs(s).max()):
-            raise InputError("quadric: expected a symmetric 3 x 3 matrix; average it with its own")
-        values, axes = np.linalg.eigh(0.5 * (s + s.T))
-        return cls(values[::-1], axes[:, ::-1], np.asarray(centre, dtype=np.float64))
-
-    @classmethod
     def _from_semi_axes(
         cls,
         semi_axes: ArrayLike,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray, Connectivity
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
 from solver.problem import Problem
 from solver.terms.closeness import Closeness
@@ -118,9 +118,9 @@ def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
         if word == "none":
             return np.zeros(net.vertex_count, dtype=bool)
         if word == "corners":
-            return _some(net.corners, "corners", net)
+            return _some(net.corners, "corners")
         if word == "boundary":
-            return _some(net.boundary_vertices, "boundary", net)
+            return _some(net.boundary_vertices, "boundary")
         fix = _numbers(fix)
     chosen = np.asarray(list(fix), dtype=np.int64)
     wrong = chosen[(chosen < 0) | (chosen >= net.vertex_count)]
@@ -134,7 +134,7 @@ def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
     return mask
 
 
-def _some(mask: BoolArray, word: str, net: Connectivity) -> BoolArray:
+def _some(mask: BoolArray, word: str) -> BoolArray:
     if not mask.any():
         raise InputError(f"fix: the mesh has no {word}; name vertices by number, or use none")
     return mask.copy()

@@ -1,60 +1,34 @@
 """Colours, overlays, check and pictures in FreeCAD's window. Run by FreeCAD."""
 
-import unittest
 from unittest import mock
 
 import FreeCAD
 import FreeCADGui
 import ortho_suite_tools as tools
+from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
 from PySide import QtGui
 
 from freecad_ortho import api, convert
-from freecad_ortho.commands import dialogs, messages
-from freecad_ortho.documents import net_settings
+from freecad_ortho.commands import dialogs
+from freecad_ortho.objects import guides
 from freecad_ortho.panels import check_panel, display_panel
 from solver.analysis.fields import field
 from solver.errors import InputError
 
 
-class AnalyseCase(unittest.TestCase):
+class AnalyseCase(WindowCase):
     def setUp(self):
-        FreeCADGui.activateWorkbench("OrthoWorkbench")
-        self.lines, self.errors, self.panel = [], [], None
-        self.watch(messages, "show_error", self.errors.append)
-        run = FreeCADGui.doCommand
-
-        def recorded(line):
-            self.lines.append(line)
-            run(line)
-
-        self.watch(FreeCADGui, "doCommand", recorded)
+        super().setUp()
         self.net = api.import_net(tools.wavy_mesh())
         self.document = self.net.Document
         self.document.UndoMode = 1
         FreeCADGui.ActiveDocument.ActiveView.fitAll()
         wait()
 
-    def watch(self, target, name, replacement):
-        patch = mock.patch.object(target, name, replacement)
-        patch.start()
-        self.addCleanup(patch.stop)
-
-    def tearDown(self):
-        if FreeCADGui.Control.activeDialog():
-            FreeCADGui.Control.closeDialog()
-        tools.close_all()
-        wait()
-
     def opened(self, command, module, name):
-        make = getattr(module, name)
-
-        def kept(net):
-            self.panel = make(net)
-            return self.panel
-
-        with mock.patch.object(module, name, kept):
-            FreeCADGui.runCommand(command)
+        self.watch_panel(module, name)
+        FreeCADGui.runCommand(command)
         wait()
         return self.panel
 
@@ -166,7 +140,7 @@ class TestReference(AnalyseCase):
         self.document.recompute()
         net = api.net_from_faces([(cylinder, "Face1")])
         api.show_net(net, "Gap to reference")
-        reference = net_settings.reference_surface(net, convert.quad_mesh(net))
+        reference = guides.reference_surface(net, convert.quad_mesh(net))
         values = field(convert.quad_mesh(net), "Gap to reference", reference).values
         self.assertLess(values.max(), 1.0)
         moved = [FreeCAD.Vector(p.x * 1.1, p.y * 1.1, p.z) for p in net.Vertices]

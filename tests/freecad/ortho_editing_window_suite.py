@@ -2,20 +2,18 @@
 
 import json
 import time
-import unittest
-from unittest import mock
 
 import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
 from ortho_mouse_tools import Hand
+from ortho_suite_cases import WindowCase
 from ortho_suite_tools import vertices, wait
 from pivy import coin
 from PySide import QtGui
 
 from freecad_ortho import api, convert
-from freecad_ortho.commands import messages
 from solver.analysis import measures
 
 SIDE = 10
@@ -23,31 +21,7 @@ MIDDLE = SIDE * 5 + 5
 CORNERS = (0, SIDE - 1, SIDE * SIDE - SIDE, SIDE * SIDE - 1)
 
 
-class EditingCase(unittest.TestCase):
-    def setUp(self):
-        FreeCADGui.activateWorkbench("OrthoWorkbench")
-        self.errors, self.said, self.lines = [], [], []
-        run = FreeCADGui.doCommand
-
-        def recorded(line):
-            self.lines.append(line)
-            run(line)
-
-        for target, name, replacement in (
-            (messages, "show_error", self.errors.append),
-            (messages, "show_status", self.said.append),
-            (FreeCADGui, "doCommand", recorded),
-        ):
-            patch = mock.patch.object(target, name, replacement)
-            patch.start()
-            self.addCleanup(patch.stop)
-
-    def tearDown(self):
-        if FreeCADGui.Control.activeDialog():
-            FreeCADGui.Control.closeDialog()
-        tools.close_all()
-        wait()
-
+class EditingCase(WindowCase):
     def edited(self, side=SIDE, **settings):
         """A principal net in edit mode."""
         net = api.import_net(tools.wavy_mesh(rows=side, columns=side))
@@ -109,7 +83,7 @@ class TestDragging(EditingCase):
         net.Document.undo()
         wait()
         self.assertEqual(vertices(net).tobytes(), start.tobytes())
-        exec(self.lines[-1], {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        self.replay()
         edge = convert.quad_mesh(net).mean_edge
         self.assertLess(np.abs(vertices(net) - kept).max(), 1e-5 * edge)
         wait()

@@ -1,7 +1,6 @@
 """The first steps of a user: examples, preferences, languages, installing packages. By FreeCAD."""
 
 import sys
-import unittest
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
@@ -10,11 +9,12 @@ from unittest import mock
 import FreeCAD
 import FreeCADGui
 import ortho_suite_tools as tools
+from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
 from PySide import QtCore, QtGui
 
 from freecad_ortho import api, commands, packages, preferences, resources
-from freecad_ortho.commands import dialogs, messages, requirements
+from freecad_ortho.commands import dialogs, requirements
 from freecad_ortho.documents.examples import EXAMPLES
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.panels import installer
@@ -23,32 +23,18 @@ from solver.errors import InputError
 PREFIX = "Ortho_Example_"
 
 
-class FirstStepsCase(unittest.TestCase):
-    def setUp(self):
-        FreeCADGui.activateWorkbench("OrthoWorkbench")
-        self.errors = []
-        patch = mock.patch.object(messages, "show_error", self.errors.append)
-        patch.start()
-        self.addCleanup(patch.stop)
-
+class FirstStepsCase(WindowCase):
     def tearDown(self):
+        super().tearDown()
         self.assertEqual(self.errors, [])
-        tools.close_all()
-        wait()
 
     def recorded(self, command, and_press=None):
-        lines, run = [], FreeCADGui.doCommand
-
-        def record(line):
-            lines.append(line)
-            run(line)
-
-        with mock.patch.object(FreeCADGui, "doCommand", record):
-            FreeCADGui.runCommand(command)
-            wait()
-            if and_press:
-                press(and_press)
-        return lines
+        self.lines.clear()
+        FreeCADGui.runCommand(command)
+        wait()
+        if and_press:
+            press(and_press)
+        return list(self.lines)
 
 
 class TestExamples(FirstStepsCase):

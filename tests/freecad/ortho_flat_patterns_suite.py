@@ -1,24 +1,19 @@
 """Flat patterns and drawing pages in documents. Run by FreeCAD without a window."""
 
-import unittest
-
 import FreeCAD
 import ortho_suite_tools as tools
+from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api
 from solver.errors import InputError
 
 
-class FlatCase(unittest.TestCase):
+class FlatCase(DocumentCase):
     def setUp(self):
-        self.document = FreeCAD.newDocument("Flat")
-        self.document.UndoMode = 1
+        super().setUp()
         self.net = api.import_net(tools.wavy_mesh(rows=4, columns=5), self.document)
         api.optimise_net(self.net)
         self.beams = api.add_beams(self.net)
-
-    def tearDown(self):
-        tools.close_all()
 
 
 class TestLayout(FlatCase):

@@ -34,9 +34,9 @@ class Hand:
     def move(self, pixel, **keys):
         return self.send(coin.SoLocation2Event(), pixel, **keys)
 
-    def button(self, state, pixel, **keys):
+    def button(self, state, pixel, which=coin.SoMouseButtonEvent.BUTTON1, **keys):
         event = coin.SoMouseButtonEvent()
-        event.setButton(coin.SoMouseButtonEvent.BUTTON1)
+        event.setButton(which)
         event.setState(state)
         return self.send(event, pixel, **keys)
 

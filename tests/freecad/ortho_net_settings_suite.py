@@ -1,11 +1,10 @@
 """What a net is to become and what holds it: properties, macros, files. Run by FreeCAD."""
 
-import unittest
-
 import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
 import Part
+from ortho_suite_cases import DocumentCase
 from ortho_suite_tools import vertices
 
 from freecad_ortho import api, convert, sources
@@ -16,25 +15,7 @@ from solver.errors import InputError
 from solver.nets import RECIPES
 
 
-class SettingsCase(unittest.TestCase):
-    def setUp(self):
-        self.document = FreeCAD.newDocument("Test")
-        self.document.UndoMode = 1
-
-    def tearDown(self):
-        tools.close_all()
-
-    def net(self, **mesh):
-        return api.import_net(tools.wavy_mesh(**mesh), self.document)
-
-    def shape(self, shape, name="Guide"):
-        feature = self.document.addObject("Part::Feature", name)
-        feature.Shape = shape
-        self.document.recompute()
-        return feature
-
-
-class TestTable(SettingsCase):
+class TestTable(DocumentCase):
     def test_every_recipe_can_be_chosen(self):
         self.assertEqual(set(table.NETS), set(RECIPES))
 
@@ -45,7 +26,7 @@ class TestTable(SettingsCase):
             self.assertEqual(names & parts, set(), entry.name)
 
     def test_words_go_in_and_come_out(self):
-        net, twin = self.net(), self.net(name="twin")
+        net, twin = self.imported(), self.imported(name="twin")
         box = self.shape(Part.makeBox(1e4, 1e4, 10))
         given = {
             "net": "isometric",
@@ -85,7 +66,7 @@ class TestTable(SettingsCase):
             self.assertEqual(again[word], given[word], word)
 
     def test_set_net_is_one_step_and_refusals_change_nothing(self):
-        net = self.net()
+        net = self.imported()
         steps = self.document.UndoCount
         api.set_net(net, net="geodesic", fix="corners")
         self.assertEqual((net.NetType, net.FixRule), ("geodesic", "corners"))
@@ -118,9 +99,9 @@ class TestTable(SettingsCase):
                 self.assertEqual(net_settings.words(net), before)
 
 
-class TestGuides(SettingsCase):
+class TestGuides(DocumentCase):
     def test_boundary_glides_on_a_real_curve(self):
-        net = self.net()
+        net = self.imported()
         mesh = convert.quad_mesh(net)
         side = mesh.vertices[:7]
         poles = [FreeCAD.Vector(*point) for point in side]
@@ -135,7 +116,7 @@ class TestGuides(SettingsCase):
         self.assertEqual(net_settings.words(net)["glide"], [(edge, "Edge1")])
 
     def test_boundary_glides_on_an_oblique_plane(self):
-        net = self.net()
+        net = self.imported()
         mesh = convert.quad_mesh(net)
         side = mesh.vertices[:7]
         # A plane through the side's chord that leans outwards.
@@ -165,7 +146,7 @@ class TestGuides(SettingsCase):
         np.testing.assert_allclose(radius, 1e4, atol=2e-3 * convert.quad_mesh(net).mean_edge)
 
     def test_a_guide_that_has_gone(self):
-        net = self.net()
+        net = self.imported()
         box = self.shape(Part.makeBox(1e5, 1e5, 10))
         api.set_net(net, close_to=[(box, "Face6")])
         self.document.removeObject(box.Name)
@@ -174,7 +155,7 @@ class TestGuides(SettingsCase):
         api.optimise_net(net)
 
     def test_a_guide_does_not_make_the_net_stale(self):
-        net = self.net()
+        net = self.imported()
         box = self.shape(Part.makeBox(1e5, 1e5, 10))
         api.set_net(net, close_to=[(box, "Face6")])
         beams = api.add_beams(net)
@@ -183,9 +164,9 @@ class TestGuides(SettingsCase):
         self.assertIn("Up-to-date", beams.State)
 
 
-class TestDragNet(SettingsCase):
+class TestDragNet(DocumentCase):
     def test_one_step_that_is_a_net_and_undoes(self):
-        net = self.net()
+        net = self.imported()
         api.optimise_net(net)
         start, steps = vertices(net), self.document.UndoCount
         place = start[24] + [0, 0, 800]
@@ -197,7 +178,7 @@ class TestDragNet(SettingsCase):
         self.assertEqual(vertices(net).tobytes(), start.tobytes())
 
     def test_refusals_change_nothing(self):
-        net = self.net()
+        net = self.imported()
         api.set_net(net, fix=[0])
         before, steps = vertices(net), self.document.UndoCount
         for wrong in ({999: (0, 0, 0)}, {}, {3: (0, 0)}, {3: (0, 0, np.nan)}, {0: (0, 0, 1)}):
@@ -207,14 +188,14 @@ class TestDragNet(SettingsCase):
         self.assertEqual(self.document.UndoCount, steps)
 
     def test_a_vertex_can_be_a_handle_of_an_optimisation_too(self):
-        net = self.net()
+        net = self.imported()
         place = vertices(net)[24] + [0, 0, 500]
         api.optimise_net(net, handles={24: tuple(place)})
         self.assertLess(np.linalg.norm(vertices(net)[24] - place), 300)
         self.assertEqual(net.Handles, [24])
 
 
-class TestDocumentation(SettingsCase):
+class TestDocumentation(DocumentCase):
     def test_macro_of_the_page_on_editing(self):
         text = (tools.ROOT / "docs" / "editing.md").read_text(encoding="utf-8")
         macro = text.split("```python\n")[1].split("```")[0]

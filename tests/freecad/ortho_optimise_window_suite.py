@@ -1,51 +1,23 @@
 """The Optimise panel in FreeCAD's window: choices, picked constraints, steps. Run by FreeCAD."""
 
-import unittest
-from unittest import mock
-
 import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
 import Part
 from ortho_mouse_tools import Hand
+from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, vertices, wait
 from PySide import QtCore
 
 from freecad_ortho import api, convert
-from freecad_ortho.commands import messages
 from freecad_ortho.documents import net_settings
 from freecad_ortho.panels import run as run_module
 from freecad_ortho.panels.optimise_panel import OptimisePanel
 from solver.analysis.advisor import advise
 
 
-class PanelCase(unittest.TestCase):
-    def setUp(self):
-        FreeCADGui.activateWorkbench("OrthoWorkbench")
-        self.errors, self.lines = [], []
-        run = FreeCADGui.doCommand
-
-        def recorded(line):
-            self.lines.append(line)
-            run(line)
-
-        for target, name, replacement in (
-            (messages, "show_error", self.errors.append),
-            (messages, "show_status", self.errors.append),
-            (FreeCADGui, "doCommand", recorded),
-        ):
-            patch = mock.patch.object(target, name, replacement)
-            patch.start()
-            self.addCleanup(patch.stop)
-
-    def tearDown(self):
-        if FreeCADGui.Control.activeDialog():
-            FreeCADGui.Control.closeDialog()
-        FreeCADGui.Selection.clearSelection()
-        tools.close_all()
-        wait()
-
+class OptimiseCase(WindowCase):
     def net(self, rows=10, columns=9):
         net = api.import_net(tools.wavy_mesh(rows=rows, columns=columns))
         FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -66,16 +38,12 @@ class PanelCase(unittest.TestCase):
         """Undo what was kept and run the recorded line; give both results."""
         kept, words = vertices(net), net_settings.words(net)
         net.Document.undo()
-        exec(self.lines[-1], {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        self.replay()
         self.assertEqual(net_settings.words(net), words)
         return kept, vertices(net)
 
-    def shown(self, net):
-        points = net.ViewObject.Proxy._coordinates.point.getValues()
-        return np.array([point.getValue() for point in points])
 
-
-class TestChoices(PanelCase):
+class TestChoices(OptimiseCase):
     def test_recommendation_can_be_taken(self):
         net = self.net()
         api.set_net(net, net="cmc")
@@ -118,7 +86,7 @@ class TestChoices(PanelCase):
         self.assertEqual(set(panel.settings()), {"net", "fix"})
 
 
-class TestSteps(PanelCase):
+class TestSteps(OptimiseCase):
     def test_step_plot_and_numbers_of_table_2(self):
         net = self.net()
         panel = self.opened(net)
@@ -177,7 +145,7 @@ class TestSteps(PanelCase):
             self.assertLess(sum(bundle[:-1]), 2 * run_module._SECONDS_PER_TICK)
 
 
-class TestLeaving(PanelCase):
+class TestLeaving(OptimiseCase):
     def test_a_panel_that_is_closed_by_others(self):
         net = self.net(rows=20, columns=20)
         panel = self.opened(net)
@@ -191,7 +159,7 @@ class TestLeaving(PanelCase):
         wait()
 
 
-class TestPicking(PanelCase):
+class TestPicking(OptimiseCase):
     def picking(self, what):
         self.panel.constraints._pickers[what].click()
         wait()
@@ -236,11 +204,11 @@ class TestPicking(PanelCase):
         FreeCADGui.Selection.addSelection(document.Name, net.Name)
         wait()
         self.assertEqual(self.panel.constraints.glide, [(line, "Edge1")])
-        self.assertIn("no boundary vertex lies within", self.errors.pop())
+        self.assertIn("no boundary vertex lies within", self.said.pop())
         FreeCADGui.Selection.clearSelection()
         self.picking("near")
         FreeCADGui.Selection.addSelection(document.Name, "Line", "Edge1")
-        self.assertIn("choose a face", self.errors.pop())
+        self.assertIn("choose a face", self.said.pop())
         FreeCADGui.Selection.addSelection(document.Name, "Box", "Face6")
         self.assertEqual(self.panel.constraints.close_to, [(box, "Face6")])
         self.assertEqual(self.panel.constraints.list.count(), 2)
@@ -306,4 +274,4 @@ class TestPicking(PanelCase):
             press(random.choice(["Ok", "Cancel"]))
             net = document.Net
             np.testing.assert_allclose(self.shown(net), vertices(net), rtol=1e-6, atol=1e-2)
-        self.assertFalse([error for error in self.errors if "Traceback" in error])
+        self.assertFalse([words for words in self.errors + self.said if "Traceback" in words])

@@ -8,6 +8,7 @@ import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
 import Part
+from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api, convert
 from freecad_ortho.objects import cad_faces, source_net
@@ -18,29 +19,9 @@ from solver.mesh.remesh import LIBRARY
 from solver.multinet import multi_net_residual
 
 
-class SourceCase(unittest.TestCase):
-    def setUp(self):
-        self.document = FreeCAD.newDocument("Sources")
-        self.document.UndoMode = 1
-
-    def tearDown(self):
-        tools.close_all()
-
-    def shape(self, shape, name="Shape"):
-        feature = self.document.addObject("Part::Feature", name)
-        feature.Shape = shape
-        self.document.recompute()
-        return feature
-
+class SourceCase(DocumentCase):
     def flat(self, count=9, size=8000.0):
         return api.add_primitive("rectangle", sampling=(count, count), length=size, width=size)
-
-    def reopened(self, name):
-        path = str(tools.SCRATCH / name)
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        return self.document
 
 
 class TestPrimitives(SourceCase):

@@ -1,10 +1,9 @@
 """Structures in documents: lines, materials, updating, baking. Run by FreeCAD without a window."""
 
 import json
-import unittest
 
-import FreeCAD
 import ortho_suite_tools as tools
+from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import SYSTEMS
@@ -12,15 +11,11 @@ from freecad_ortho.objects.system_properties import options_of, property_name
 from solver.errors import InputError
 
 
-class StructureCase(unittest.TestCase):
+class StructureCase(DocumentCase):
     def setUp(self):
-        self.document = FreeCAD.newDocument("Structures")
-        self.document.UndoMode = 1
+        super().setUp()
         self.net = api.import_net(tools.wavy_mesh(), self.document)
         api.optimise_net(self.net)
-
-    def tearDown(self):
-        tools.close_all()
 
 
 class TestSettings(StructureCase):

@@ -1,53 +1,27 @@
 """The workbench in FreeCAD's window: every command, task panels, pictures. Run by FreeCAD."""
 
 import os
-import unittest
 from unittest import mock
 
 import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
+from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, vertices, wait
 from PySide import QtGui
 
 from freecad_ortho import api
-from freecad_ortho.commands import dialogs, messages
+from freecad_ortho.commands import dialogs
 from freecad_ortho.panels import optimise_panel
 
 NEEDS_NET = ("Ortho_Optimise", "Ortho_EditNet", "Ortho_Beams", "Ortho_Panels")
 
 
-class WindowCase(unittest.TestCase):
+class WorkbenchCase(WindowCase):
     def setUp(self):
-        FreeCADGui.activateWorkbench("OrthoWorkbench")
-        self.panel = None
-        self.errors, self.lines = [], []
-        run, make = FreeCADGui.doCommand, optimise_panel.OptimisePanel
-
-        def recorded(line):
-            self.lines.append(line)
-            run(line)
-
-        def watched(net):
-            self.panel = make(net)
-            return self.panel
-
-        for target, name, replacement in (
-            (messages, "show_error", self.errors.append),
-            (FreeCADGui, "doCommand", recorded),
-            (optimise_panel, "OptimisePanel", watched),
-        ):
-            patch = mock.patch.object(target, name, replacement)
-            patch.start()
-            self.addCleanup(patch.stop)
-
-    def tearDown(self):
-        if FreeCADGui.Control.activeDialog():
-            FreeCADGui.Control.closeDialog()
-        FreeCADGui.Selection.clearSelection()
-        tools.close_all()
-        wait()
+        super().setUp()
+        self.watch_panel(optimise_panel, "OptimisePanel")
 
     def imported(self, path):
         with mock.patch.object(dialogs, "ask_mesh_file", lambda: path):
@@ -61,11 +35,6 @@ class WindowCase(unittest.TestCase):
         run = self.panel.run
         self.assertTrue(wait(lambda: run.optimisation.finished, seconds))
         press("Ok")
-
-    def shown(self, net):
-        """Positions that are on the screen."""
-        nodes = net.ViewObject.Proxy
-        return np.array([v.getValue() for v in nodes._coordinates.point.getValues()])
 
     def picture(self, name):
         """Save a picture of the active document; give its pixels as (height, width, 3) bytes."""
@@ -81,7 +50,7 @@ class WindowCase(unittest.TestCase):
         self.assertGreater(background, 0.2)
 
 
-class TestStory(WindowCase):
+class TestStory(WorkbenchCase):
     def test_formula_mesh(self):
         self.story(tools.wavy_mesh(rows=8, columns=9))
 
@@ -151,7 +120,7 @@ class TestStory(WindowCase):
         self.assertNotBlank(self.picture("reopened"))
 
 
-class TestCommands(WindowCase):
+class TestCommands(WorkbenchCase):
     def active(self):
         names = (*NEEDS_NET, "Ortho_ImportNet", "Ortho_ExportFabrication")
         return {name for name in names if FreeCADGui.isCommandActive(name)}
@@ -241,7 +210,7 @@ class TestCommands(WindowCase):
         self.assertEqual([again.Beams.Shape.Volume, again.Panels.Shape.Volume], volumes)
 
 
-class TestExport(WindowCase):
+class TestExport(WorkbenchCase):
     def test_progress_moves_and_esc_leaves_nothing(self):
         beams = api.add_beams(self.imported(tools.wavy_mesh()))
         moved, folder = [], tools.SCRATCH / "stopped"
@@ -276,7 +245,7 @@ class TestExport(WindowCase):
         self.assertEqual(sorted(folder.iterdir()), sorted(written))
 
 
-class TestReadme(WindowCase):
+class TestReadme(WorkbenchCase):
     def test_first_macro(self):
         text = (tools.ROOT / "README.md").read_text(encoding="utf-8")
         macro = text.split("```python\n")[1].split("```")[0]
@@ -292,7 +261,7 @@ class TestReadme(WindowCase):
         self.assertGreater(QtGui.QImage(str(home / "roof.png")).width(), 1000)
 
 
-class TestOptimisePanel(WindowCase):
+class TestOptimisePanel(WorkbenchCase):
     def started(self, rows=30):
         """A run that is in the middle of its work."""
         net = self.imported(tools.wavy_mesh(rows=rows, columns=rows))
@@ -320,7 +289,7 @@ class TestOptimisePanel(WindowCase):
         net.Document.undo()
         self.assertEqual(vertices(net).tobytes(), start.tobytes())
         # The recorded line says how many steps were made, and they are the same steps.
-        exec(self.lines[-1], {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        self.replay()
         self.assertEqual(vertices(net).tobytes(), kept.tobytes())
 
     def test_cancel_restores(self):
@@ -378,7 +347,7 @@ class TestOptimisePanel(WindowCase):
         press("Cancel")
 
 
-class TestNetView(WindowCase):
+class TestNetView(WorkbenchCase):
     def test_colour_maps_and_modes_change_the_picture(self):
         net = self.imported(tools.wavy_mesh())
         seen = []

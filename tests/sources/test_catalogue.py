@@ -13,7 +13,6 @@ from solver.analysis import measures
 from solver.mesh.primitives import primitive
 from solver.multinet import multi_net_residual
 
-HERE = (np.eye(3), np.zeros(3))
 TURNED = (np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), np.array([10.0, 20, 30]))
 SHEET = primitive("rectangle", 9, 9, length=8000.0, width=8000.0)
 

@@ -247,3 +247,10 @@ def _joined(parts: list[Triangles]) -> Triangles:
     counts = np.cumsum([0] + [len(points) for points, _ in parts])
     triangles = [each + first for (_, each), first in zip(parts, counts, strict=False)]
     return np.concatenate([points for points, _ in parts]), np.concatenate(triangles)
+
+
+def reference_surface(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> TriangleSurface | None:
+    """What a net is held against: the faces it stays near, else those that it was sampled from."""
+    entries = references(net.CloseTo) or references(getattr(net, "CadFaces", None) or ())
+    near = close_to(entries, mesh)
+    return None if near is None else TriangleSurface(*near)
