@@ -12,7 +12,6 @@ import signal
 import subprocess
 import sys
 import sysconfig
-import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
@@ -143,31 +142,3 @@ def test_with_a_window(run, suite):
     _, said = run([SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW], suite)
     for word in ("Traceback", "Exception", "Error in"):
         assert word not in said
-
-
-def test_package_metadata():
-    space = {"p": "https://wiki.freecad.org/Package_Metadata"}
-    package = ElementTree.parse(ROOT / "package.xml").getroot()
-
-    def text(path):
-        return package.find(path, space).text
-
-    import freecad_ortho
-
-    assert text("p:version") == freecad_ortho.__version__
-    assert text("p:license") == "LGPL-2.1-or-later"
-    assert (ROOT / package.find("p:license", space).get("file")).is_file()
-    assert (ROOT / text("p:icon")).is_file()
-    workbench = package.find("p:content/p:workbench", space)
-    name = workbench.find("p:classname", space).text
-    assert f"class {name}(" in (ROOT / "InitGui.py").read_text(encoding="utf-8")
-    depends = {item.text for item in package.findall("p:depend", space)}
-    assert depends == {"numpy", "scipy", "cadquery", "ezdxf", "shapely", "trimesh"}
-
-
-def test_icons_are_64_by_64():
-    icons = sorted((ROOT / "freecad_ortho" / "resources" / "icons").glob("*.svg"))
-    assert len(icons) >= 7
-    for path in icons:
-        image = ElementTree.parse(path).getroot()
-        assert (image.get("width"), image.get("height")) == ("64", "64"), path

@@ -1,0 +1,51 @@
+"""The project's papers agree: add-on, Python package and pinned versions; icons are as they say."""
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+
+import freecad_ortho
+from tests.conftest import ROOT
+
+SPACE = {"p": "https://wiki.freecad.org/Package_Metadata"}
+PACKAGE = ElementTree.parse(ROOT / "package.xml").getroot()
+
+
+def text(path):
+    return PACKAGE.find(path, SPACE).text
+
+
+def test_add_on():
+    assert text("p:version") == freecad_ortho.__version__
+    assert text("p:license") == "LGPL-2.1-or-later"
+    assert (ROOT / PACKAGE.find("p:license", SPACE).get("file")).is_file()
+    assert (ROOT / text("p:icon")).is_file()
+    workbench = PACKAGE.find("p:content/p:workbench", SPACE)
+    name = workbench.find("p:classname", SPACE).text
+    assert f"class {name}(" in (ROOT / "InitGui.py").read_text(encoding="utf-8")
+
+
+def test_dependencies():
+    project = pytest.importorskip("tomllib").loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    depends = {item.text for item in PACKAGE.findall("p:depend", SPACE)}
+    assert depends == names([*project["dependencies"], *extras["fabrication"]])
+    files = {"requirements": depends} | {
+        f"requirements-{extra}": names(extras[extra]) for extra in ("fast", "remesh")
+    }
+    for name, wanted in files.items():
+        pins = (ROOT / f"{name}.txt").read_text(encoding="utf-8")
+        assert wanted <= set(re.findall(r"^([\w.-]+)==", pins, re.MULTILINE)), name
+
+
+def names(requirements):
+    return {re.match(r"[\w.-]+", item)[0] for item in requirements}
+
+
+def test_icons_are_64_by_64():
+    icons = sorted((ROOT / "freecad_ortho" / "resources" / "icons").glob("*.svg"))
+    assert len(icons) >= 7
+    for path in icons:
+        image = ElementTree.parse(path).getroot()
+        assert (image.get("width"), image.get("height")) == ("64", "64"), path
