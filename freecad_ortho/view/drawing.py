@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
+from freecad_ortho.view import nodes
 from freecad_ortho.view.lens import Lens
 from freecad_ortho.view.pixel_pair import pixel_pair
 from solver.mesh.quadmesh import FloatArray
@@ -72,8 +73,7 @@ class Drawing:
         self._coordinates, self._markers = coin.SoCoordinate3(), coin.SoMarkerSet()
         self._line, self._colours = coin.SoLineSet(), coin.SoMaterial()
         self._markers.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_9_9
-        unlit, on_top, style = coin.SoLightModel(), coin.SoDepthBuffer(), coin.SoDrawStyle()
-        unlit.model = coin.SoLightModel.BASE_COLOR
+        on_top, style = coin.SoDepthBuffer(), coin.SoDrawStyle()
         on_top.function = coin.SoDepthBuffer.ALWAYS
         style.lineWidth = 3
         line_colour, each = coin.SoBaseColor(), coin.SoMaterialBinding()
@@ -81,11 +81,9 @@ class Drawing:
         whole = coin.SoMaterialBinding()
         whole.value = coin.SoMaterialBinding.OVERALL
         each.value = coin.SoMaterialBinding.PER_VERTEX
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
         for node in (
-            self._events, unpickable, unlit, on_top, style, self._coordinates, line_colour, whole,
-            self._line, self._colours, each, self._markers,
+            self._events, nodes.unpickable(), nodes.unlit(), on_top, style, self._coordinates,
+            line_colour, whole, self._line, self._colours, each, self._markers,
         ):  # fmt: skip
             self.root.addChild(node)
         kinds = (coin.SoMouseButtonEvent, coin.SoLocation2Event, coin.SoKeyboardEvent)

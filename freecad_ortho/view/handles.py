@@ -8,6 +8,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
+from freecad_ortho.view import nodes
 from solver.mesh.quadmesh import FloatArray
 
 _SIZE = 9
@@ -25,10 +26,6 @@ class Handles:
 
     def __init__(self) -> None:
         self.root = coin.SoAnnotation()
-        pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE
-        unlit = coin.SoLightModel()
-        unlit.model = coin.SoLightModel.BASE_COLOR
         self._marker_points, self._markers = coin.SoCoordinate3(), coin.SoMarkerSet()
         self._markers.markerIndex = FreeCADGui.getMarkerIndex("CIRCLE_FILLED", _SIZE)
         self._markers.numPoints = 0
@@ -36,7 +33,7 @@ class Handles:
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX
         self._line_points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
-        for node in (pick, unlit, self._guides(), self._frame()):
+        for node in (nodes.unpickable(), nodes.unlit(), self._guides(), self._frame()):
             self.root.addChild(node)
         for node in (self._colours, binding, self._marker_points, self._markers):
             self.root.addChild(node)
@@ -87,18 +84,11 @@ class Handles:
         self._frame_switch, self._frame_points = coin.SoSwitch(), coin.SoCoordinate3()
         colour = coin.SoBaseColor()
         colour.rgb = (0.2, 0.45, 0.85)
-        camera = coin.SoOrthographicCamera()
-        camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
-        camera.aspectRatio = 1.0
-        camera.height = 2.0
-        camera.position = (0, 0, 1)
-        camera.nearDistance, camera.farDistance = 0.5, 1.5
         separator = coin.SoSeparator()
-        transform = coin.SoResetTransform()
-        for node in (transform, camera, colour, self._frame_points, coin.SoLineSet()):
+        start = (coin.SoResetTransform(), nodes.window_camera(), colour)
+        for node in (*start, self._frame_points, coin.SoLineSet()):
             separator.addChild(node)
-        skip = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
-        skip.getField("mode").set("EXCLUDE_BBOX")
+        skip = nodes.left_out_of_fitting()
         skip.addChild(separator)
         self._frame_switch.addChild(skip)
         self.hide_frame()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
+from freecad_ortho.view import nodes
 from freecad_ortho.view.colour_scale import ColourScale
 from freecad_ortho.view.colours import palette
 
@@ -23,23 +24,12 @@ class Legend:
 
     def __init__(self) -> None:
         self.root = coin.SoSwitch()
-        skip = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
-        skip.getField("mode").set("EXCLUDE_BBOX")
+        skip = nodes.left_out_of_fitting()
         self.root.addChild(skip)
         overlay = coin.SoAnnotation()
         skip.addChild(overlay)
-        pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
-        camera = coin.SoOrthographicCamera()
-        camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
-        camera.aspectRatio = 1.0
-        camera.height = 2.0
-        camera.position = (0, 0, 1)
-        camera.nearDistance, camera.farDistance = 0.5, 1.5
-        transform = coin.SoResetTransform()
-        for node in (transform, pick, light, camera, _plate()):
+        start = (coin.SoResetTransform(), nodes.unpickable(), nodes.unlit(), nodes.window_camera())
+        for node in (*start, _plate()):
             overlay.addChild(node)
         self._labels = coin.SoSeparator()
         overlay.addChild(self._labels)

@@ -13,6 +13,7 @@ from freecad_ortho import convert, preferences
 from freecad_ortho.objects.guides import reference_surface
 from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon
+from freecad_ortho.view import nodes
 from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
 from freecad_ortho.view.legend import Legend
 from freecad_ortho.view.net_properties import PROPERTIES
@@ -162,8 +163,7 @@ class NetView(Stateless):
         hints.creaseAngle = 0.0
         push_back = coin.SoPolygonOffset()
         # Light from the camera would darken the colours that the scale explains.
-        unlit = coin.SoLightModel()
-        unlit.model = coin.SoLightModel.BASE_COLOR
+        unlit = nodes.unlit()
         self._faces = coin.SoSeparator()
         colours = (self._material, self._face_binding)
         for node in (unlit, hints, *colours, self._reflection.root, push_back, self._face_set):

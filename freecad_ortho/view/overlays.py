@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
+from freecad_ortho.view import nodes
 from freecad_ortho.view.overlay_shapes import OVERLAYS, Balls, Lines, Points, Shape
 from solver.mesh.quadmesh import QuadMesh
 
@@ -23,9 +24,7 @@ class Overlays:
 
     def __init__(self) -> None:
         self.root = coin.SoSeparator()
-        pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE
-        self.root.addChild(pick)
+        self.root.addChild(nodes.unpickable())
         self._layers = {name: coin.SoSeparator() for name in OVERLAYS}
         for layer in self._layers.values():
             self.root.addChild(layer)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
+from freecad_ortho.view import nodes
 from freecad_ortho.view.lens import Lens
 from freecad_ortho.view.pixel_pair import pixel_pair
 from solver.mesh.quadmesh import FloatArray
@@ -61,15 +62,12 @@ class Picking:
         self._coordinates, self._colours = coin.SoCoordinate3(), coin.SoMaterial()
         self._markers = coin.SoMarkerSet()
         self._markers.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_7_7
-        unlit, on_top, each = coin.SoLightModel(), coin.SoDepthBuffer(), coin.SoMaterialBinding()
-        unlit.model = coin.SoLightModel.BASE_COLOR
+        on_top, each = coin.SoDepthBuffer(), coin.SoMaterialBinding()
         on_top.function = coin.SoDepthBuffer.ALWAYS
         each.value = coin.SoMaterialBinding.PER_VERTEX
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
         for node in (
-            self._events, unpickable, unlit, on_top, self._coordinates, self._colours, each,
-            self._markers,
+            self._events, nodes.unpickable(), nodes.unlit(), on_top, self._coordinates,
+            self._colours, each, self._markers,
         ):  # fmt: skip
             self.root.addChild(node)
         kind = coin.SoMouseButtonEvent.getClassTypeId()

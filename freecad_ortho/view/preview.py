@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import colours
+from freecad_ortho.view import colours, nodes
 from solver.mesh.quadmesh import QuadMesh
 
 _FACES = (0.55, 0.74, 0.90)
@@ -51,8 +51,7 @@ class _Sheet:
         self._material = coin.SoMaterial()
         self._material.transparency = transparency
         self._faces, self._edges = coin.SoIndexedFaceSet(), coin.SoIndexedLineSet()
-        unlit, hints = coin.SoLightModel(), coin.SoShapeHints()
-        unlit.model = coin.SoLightModel.BASE_COLOR
+        hints = coin.SoShapeHints()
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_FACE
@@ -60,15 +59,14 @@ class _Sheet:
         style.lineWidth = 1.5 if transparency == 0 else 1.0
         edge_colour.diffuseColor = lines
         edge_colour.transparency = transparency
-        # What is only shown must not catch the mouse.
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
         shape = coin.SoSeparator()
         for node in (hints, self._material, binding, coin.SoPolygonOffset(), self._faces):
             shape.addChild(node)
         whole = coin.SoMaterialBinding()
         whole.value = coin.SoMaterialBinding.OVERALL
-        for node in (unpickable, unlit, self._points, shape, edge_colour, whole, style):
+        for node in (
+            nodes.unpickable(), nodes.unlit(), self._points, shape, edge_colour, whole, style,
+        ):  # fmt: skip
             self.root.addChild(node)
         self.root.addChild(self._edges)
 
