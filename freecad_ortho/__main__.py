@@ -1,4 +1,4 @@
-"""The command line: optimise, fabricate, check."""
+"""The command line: runs one command and turns how it ends into an exit code."""
 
 from __future__ import annotations
 

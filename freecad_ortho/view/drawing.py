@@ -9,8 +9,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho.view import nodes
-from freecad_ortho.view.lens import Lens
-from freecad_ortho.view.pixel_pair import pixel_pair
+from freecad_ortho.view.screen import Screen, mouse_of
 from solver.mesh.quadmesh import FloatArray
 
 # Pixels around a point in which the mouse takes hold of it.
@@ -48,7 +47,7 @@ class Drawing:
         self.points: FloatArray = np.zeros((0, 3))
         self.adding = False
         self.pick = pick
-        self._view, self._changed, self._ended = view, changed, ended
+        self._changed, self._ended = changed, ended
         self._held: int | None = None
         self._scene = view.getSceneGraph()
         self._build_nodes()
@@ -108,9 +107,9 @@ class Drawing:
             node.setHandled()
 
     def _take_or_add(self, node: Any) -> None:
-        near = self._point_near(node)
+        near = Screen.of_event(node).vertex_at(mouse_of(node), self.points, _NEAR)
         if near is None and self.adding:
-            place = self.pick(*self._ray(node))
+            place = self._aimed_at(node)
             if place is None:
                 return
             self.points = np.concatenate([self.points, [place]])
@@ -125,7 +124,7 @@ class Drawing:
     def _moved(self, _: Any, node: Any) -> None:
         if self._held is None:
             return
-        place = self.pick(*self._ray(node))
+        place = self._aimed_at(node)
         if place is not None:
             self.points = self.points.copy()
             self.points[self._held] = place
@@ -166,20 +165,7 @@ class Drawing:
         self._colours.diffuseColor.deleteValues(0)
         self._colours.diffuseColor.setValues(0, count, shades)
 
-    def _lens(self, node: Any) -> tuple[Lens, FloatArray]:
-        """The projection at an event, and where the mouse is in pixels."""
-        viewport = node.getAction().getViewportRegion()
-        return Lens(self._view, viewport), pixel_pair(node.getEvent().getPosition(viewport))
-
-    def _ray(self, node: Any) -> tuple[FloatArray, FloatArray]:
-        lens, mouse = self._lens(node)
-        return lens.ray(mouse)
-
-    def _point_near(self, node: Any) -> int | None:
-        """The point under the mouse, if any."""
-        if not len(self.points):
-            return None
-        lens, mouse = self._lens(node)
-        apart = np.linalg.norm(lens.pixels(self.points) - mouse, axis=1)
-        nearest = int(np.argmin(apart))
-        return nearest if apart[nearest] <= _NEAR else None
+    def _aimed_at(self, node: Any) -> FloatArray | None:
+        """What the mouse points at at an event."""
+        ray = Screen.of_event(node).ray(mouse_of(node))
+        return self.pick(ray.origin, ray.direction)

@@ -9,8 +9,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho.view.handles import Handles
-from freecad_ortho.view.pixel_pair import pixel_pair
-from freecad_ortho.view.screen import Ray, Screen
+from freecad_ortho.view.screen import Ray, Screen, mouse_of
 from solver.mesh.quadmesh import FloatArray
 
 # Pixels within which a vertex is hit, and beyond which a press becomes a drag.
@@ -110,8 +109,7 @@ class Mouse:
         if not moved and not (button and event.getButton() == coin.SoMouseButtonEvent.BUTTON1):
             return
         screen = Screen.of_event(node)
-        region = node.getAction().getViewportRegion()
-        pixel = pixel_pair(event.getPosition(region))
+        pixel = mouse_of(node)
         if moved:
             handled = self._moved(screen, pixel)
         elif event.getState() == coin.SoButtonEvent.DOWN:

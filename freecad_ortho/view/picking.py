@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 from pivy import coin
 
 from freecad_ortho.view import nodes
-from freecad_ortho.view.lens import Lens
-from freecad_ortho.view.pixel_pair import pixel_pair
+from freecad_ortho.view.screen import Screen, mouse_of
 from solver.mesh.quadmesh import FloatArray
 
 # Pixels around a vertex in which a click means it.
@@ -34,7 +32,7 @@ class Picking:
     def __init__(self, view: Any, points: FloatArray, changed: Callable[[], None]) -> None:
         self.chosen: set[int] = set()
         self.active = False
-        self._view, self._points, self._changed = view, points, changed
+        self._points, self._changed = points, changed
         self._scene = view.getSceneGraph()
         self._build_nodes()
         self._scene.insertChild(self.root, 0)
@@ -78,11 +76,8 @@ class Picking:
         left = event.getButton() == coin.SoMouseButtonEvent.BUTTON1
         if not (self.active and left and event.getState() == coin.SoButtonEvent.DOWN):
             return
-        viewport = node.getAction().getViewportRegion()
-        mouse = pixel_pair(event.getPosition(viewport))
-        apart = np.linalg.norm(Lens(self._view, viewport).pixels(self._points) - mouse, axis=1)
-        nearest = int(np.argmin(apart))
-        if apart[nearest] <= _NEAR:
-            self.show(self.chosen ^ {nearest}, self.active)
+        vertex = Screen.of_event(node).vertex_at(mouse_of(node), self._points, _NEAR)
+        if vertex is not None:
+            self.show(self.chosen ^ {vertex}, self.active)
             node.setHandled()
             self._changed()

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view.pixel_pair import pixel_pair
 from solver.mesh.quadmesh import FloatArray
 
 # Of vertices under the mouse, those further behind than this part of the scene are hidden.
@@ -40,7 +39,7 @@ class Screen:
         """The view in which the event of a SoEventCallback happened."""
         action = node.getAction()
         volume = coin.SoViewVolumeElement.get(action.getState())
-        region = pixel_pair(action.getViewportRegion().getViewportSizePixels())
+        region = _pair(action.getViewportRegion().getViewportSizePixels())
         return cls(np.array(volume.getMatrix().getValue()), (int(region[0]), int(region[1])))
 
     def pixels(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -80,3 +79,13 @@ class Screen:
         places, _ = self.pixels(points)
         low, high = np.minimum(one, other), np.maximum(one, other)
         return np.flatnonzero(((places >= low) & (places <= high)).all(axis=1)).tolist()
+
+
+def mouse_of(node: Any) -> FloatArray:
+    """(2,) pixel at which the event of a SoEventCallback happened."""
+    return _pair(node.getEvent().getPosition(node.getAction().getViewportRegion()))
+
+
+def _pair(pair: Any) -> FloatArray:
+    """Make an array (2,) of a SbVec2s, whose ``getValue`` newer Coin bindings cannot unpack."""
+    return np.array([pair[0], pair[1]], dtype=np.float64)

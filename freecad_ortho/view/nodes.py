@@ -1,0 +1,38 @@
+"""Coin nodes that several pictures begin with."""
+
+from __future__ import annotations
+
+from pivy import coin
+
+
+def unpickable() -> coin.SoPickStyle:
+    """What follows is only shown and does not catch the mouse."""
+    node = coin.SoPickStyle()
+    node.style = coin.SoPickStyle.UNPICKABLE
+    return node
+
+
+def unlit() -> coin.SoLightModel:
+    """What follows has its plain colours."""
+    node = coin.SoLightModel()
+    node.model = coin.SoLightModel.BASE_COLOR
+    return node
+
+
+def window_camera() -> coin.SoOrthographicCamera:
+    """What follows has its corners of the window at -1 and +1, whatever the window's shape."""
+    camera = coin.SoOrthographicCamera()
+    camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
+    camera.aspectRatio = 1.0
+    camera.height = 2.0
+    camera.position = (0, 0, 1)
+    camera.nearDistance, camera.farDistance = 0.5, 1.5
+    return camera
+
+
+def left_out_of_fitting() -> coin.SoGroup:
+    """A group whose children do not count when the view is fitted to all."""
+    # FreeCAD's own kind of node, which pivy does not know by name.
+    group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+    group.getField("mode").set("EXCLUDE_BBOX")
+    return group
