@@ -29,6 +29,17 @@ def test_links_lead_to_files(path):
             assert (path.parent / link).is_file(), link
 
 
+def test_every_page_is_reached_from_the_readme():
+    reached, ahead = set(), [ROOT / "README.md"]
+    while ahead:
+        page = ahead.pop()
+        reached.add(page)
+        links = re.findall(r"\]\(([^)#]+\.md)", page.read_text(encoding="utf-8"))
+        pages = {(page.parent / link).resolve() for link in links if "://" not in link}
+        ahead += sorted(pages - reached - {*ahead})
+    assert set(DOCUMENTS) <= reached
+
+
 def test_every_net_and_measure_is_explained():
     rows = set(re.findall(r"^\| `?([a-z- ]+)`? \|", text("docs/nets.md"), re.MULTILINE))
     assert set(RECIPES) <= rows, "a net is missing in docs/nets.md"
