@@ -2,6 +2,7 @@
 
 import json
 
+import FreeCAD
 import ortho_suite_tools as tools
 from ortho_suite_cases import DocumentCase
 
