@@ -14,7 +14,7 @@ sys.path.append(os.environ["ORTHO_SUITE_FOLDER"])
 
 FOLDER = Path(os.environ["ORTHO_SUITE_SCRATCH"])
 # Of the 3D view, in pixels; a panel that is higher makes the picture higher.
-VIEW = (760, 560)
+VIEW = (740, 420)
 # Commands that open a panel by themselves and are no part of the tutorial.
 SOURCES = ("MultiNet", "Primitive", "EllipticNet", "FaceNet", "QuadsFromMesh", "FormNet")
 CHANGES = ("Derived", "Refine", "Transform", "Offset", "Weld")
@@ -27,7 +27,7 @@ def look(name: str) -> None:
     wait(seconds=0.5)
     view = three_d_view()
     panel = task_panel()
-    height = max(VIEW[1], panel.height() if panel else 0)
+    height = max(VIEW[1], bottom(panel) if panel else 0)
     width = VIEW[0] + (panel.width() if panel else 0)
     sheet = QtGui.QImage(width, height, QtGui.QImage.Format_RGB32)
     sheet.fill(QtGui.QColor("white"))
@@ -36,8 +36,8 @@ def look(name: str) -> None:
         painter.drawPixmap(0, 0, panel.grab())
     if view:
         path = str(FOLDER / "view.tmp.png")
-        view.saveImage(path, *VIEW, "White")
-        painter.drawImage(width - VIEW[0], (height - VIEW[1]) // 2, QtGui.QImage(path))
+        view.saveImage(path, VIEW[0], height, "White")
+        painter.drawImage(width - VIEW[0], 0, QtGui.QImage(path))
         Path(path).unlink()
     painter.end()
     sheet.save(str(FOLDER / f"{name}.png"))
@@ -63,13 +63,20 @@ def task_panel():
     return buttons.parentWidget()
 
 
-def stand(view_all: bool = True) -> None:
-    """Look at everything from the standard direction."""
+def bottom(panel) -> int:
+    """Where the boxes of a task panel end, in pixels from its top; below it is empty."""
+    boxes = [each for each in panel.children() if isinstance(each, QtGui.QWidget)]
+    return max(each.geometry().bottom() for each in boxes if each.isVisible()) + 8
+
+
+def stand() -> None:
+    """Look at everything from the standard direction, with room for the colour scale."""
     from freecad_ortho.view import picture
 
     view = three_d_view()
-    if view and view_all:
+    if view:
         picture.look(view)
+        view.getCameraNode().scaleHeight(1.2)
 
 
 def tutorial() -> None:
@@ -77,7 +84,9 @@ def tutorial() -> None:
     from ortho_tutorial import Tutorial
 
     def seen(name: str) -> None:
-        if name != "drag":
+        if name == "drag":
+            three_d_view().getCameraNode().scaleHeight(1.2)
+        else:
             stand()
         look(name)
 
@@ -90,10 +99,10 @@ def tutorial() -> None:
     for command in ("Beams", "Panels"):
         story.structure(command, command.lower())
     document = story.document
+    near("panels-near")
     story.flat_patterns("sheets", on_sheets=True)
     story.only(document.FlatPatterns)
-    FreeCADGui.activeView().viewTop()
-    FreeCADGui.activeView().fitAll()
+    from_above(document.FlatPatterns, 0.1)
     look("sheets-alone")
     story.export(FOLDER / "run" / "files")
     close()
@@ -102,13 +111,34 @@ def tutorial() -> None:
     story.only(document.Net)
     story.select(document.Net)
     story.structure("Lamellas", "lamellas", [("Width", 60.0), ("Thickness", 4.0)])
+    near("lamellas-near")
     story.select(document.Lamellas)
     story.flat_patterns("strips", on_sheets=False)
     story.only(document.FlatPatterns)
-    FreeCADGui.activeView().viewTop()
-    FreeCADGui.activeView().fitAll()
+    from_above(document.FlatPatterns, 0.1)
     look("strips-alone")
     close()
+
+
+def near(name: str) -> None:
+    """Look at the middle from near."""
+    stand()
+    three_d_view().getCameraNode().scaleHeight(0.3)
+    look(name)
+
+
+def from_above(feature, share: float) -> None:
+    """Look from above at a share of a flat object, its first corner."""
+    view = FreeCADGui.activeView()
+    view.viewTop()
+    view.fitAll()
+    box = feature.Shape.BoundBox
+    camera = view.getCameraNode()
+    high = share * max(box.YLength, box.XLength * VIEW[1] / VIEW[0])
+    place = camera.position.getValue()
+    wide = high * VIEW[0] / VIEW[1]
+    camera.position = (box.XMin + 0.48 * wide, box.YMax - 0.45 * high, place[2])
+    camera.height = high
 
 
 def others() -> None:
@@ -138,7 +168,7 @@ def others() -> None:
         FreeCAD.newDocument("Changes")
         nets = [api.add_primitive("translational")]
         if command == "Weld":
-            nets.append(api.change_net(nets[0], "mirror"))
+            nets.append(api.change_net(nets[0], "transform", move=("24 m", 0, 0)))
         for net in nets:
             FreeCADGui.Selection.addSelection(net)
         both(command)

@@ -28,6 +28,7 @@ class CheckPanel:
         self.form.setWindowTitle(translate("Ortho", "Check"))
         self.form.setWindowIcon(QtGui.QIcon(icon("check")))
         column = QtGui.QVBoxLayout(self.form)
+        column.setContentsMargins(0, 6, 0, 6)
         self.summary = _wrapped(_summary(net.Label, self.result))
         self.recommendation = _wrapped(self.result["advice"]["recommendation"])
         self.measures = _table(
@@ -115,15 +116,20 @@ def _table(titles: list[str], rows: list[list[str]]) -> QtGui.QTableWidget:
     for i, row in enumerate(rows):
         for j, text in enumerate(row):
             item = QtGui.QTableWidgetItem(text)
+            item.setToolTip(text)
             if j == 1:
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
             table.setItem(i, j, item)
     line = table.fontMetrics().height() + 6
     table.verticalHeader().setMinimumSectionSize(line)
     table.verticalHeader().setDefaultSectionSize(line)
-    table.resizeColumnsToContents()
-    table.horizontalHeader().setStretchLastSection(True)
+    # The first column gives way: its names can be read when they are cut, numbers cannot.
+    header = table.horizontalHeader()
+    for j in range(len(titles)):
+        mode = QtGui.QHeaderView.ResizeToContents if j else QtGui.QHeaderView.Stretch
+        header.setSectionResizeMode(j, mode)
     # All rows at once: scrolling inside a task panel that scrolls itself is a nuisance.
     table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-    table.setMinimumHeight(line * len(rows) + table.horizontalHeader().height() + 24)
+    table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+    table.setMinimumHeight(line * len(rows) + header.height() + 4)
     return table

@@ -66,22 +66,30 @@ class FlatPatternsView(Stateless):
         if len(feature.PartNames) == len(feature.LabelPlaces):
             colour = coin.SoBaseColor()
             colour.rgb = (0.75, 0.22, 0.10)
-            font = coin.SoFont()
-            font.size = 11
-            for node in (colour, font):
+            plain = coin.SoLightModel()
+            plain.model = coin.SoLightModel.BASE_COLOR
+            for node in (colour, plain):
                 self._names.addChild(node)
-            for name, place in zip(feature.PartNames, feature.LabelPlaces, strict=True):
-                self._names.addChild(_text(name, place))
+            # The parts come first in the shape, then the sheets.
+            parts = feature.Shape.SubShapes[: len(feature.PartNames)]
+            for name, place, part in zip(
+                feature.PartNames, feature.LabelPlaces, parts, strict=False
+            ):
+                self._names.addChild(_text(name, place, part.BoundBox))
         self._show_names()
 
 
-def _text(words: str, place: FreeCAD.Vector) -> coin.SoSeparator:
+def _text(words: str, place: FreeCAD.Vector, box: FreeCAD.BoundBox) -> coin.SoSeparator:
+    """A name as large as its part has room for: names of a fixed size would cover each other."""
     node = coin.SoSeparator()
+    font = coin.SoFont()
+    font.name = "Sans"
+    font.size = max(min(0.4 * box.YLength, 1.2 * box.XLength / len(words)), 1e-3)
     shift = coin.SoTranslation()
-    shift.translation = tuple(place)
-    text = coin.SoText2()
+    shift.translation = (place.x, place.y - 0.35 * font.size.getValue(), place.z)
+    text = coin.SoAsciiText()
     text.string = words
-    text.justification = coin.SoText2.CENTER
-    node.addChild(shift)
-    node.addChild(text)
+    text.justification = coin.SoAsciiText.CENTER
+    for child in (font, shift, text):
+        node.addChild(child)
     return node

@@ -1,33 +1,20 @@
 """The whole story in FreeCAD's window, as docs/tutorial.md tells it. Run by FreeCAD."""
 
-import unittest
-from unittest import mock
-
 import FreeCAD
-import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
+from ortho_suite_cases import WindowCase
 from ortho_suite_tools import vertices, wait
 from ortho_tutorial import Tutorial, state
 
 from freecad_ortho import convert
-from freecad_ortho.commands import messages
 from solver.analysis.advisor import advise
 
 
-class StoryCase(unittest.TestCase):
+class StoryCase(WindowCase):
     def setUp(self):
-        self.errors = []
-        patch = mock.patch.object(messages, "show_error", self.errors.append)
-        patch.start()
-        self.addCleanup(patch.stop)
+        super().setUp()
         self.tutorial = Tutorial()
-
-    def tearDown(self):
-        if FreeCADGui.Control.activeDialog():
-            FreeCADGui.Control.closeDialog()
-        tools.close_all()
-        wait()
 
     def undone_and_redone(self, steps):
         """Undo everything, redo everything: the same document to the last bit."""
