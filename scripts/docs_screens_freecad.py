@@ -69,14 +69,14 @@ def bottom(panel) -> int:
     return max(each.geometry().bottom() for each in boxes if each.isVisible()) + 8
 
 
-def stand() -> None:
+def stand(room: float = 1.2) -> None:
     """Look at everything from the standard direction, with room for the colour scale."""
     from freecad_ortho.view import picture
 
     view = three_d_view()
     if view:
         picture.look(view)
-        view.getCameraNode().scaleHeight(1.2)
+        view.getCameraNode().scaleHeight(room)
 
 
 def tutorial() -> None:
@@ -87,7 +87,7 @@ def tutorial() -> None:
         if name == "drag":
             three_d_view().getCameraNode().scaleHeight(1.2)
         else:
-            stand()
+            stand(1.2 if story.net.Visibility else 0.75)
         look(name)
 
     story = Tutorial(seen)
@@ -122,8 +122,7 @@ def tutorial() -> None:
 
 def near(name: str) -> None:
     """Look at the middle from near."""
-    stand()
-    three_d_view().getCameraNode().scaleHeight(0.3)
+    stand(0.3)
     look(name)
 
 
@@ -172,7 +171,7 @@ def others() -> None:
         for net in nets:
             FreeCADGui.Selection.addSelection(net)
         both(command)
-    for command in ("Louvres", "Nodes"):
+    for command in ("Louvres", "Nodes", "BentPanels"):
         net = api.import_net(tools.wavy_mesh())
         api.optimise_net(net)
         api.add_beams(net)

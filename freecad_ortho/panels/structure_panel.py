@@ -34,6 +34,9 @@ _PREFERRED = {
     ("panels", "gap"): "PanelGap",
 }
 
+# Units that a field does not show by itself.
+_UNITS = {"DEG": "°", "PERCENT": "%"}
+
 Field = LengthField | ChoiceField | NumberField | SwitchField | TextField
 
 
@@ -100,7 +103,8 @@ class StructurePanel(WorkPanel):
             field.widget.setText(words)
             self._rows.addRow(field.widget)
         else:
-            self._rows.addRow(words, field.widget)
+            unit = _UNITS.get(option.metavar)
+            self._rows.addRow(f"{words} ({unit})" if unit else words, field.widget)
 
     def _add_common_fields(self, net: FreeCAD.DocumentObject) -> None:
         self.on_beams = None
