@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -28,6 +29,18 @@ TOOLBARS = {
     ),
 }
 
+# Files with classes of commands, in the order in which FreeCAD learns of them: groups are last.
+_FILES = (
+    "import_net",
+    "sources",
+    "remesh",
+    "optimise",
+    "display",
+    "structures",
+    "flat_patterns",
+    "export_fabrication",
+    "groups",
+)
 
 # At the end of the menu, and there even where nothing else can be loaded.
 HELP = ["Ortho_InstallPackages"]
@@ -84,67 +97,7 @@ def _add(name: str, command: Any) -> None:
 
 
 def _commands() -> list[Command]:
-    from freecad_ortho.commands.display import Check, Display, SavePicture
-    from freecad_ortho.commands.export_fabrication import ExportFabrication
-    from freecad_ortho.commands.flat_patterns import DrawingPage, FlatPatterns
-    from freecad_ortho.commands.groups import ChangeNet, NewNet
-    from freecad_ortho.commands.import_net import ImportNet
-    from freecad_ortho.commands.optimise import EditNet, Optimise
-    from freecad_ortho.commands.remesh import QuadsFromMesh
-    from freecad_ortho.commands.sources import (
-        Derived,
-        EllipticNet,
-        FaceNet,
-        FormNet,
-        MultiNet,
-        Offset,
-        Primitive,
-        Refine,
-        Transform,
-        Weld,
-    )
-    from freecad_ortho.commands.structures import (
-        Bake,
-        Beams,
-        BentPanels,
-        Lamellas,
-        Louvres,
-        Nodes,
-        Panels,
-        Patches,
-        UpdateStructures,
-    )
-
-    return [
-        ImportNet(),
-        MultiNet(),
-        Primitive(),
-        EllipticNet(),
-        FaceNet(),
-        QuadsFromMesh(),
-        FormNet(),
-        Derived(),
-        Refine(),
-        Transform(),
-        Offset(),
-        Weld(),
-        NewNet(),
-        ChangeNet(),
-        Optimise(),
-        EditNet(),
-        Display(),
-        Check(),
-        SavePicture(),
-        Beams(),
-        Lamellas(),
-        Patches(),
-        Panels(),
-        BentPanels(),
-        Louvres(),
-        Nodes(),
-        UpdateStructures(),
-        FlatPatterns(),
-        DrawingPage(),
-        ExportFabrication(),
-        Bake(),
-    ]
+    """One of every class that has a text of its own."""
+    modules = [import_module(f"{__name__}.{name}") for name in _FILES]
+    members = [member for module in modules for member in vars(module).values()]
+    return [each() for each in members if isinstance(each, type) and "text" in vars(each)]
