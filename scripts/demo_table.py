@@ -39,7 +39,7 @@ def table(
     size = " x ".join(f"{side / 1000:.3g}" for side in np.ptp(drawn.vertices, axis=0))
     orthogonality = [float(measures.orthogonality(mesh).max()) for mesh in (drawn, principal)]
     planarity = [float(measures.planarity(mesh).max()) for mesh in (drawn, principal)]
-    warp = [float(out_of_plane(mesh).max()) for mesh in (drawn, principal)]
+    warp = [float(measures.diagonal_distances(mesh).max()) for mesh in (drawn, principal)]
     rows = [
         ("mesh", f"{len(drawn.faces)} quads, {len(drawn.vertices)} vertices, {size} m"),
         ("orthogonality", f"worst face {arrow(orthogonality)} (unequal diagonals, 0 is exact)"),
@@ -85,10 +85,3 @@ def numbers(rows: Sequence[dict[str, str]], column: str) -> FloatArray:
 def arrow(values: Sequence[float]) -> str:
     """Write a measure before and after."""
     return f"{values[0]:.2g} -> {values[1]:.1e}"
-
-
-def out_of_plane(mesh: QuadMesh) -> FloatArray:
-    """Distance between the two diagonals of each face, in the mesh's unit."""
-    a, b, c, d = (mesh.vertices[mesh.faces[:, corner]] for corner in range(4))
-    normal = np.cross(c - a, d - b)
-    return np.abs(((b - a) * normal).sum(axis=1)) / np.linalg.norm(normal, axis=1)

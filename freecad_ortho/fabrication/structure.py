@@ -12,9 +12,9 @@ from freecad_ortho.fabrication.limits import OK, Limits, verdict
 from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Selection, Site
-from freecad_ortho.fabrication.systems.panels.geometry import diagonal_distances
 from freecad_ortho.fabrication.systems.system import System, SystemParts
 from freecad_ortho.fabrication.workers import in_chunks
+from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.axes import Axes

@@ -26,11 +26,15 @@ def planarity(mesh: QuadMesh) -> FloatArray:
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, figure 8.
     """
-    a, b, c, d = _corners(mesh)
     first, second = _diagonal_lengths(mesh)
+    return np.asarray(diagonal_distances(mesh) / (0.5 * (first + second)))
+
+
+def diagonal_distances(mesh: QuadMesh) -> FloatArray:
+    """(F,) distance between the lines of the diagonals, in the mesh's unit."""
+    a, b, c, d = _corners(mesh)
     between = 0.5 * (a + c - b - d)
-    distance = np.abs(np.einsum("ij,ij->i", between, mesh.face_normals))
-    return np.asarray(distance / (0.5 * (first + second)))
+    return np.abs(np.einsum("ij,ij->i", between, mesh.face_normals))
 
 
 def circular(mesh: QuadMesh) -> FloatArray:

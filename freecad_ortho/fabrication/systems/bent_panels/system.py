@@ -19,10 +19,10 @@ from freecad_ortho.fabrication.sizes import check_size
 from freecad_ortho.fabrication.systems.bent_panels.plate import Plate, plate_of
 from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
 from freecad_ortho.fabrication.systems.panels.geometry import (
-    diagonal_distances,
     half_angle_tangents,
 )
 from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 from solver.unroll.measures import smallest_bend_radius

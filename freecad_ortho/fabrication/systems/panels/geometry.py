@@ -141,12 +141,6 @@ def _bevelled_sides(
     return np.asarray((gap / 2 - up * level[:, None]) / flat)
 
 
-def diagonal_distances(mesh: QuadMesh) -> FloatArray:
-    """(F,) distance between the diagonals of each face: how far it is from planar."""
-    corner = mesh.vertices[mesh.faces]
-    return np.abs(np.einsum("fk,fk->f", corner[:, 1] - corner[:, 0], mesh.face_normals))
-
-
 def neighbours(connectivity: Connectivity) -> IntArray:
     """(F, 4) face across each side, -1 at the boundary."""
     twins = connectivity.twins

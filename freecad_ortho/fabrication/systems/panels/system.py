@@ -14,11 +14,11 @@ from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, o
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.panels.geometry import (
     PanelGeometry,
-    diagonal_distances,
     panel_geometry,
 )
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
