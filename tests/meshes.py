@@ -118,3 +118,21 @@ def deformed(mesh: QuadMesh, amount: float = 0.03, seed: int = 0) -> QuadMesh:
         direction, wave = random.normal(size=(2, 3))
         moves += direction * np.sin(2 * places @ wave + random.uniform(0, 6))[:, None]
     return mesh.with_vertices(mesh.vertices + 0.5 * amount * size * moves)
+
+
+def rhombic_dodecahedron() -> QuadMesh:
+    """Closed, valences three and four, all edges at the same distance from the centre."""
+    cube = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    tips = np.concatenate([2 * np.eye(3), -2 * np.eye(3)])
+    points = np.concatenate([cube, tips]).astype(float)
+    faces = []
+    for first in range(6):
+        for second in range(first + 1, 6):
+            if tips[first] @ tips[second] == 0:
+                shared = np.flatnonzero((cube @ tips[first] > 0) & (cube @ tips[second] > 0))
+                face = [8 + first, shared[0], 8 + second, shared[1]]
+                a, b, c, d = points[face]
+                if np.cross(c - a, d - b) @ a < 0:
+                    face.reverse()
+                faces.append(face)
+    return QuadMesh.from_arrays(points, faces)

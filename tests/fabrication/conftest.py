@@ -5,6 +5,7 @@ import pytest
 
 from freecad_ortho.fabrication import Beams, Panels, build
 from solver.mesh.quadmesh import QuadMesh
+from tests.meshes import rhombic_dodecahedron
 
 
 def grid_faces(rows, columns):
@@ -35,18 +36,8 @@ def skewed(roof):
 @pytest.fixture(scope="session")
 def dodecahedron():
     """A closed polyhedron with vertices of valence three and four, edges of 1.7 m."""
-    cube = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
-    tips = np.concatenate([2 * np.eye(3), -2 * np.eye(3)])
-    points = np.concatenate([cube, tips])
-    faces = []
-    for first in range(6):
-        for second in range(first + 1, 6):
-            if tips[first] @ tips[second] == 0:
-                shared = np.flatnonzero((cube @ tips[first] > 0) & (cube @ tips[second] > 0))
-                face = [8 + first, shared[0], 8 + second, shared[1]]
-                a, b, c, d = points[face]
-                faces.append(face if np.cross(c - a, d - b) @ a > 0 else face[::-1])
-    return QuadMesh.from_arrays(1000 * points, faces)
+    mesh = rhombic_dodecahedron()
+    return mesh.with_vertices(1000 * mesh.vertices)
 
 
 @pytest.fixture(scope="session")

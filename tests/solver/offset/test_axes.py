@@ -7,6 +7,7 @@ from solver import optimise
 from solver.mesh.quadmesh import QuadMesh, unit_rows
 from solver.offset.axes import torsion_free_axes
 from tests.conftest import demo_roof, shared_mesh
+from tests.meshes import rhombic_dodecahedron
 
 
 def grid(rows, columns, closed=False):
@@ -53,24 +54,6 @@ def torus():
     ahead, beside = np.roll(number, -1, axis=0), np.roll(number, -1, axis=1)
     faces = np.stack([number, ahead, np.roll(ahead, -1, axis=1), beside], axis=-1)
     return QuadMesh.from_arrays(points, faces.reshape(-1, 4))
-
-
-def rhombic_dodecahedron():
-    """Closed, valences three and four, all edges at the same distance from the centre."""
-    cube = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
-    tips = np.concatenate([2 * np.eye(3), -2 * np.eye(3)])
-    points = np.concatenate([cube, tips]).astype(float)
-    faces = []
-    for first in range(6):
-        for second in range(first + 1, 6):
-            if tips[first] @ tips[second] == 0:
-                shared = np.flatnonzero((cube @ tips[first] > 0) & (cube @ tips[second] > 0))
-                face = [8 + first, shared[0], 8 + second, shared[1]]
-                a, b, c, d = points[face]
-                if np.cross(c - a, d - b) @ a < 0:
-                    face.reverse()
-                faces.append(face)
-    return QuadMesh.from_arrays(points, faces)
 
 
 def saddle():
