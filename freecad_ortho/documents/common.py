@@ -30,6 +30,19 @@ def transaction(document: FreeCAD.Document, title: str) -> Iterator[None]:
     document.commitTransaction()
 
 
+@contextmanager
+def removed_on_failure(feature: FreeCAD.DocumentObject) -> Iterator[None]:
+    """Take a new object away again where what happens inside fails.
+
+    Aborting its transaction does so too, but only where the document records undo steps.
+    """
+    try:
+        yield
+    except BaseException:
+        feature.Document.removeObject(feature.Name)
+        raise
+
+
 def require_net(feature: Any) -> None:
     """Raise InputError unless a document object is a Net."""
     if not net_object.is_net(feature):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.documents.common import transaction
+from freecad_ortho.documents.common import removed_on_failure, transaction
 from freecad_ortho.objects import flat_patterns
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
@@ -69,12 +69,8 @@ def add_flat_patterns(
             Seed=seed,
             Kerf=convert.millimetres(kerf, "kerf"),
         )
-        try:
+        with removed_on_failure(feature):
             flat_patterns.rebuild(feature)
-        except BaseException:
-            # Aborting takes it away too, but only where the document records undo steps.
-            document.removeObject(feature.Name)
-            raise
         feature.purgeTouched()
     return feature
 

@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.documents.common import open_document, progress, require_net, transaction
+from freecad_ortho.documents.common import (
+    open_document,
+    progress,
+    removed_on_failure,
+    require_net,
+    transaction,
+)
 from freecad_ortho.fabrication import SYSTEMS, Selection
 from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
@@ -71,12 +77,8 @@ def add_structure(
             Density=density,
             **properties,
         )
-        try:
+        with removed_on_failure(feature):
             structure_object.rebuild(feature)
-        except BaseException:
-            # Aborting takes it away too, but only where the document records undo steps.
-            document.removeObject(feature.Name)
-            raise
         feature.purgeTouched()
         # As Part does with what a shape is made of: otherwise both are drawn into each other.
         net.Visibility = False
