@@ -27,8 +27,10 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--system", default="beams+panels", metavar="NAME[+NAME...]")
     parser.epilog = f"systems: {', '.join(SYSTEMS)}"
     group = parser.add_argument_group("sizes", "those that no system asked for has are left out")
-    for option in _options().values():
-        _add_option(group, option)
+    of_workshop = {option.name for option in Workshop.options}
+    for name, option in _options().items():
+        if name not in of_workshop:
+            _add_option(group, option, _users(option) + ": ")
     parser.add_argument("--family", default="both", metavar="|".join(FAMILY_CHOICES))
     parser.add_argument("--lines", metavar="I,J,...", help="these parameter lines only, from 0")
     parser.add_argument("--material", default="steel", metavar="|".join(MATERIALS))
@@ -36,8 +38,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     _add_limits(parser)
     shop = parser.add_argument_group("workshop", "what parts are cut from and with")
     for option in Workshop.options:
-        if option.name not in _options():
-            _add_option(shop, option)
+        _add_option(shop, option)
     parser.add_argument("--workers", type=int, metavar="N", help="processes that share the work")
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
@@ -97,14 +98,18 @@ def _options() -> dict[str, Option]:
     return {option.name: option for system in SYSTEMS.values() for option in system.options}
 
 
-def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
-    flag = "--" + option.name.replace("_", "-")
-    users = [
+def _users(option: Option) -> str:
+    """Systems that have an option."""
+    return ", ".join(
         name
         for name, system in SYSTEMS.items()
         if option.name in (each.name for each in system.options)
-    ]
-    words = f"{', '.join(users)}: {option.help}" if users else option.help
+    )
+
+
+def _add_option(group: argparse._ArgumentGroup, option: Option, before: str = "") -> None:
+    flag = "--" + option.name.replace("_", "-")
+    words = before + option.help
     if option.kind is bool:
         group.add_argument(flag, action="store_true", default=None, help=words)
         return

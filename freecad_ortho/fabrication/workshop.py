@@ -50,7 +50,7 @@ class Workshop:
         Option("grain", "none", "may parts turn on the sheet", str, "|".join(GRAINS)),
         Option("nesting", "boxes", "what is packed: fast or dense", str, "|".join(NESTINGS)),
         Option("seed", 0, "of the search for a dense nesting", int, "N"),
-        Option("stock", None, "length of bars and strips"),
+        Option("stock", None, "length of bars and strips; longer lamellas are spliced"),
         Option("saw", 3.0, "width of a saw cut between parts of a bar"),
         Option("kerf", 0.0, "width of the cut to compensate flat patterns for"),
     )

@@ -73,6 +73,7 @@ class Lamella:
         measures: of the strip between the line's ends.
         pattern: "straight", "arc" or "free": what its own pattern is.
         twisted: true where its faces may twist.
+        bolts: of its spliced ends: a face of the ribbon and (N, 2) places in the pattern.
     """
 
     name: str
@@ -84,6 +85,7 @@ class Lamella:
     measures: StripMeasures
     pattern: str
     twisted: bool
+    bolts: tuple[tuple[int, FloatArray], ...] = ()
 
 
 def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:

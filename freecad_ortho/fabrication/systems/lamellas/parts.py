@@ -28,7 +28,7 @@ from freecad_ortho.fabrication.systems.lamellas.outline import notch, outline, o
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, unit_rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +39,8 @@ class Cut:
         lamella: that is cut.
         crossings: with others, in order.
         outline: (N, 2) of the flat pattern, in the strip's own plane.
-        holes: bolt holes in the same plane.
+        holes: bolt holes in the same plane: at crossings where layers are bolted, then at spliced
+            ends.
         body: solid in the model's coordinates near the origin, without holes.
     """
 
@@ -75,6 +76,7 @@ def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettin
         level = 0.5 * (ribbon.lower + ribbon.upper)
         middle = ribbon.edge(level)
         holes = tuple(Hole(middle[each.station], settings.hole) for each in crossings)
+    holes += tuple(Hole(place, settings.hole) for _, points in lamella.bolts for place in points)
     body: RuledBody
     if lamella.twisted:
         body = ruled_body(ribbon, grid_of(ribbon, slots), settings.smooth)
@@ -91,12 +93,11 @@ def lamella_part(made: Cut, site: Site) -> Part:
     along, up = strip.along[face], strip.across[0][face]
     frame = np.stack([along, up, np.cross(along, up)])
     origin = strip.points[face]
-    drills = [_drill(ribbon, each.station) for each in made.crossings] if made.holes else []
     body: Body = _moved(made.body, origin, frame)
     if made.holes:
         placed = tuple(
             Drill(frame @ (place - origin), frame @ direction, hole.diameter, ribbon.thickness)
-            for (place, direction), hole in zip(drills, made.holes, strict=True)
+            for (place, direction), hole in zip(_drills(made), made.holes, strict=True)
         )
         body = DrilledBody(body, placed)
     pattern = _pattern(made)
@@ -129,6 +130,17 @@ def lamella_part(made: Cut, site: Site) -> Part:
             torsion_deg_per_m=measures.torsion_deg * 1000,
         ),
     )
+
+
+def _drills(made: Cut) -> list[tuple[FloatArray, FloatArray]]:
+    """Middles of the holes in space, and their directions, in the order of the holes."""
+    ribbon = made.lamella.ribbon
+    bolted = [each.station for each in made.crossings if each.slot is None]
+    drills = [_drill(ribbon, station) for station in bolted]
+    for face, points in made.lamella.bolts:
+        middle, half = ribbon.placed(face, points)
+        drills += zip(middle, unit_rows(half), strict=True)
+    return drills
 
 
 def _drill(ribbon: Ribbon, station: int) -> tuple[FloatArray, FloatArray]:

@@ -13,7 +13,7 @@ STRIPS = ("auto", "developable", "twisted")
 PATTERNS = ("auto", "straight", "arc", "free")
 POSITIONS = ("standing", "lying")
 # Distance of a hole's centre from an edge, in diameters (EN 1993-1-8, table 3.3).
-_EDGE_DISTANCE = 1.2
+EDGE_DISTANCE = 1.2
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,8 @@ class LamellaSettings:
             "auto": developable where the rulings leave room for the width.
         pattern: "straight", "arc" or "free"; "auto": what the net allows.
         smooth: solids with smooth ruled sides instead of faceted ones.
+        stock: length that lamellas are cut from, mm; longer ones are spliced between crossings with
+            plates and bolts of ``hole``. None for one piece a line.
 
     Raises:
         InputError: a size that cannot be used, or choices that exclude each other.
@@ -48,6 +50,7 @@ class LamellaSettings:
     strip: str = "auto"
     pattern: str = "auto"
     smooth: bool = False
+    stock: float | None = None
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("width", 80.0, "of the strips"),
@@ -60,6 +63,7 @@ class LamellaSettings:
         Option("strip", "auto", "of plane faces or twisted", str, "|".join(STRIPS)),
         Option("pattern", "auto", "what the axes unroll to", str, "|".join(PATTERNS)),
         Option("smooth", False, "smooth solids instead of faceted ones", bool),
+        Option("stock", None, "length that they are cut from; longer ones are spliced"),
     )
 
     def __post_init__(self) -> None:
@@ -69,6 +73,8 @@ class LamellaSettings:
         check_size("hole", self.hole)
         if self.overhang is not None:
             check_size("overhang", self.overhang)
+        if self.stock is not None:
+            check_size("stock", self.stock)
         for name, value, choices in (
             ("position", self.position, POSITIONS),
             ("strip", self.strip, STRIPS),
@@ -97,11 +103,11 @@ class LamellaSettings:
                 f"clearance: slots of half the width and {self.clearance:g} mm are deeper than "
                 f"three quarters of {self.width:g} mm; take a clearance below {self.width / 2:g} mm"
             )
-        if self.layers == 2 and self.width < 2 * _EDGE_DISTANCE * self.hole:
+        if self.layers == 2 and self.width < 2 * EDGE_DISTANCE * self.hole:
             raise InputError(
                 f"hole: {self.hole:g} mm in the middle of {self.width:g} mm is nearer to the edges "
-                f"than {_EDGE_DISTANCE:g} diameters; take a hole of at most "
-                f"{self.width / 2 / _EDGE_DISTANCE:.3g} mm"
+                f"than {EDGE_DISTANCE:g} diameters; take a hole of at most "
+                f"{self.width / 2 / EDGE_DISTANCE:.3g} mm"
             )
 
     @property

@@ -14,6 +14,8 @@ from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing, cross
 from freecad_ortho.fabrication.systems.lamellas.ends import reaches
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
+from freecad_ortho.fabrication.systems.lamellas.splice_parts import splice_part
+from freecad_ortho.fabrication.systems.lamellas.splices import pieces_of
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.lines import ParameterLine
@@ -39,17 +41,27 @@ class Lamellas(LamellaSettings, System):
                 "layers: the lines of this net cannot be told apart into families u and v, so two "
                 "layers cannot be made; take --layers 1"
             )
-        lamellas = [
+        whole = [
             lamella_on(site, line, self, pattern, lamella_name(line), beyond)
             for line, beyond in zip(
                 lines, reaches(site.mesh, pattern.axes, lines, self), strict=True
             )
         ]
+        lamellas, splices = pieces_of(whole, self)
         met = crossings(lamellas, self)
         cuts = [cut(each, here, self) for each, here in zip(lamellas, met, strict=True)]
         parts = tuple(lamella_part(made, site) for made in cuts)
+        parts += tuple(splice_part(splice, site, self) for splice in splices)
         report = self._report(lamellas, met, parts, pattern)
-        return SystemParts(parts, report, tuple(self._messages(lamellas, pattern)), lamellas)
+        report["splices"] = len(splices)
+        messages = self._messages(lamellas, pattern)
+        if splices:
+            long = len({splice.lamella.name for splice in splices})
+            messages.append(
+                f"lamellas: {long} of {len(whole)} are longer than the stock of {self.stock:g} mm; "
+                f"{len(splices)} splices join their pieces"
+            )
+        return SystemParts(parts, report, tuple(messages), lamellas)
 
     def _report(
         self,

@@ -1,0 +1,88 @@
+"""Splice plates as parts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.drilled import Drill, DrilledBody
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
+from freecad_ortho.fabrication.systems.lamellas.splices import (
+    Splice,
+    bolts,
+    half_length,
+    square_end,
+)
+from freecad_ortho.fabrication.systems.panels.geometry import LOOPS
+
+
+def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
+    """Return the plate: flat, as wide and thick as the lamella, on the outer one of its sides.
+
+    Where the lamella twists, the plate stands off by as much as its edges do from its middle.
+    """
+    lamella, joint = splice.lamella, splice.joint
+    ribbon = lamella.ribbon
+    strip = ribbon.strip
+    outer = -1 if not settings.standing and lamella.family == "v" else 1
+    half, thickness = half_length(settings), ribbon.thickness
+    reach = max(abs(ribbon.lower), abs(ribbon.upper))
+    turn = abs(float(strip.twists[joint.face])) * half / strip.lengths[joint.face]
+    stand_off = reach * np.sin(turn)
+    point, up = square_end(strip, joint)
+    along = strip.along[joint.face]
+    frame = np.stack([along, up, np.cross(along, up)])
+    level = 0.5 * (ribbon.lower + ribbon.upper)
+    origin = point + level * up + outer * (thickness + stand_off) * frame[2]
+    pattern = _pattern(splice, settings)
+    middle = pattern.size / 2
+    flat = np.column_stack([pattern.outline - middle, np.zeros(4)])
+    lift = np.array([0.0, 0.0, thickness / 2])
+    whole = np.concatenate([flat - lift, flat + lift])
+    drills = tuple(
+        Drill(np.append(hole.centre - middle, 0.0), lift / lift[2], hole.diameter, thickness)
+        for hole in pattern.holes
+    )
+    body = DrilledBody(Polyhedron(whole, LOOPS), drills)
+    return Part(
+        name=splice.name,
+        kind="splice",
+        body=body,
+        origin=origin + site.shift,
+        frame=frame,
+        pattern=pattern,
+        length=float(pattern.size[0]),
+        width=float(pattern.size[1]),
+        thickness=ribbon.thickness,
+        area=pattern.area,
+        volume=body.volume,
+        mass=site.material.mass(body.volume),
+        family=lamella.family,
+        line=lamella.line,
+    )
+
+
+def _pattern(splice: Splice, settings: LamellaSettings) -> FlatPattern:
+    """A rectangle with bolt holes, the joint, and the names of the plate and of both pieces."""
+    half, width, hole = half_length(settings), settings.width, settings.hole
+    outline = np.array([[0.0, 0.0], [2 * half, 0.0], [2 * half, width], [0.0, width]])
+    distance, level = bolts(settings).T
+    distance = distance + settings.clearance / 2
+    places = [
+        np.array([half + side * away, width / 2 + up])
+        for side in (-1, 1)
+        for away, up in zip(distance, level, strict=True)
+    ]
+    # Names stand between the outer bolts and the edges.
+    free = width / 2 - float(level.max()) - hole / 2
+    above, below = width - free / 2, free / 2
+    marks = [Mark(np.array([[half, 0.0], [half, width]]))]
+    for name, x in zip(splice.pieces, (half / 2, 1.5 * half), strict=True):
+        size = fitted_text_size(name, 0.9 * half, free, 12.0)
+        marks.append(Mark(np.array([[x, below]]), name, size))
+    size = fitted_text_size(splice.name, 1.8 * half, free, 12.0)
+    holes = tuple(Hole(place, hole) for place in places)
+    return FlatPattern(outline, tuple(marks), np.array([half, above]), size, holes=holes)

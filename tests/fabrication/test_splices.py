@@ -1,0 +1,139 @@
+"""Lamellas longer than the stock: pieces that fit it, plates that fit them, names that stay."""
+
+import math
+
+import ezdxf
+import numpy as np
+import pytest
+
+from freecad_ortho.fabrication import Lamellas, Selection, build, write
+from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.step import read_step
+from freecad_ortho.fabrication.workshop import Workshop
+from solver.errors import InputError
+from tests.fabrication.test_lamellas import check_solids, flat_grid, minimal, rounded  # noqa: F401
+
+
+def joints_along(structure, family, axis):
+    """Places of the joints of each line of a family along an axis of the model, mm."""
+    found = {}
+    for part in structure.parts:
+        if part.kind == "splice" and part.family == family:
+            found.setdefault(part.line, []).append(float(part.origin[axis]))
+    return {line: sorted(places) for line, places in found.items()}
+
+
+def test_pieces_fit_the_stock_and_joints_are_staggered():
+    structure = build(flat_grid(5, 13), [Lamellas(60, 4, stock=2000.0)])
+    pieces = [part for part in structure.parts if part.kind == "lamella"]
+    plates = [part for part in structure.parts if part.kind == "splice"]
+    assert max(part.length for part in pieces) <= 2000
+    assert structure.report()["lamellas"]["splices"] == len(plates) > 0
+    long = {part.family for part in plates}
+    assert len(long) == 1
+    (family,) = long
+    places = joints_along(structure, family, 0 if family == "u" else 1)
+    spans = [np.ptp(each) for each in places.values()]
+    assert max(spans) > 0
+    for line in range(len(places) - 1):
+        nearest = np.abs(np.subtract.outer(places[line], places[line + 1])).min()
+        assert nearest >= 400 - 1e-6
+    whole = build(flat_grid(5, 13), [Lamellas(60, 4)])
+    # What is cut away is the clearance at each joint, nothing else of the axes.
+    lost = sum(part.length for part in whole.parts) - sum(part.length for part in pieces)
+    assert lost == pytest.approx(len(plates) * 1.0, abs=1e-6)
+
+
+def test_solids_are_valid_and_nothing_clashes():
+    structure = build(flat_grid(4, 9), [Lamellas(60, 4, stock=1500.0)])
+    check_solids(structure)
+    assert not check_clashes(structure.parts).clashes
+    plate = next(part for part in structure.parts if part.kind == "splice")
+    length = 1.0 + 2 * 4.8 * 9
+    assert plate.length == pytest.approx(length)
+    assert plate.volume == pytest.approx(4 * (length * 60 - 8 * math.pi / 4 * 81), rel=1e-9)
+    assert plate.area == pytest.approx(plate.volume / 4, rel=1e-9)
+
+
+def test_holes_of_plates_and_pieces_lie_on_one_another():
+    structure = build(flat_grid(4, 9), [Lamellas(60, 4, stock=1500.0)])
+    by_name = {part.name: part for part in structure.parts}
+    plates = [part for part in structure.parts if part.kind == "splice"]
+    for plate in plates:
+        stem, number = plate.name[1:].rsplit("-", 1)
+        pieces = [by_name[f"L{stem}-{int(number) + k}"] for k in (0, 1)]
+        drills = [drill for piece in pieces for drill in in_place(piece)]
+        for centre, direction in in_place(plate):
+            off = [np.linalg.norm(np.cross(centre - other, direction)) for other, _ in drills]
+            assert min(off) <= 1e-9
+            assert sorted(off)[1] > 15
+
+
+def in_place(part):
+    """Middle and direction of every hole of a part in space."""
+    return [
+        (part.origin + drill.centre @ part.frame, drill.direction @ part.frame)
+        for drill in part.body.drills
+    ]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("layers", [1, 2])
+def test_curved_lamellas_are_spliced_too(minimal, layers):  # noqa: F811
+    settings = Lamellas(40, 3, hole=6.0, layers=layers, stock=2500.0)
+    structure = build(minimal, [settings], selection=Selection("both", (7,)))
+    pieces = [part for part in structure.parts if part.kind == "lamella"]
+    assert any(part.kind == "splice" for part in structure.parts)
+    assert max(part.length for part in pieces) <= 2500
+    check_solids_with_holes(structure)
+    assert not check_clashes(structure.parts).clashes
+
+
+def check_solids_with_holes(structure):
+    """Where a plate bends or twists at a hole, its cylinder is as good as its volume gets."""
+    for part, solid in zip(structure.parts, structure.solids(), strict=True):
+        assert solid.isValid(), part.name
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-4), part.name
+
+
+def test_lying_lamellas_are_spliced_on_their_outer_sides():
+    settings = Lamellas(60, 4, position="lying", layers=2, strip="twisted", stock=1900.0)
+    structure = build(rounded(), [settings], selection=Selection("both", (2, 3)))
+    assert any(part.kind == "splice" for part in structure.parts)
+    # On so coarse a barrel the two layers touch at their bends, whether spliced or not.
+    clashes = check_clashes(structure.parts).clashes
+    assert not [clash for clash in clashes if "S-" in clash.first + clash.second]
+    check_solids_with_holes(structure)
+
+
+def test_short_lamellas_stay_whole_and_names_do_not_change():
+    names = [part.name for part in build(flat_grid(), [Lamellas(60, 4)]).parts]
+    assert [part.name for part in build(flat_grid(), [Lamellas(60, 4, stock=9e4)]).parts] == names
+    one = build(flat_grid(4, 9), [Lamellas(60, 4, stock=1500.0)])
+    other = build(flat_grid(4, 9).scaled(1.01), [Lamellas(60, 4, stock=1500.0)])
+    assert [part.name for part in one.parts] == [part.name for part in other.parts]
+    family = one.parts[-1].family.upper()
+    assert f"S-{family}001-1" in [part.name for part in one.parts]
+    assert f"L-{family}001-2" in [part.name for part in one.parts]
+
+
+@pytest.mark.parametrize(
+    "settings", [{"hole": 40.0, "width": 100.0}, {"hole": 30.0}, {"stock": 300.0}]
+)
+def test_where_no_splice_fits_one_line_says_so(settings):
+    sizes = {"width": 60.0, "thickness": 4.0, "stock": 1500.0} | settings
+    with pytest.raises(InputError, match=r"stock: L-.* no room for splices"):
+        build(flat_grid(4, 9), [Lamellas(**sizes)])
+
+
+def test_files_read_back(tmp_path):
+    structure = build(flat_grid(4, 9), [Lamellas(60, 4, stock=1500.0)])
+    write(structure, tmp_path, workshop=Workshop(stock=1500.0))
+    read = dict(read_step(tmp_path / "structure.step"))
+    drawing = ezdxf.readfile(tmp_path / "flat.dxf")
+    for part in structure.parts:
+        assert read[part.name].isValid()
+        assert read[part.name].Volume() == pytest.approx(part.volume, rel=1e-6)
+        holes = drawing.blocks[part.name].query('CIRCLE[layer=="HOLE"]')
+        assert len(holes) == len(part.pattern.holes)
+    assert {8} == {len(part.pattern.holes) for part in structure.parts if part.kind == "splice"}
