@@ -774,6 +774,11 @@
    <translation>Schritte längs u und v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stock: length that they are cut from; longer ones are spliced</source>
+   <translation>Lagerlänge: Länge, aus der sie geschnitten werden; längere werden gestoßen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Stress nets: downward load at every vertex</source>
    <translation>Spannungsnetze: Last nach unten an jeder Ecke</translation>
@@ -2557,6 +2562,11 @@
    <translation>Schritte längs u und v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stock</source>
+   <translation>Lagerlänge</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Stock length</source>
    <translation>Lagerlänge</translation>
@@ -3308,6 +3318,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>length that they are cut from; longer ones are spliced</source>
+   <translation>Länge, aus der sie geschnitten werden; längere werden gestoßen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

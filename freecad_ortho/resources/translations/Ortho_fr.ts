@@ -774,6 +774,11 @@
    <translation>Pas selon u et v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stock: length that they are cut from; longer ones are spliced</source>
+   <translation>Longueur en stock : longueur dans laquelle elles sont coupées ; les plus longues sont éclissées</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Stress nets: downward load at every vertex</source>
    <translation>Réseaux de contraintes : charge vers le bas à chaque sommet</translation>
@@ -2557,6 +2562,11 @@
    <translation>Pas selon u et v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stock</source>
+   <translation>Longueur en stock</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Stock length</source>
    <translation>Longueur de barre</translation>
@@ -3308,6 +3318,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>length that they are cut from; longer ones are spliced</source>
+   <translation>longueur dans laquelle elles sont coupées ; les plus longues sont éclissées</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
