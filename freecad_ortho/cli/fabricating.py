@@ -30,7 +30,8 @@ def add(parser: argparse.ArgumentParser) -> None:
     of_workshop = {option.name for option in Workshop.options}
     for name, option in _options().items():
         if name not in of_workshop:
-            _add_option(group, option, _users(option) + ": ")
+            users = _users(option)
+            _add_option(group, option, ", ".join(users) + ": ", _defaults(users))
     parser.add_argument("--family", default="both", metavar="|".join(FAMILY_CHOICES))
     parser.add_argument("--lines", metavar="I,J,...", help="these parameter lines only, from 0")
     parser.add_argument("--material", default="steel", metavar="|".join(MATERIALS))
@@ -98,23 +99,40 @@ def _options() -> dict[str, Option]:
     return {option.name: option for system in SYSTEMS.values() for option in system.options}
 
 
-def _users(option: Option) -> str:
-    """Systems that have an option."""
-    return ", ".join(
-        name
+def _users(option: Option) -> dict[str, Any]:
+    """Systems that have an option, and their defaults."""
+    return {
+        name: each.default
         for name, system in SYSTEMS.items()
-        if option.name in (each.name for each in system.options)
-    )
+        for each in system.options
+        if each.name == option.name
+    }
 
 
-def _add_option(group: argparse._ArgumentGroup, option: Option, before: str = "") -> None:
+def _defaults(users: dict[str, Any]) -> str:
+    """The default in words; where systems differ, whose it is."""
+    by_value: dict[Any, list[str]] = {}
+    for name, default in users.items():
+        by_value.setdefault(default, []).append(name)
+    if len(by_value) == 1:
+        return _shown(next(iter(by_value)))
+    return "; ".join(f"{_shown(value)} for {', '.join(of)}" for value, of in by_value.items())
+
+
+def _shown(default: Any) -> str:
+    return "" if default is None else f"{default:g}" if isinstance(default, float) else str(default)
+
+
+def _add_option(
+    group: argparse._ArgumentGroup, option: Option, before: str = "", default: str | None = None
+) -> None:
     flag = "--" + option.name.replace("_", "-")
     words = before + option.help
     if option.kind is bool:
         group.add_argument(flag, action="store_true", default=None, help=words)
         return
-    if option.default is not None:
-        words += f" (default: {option.default})"
+    if shown := _shown(option.default) if default is None else default:
+        words += f" (default: {shown})"
     group.add_argument(flag, type=option.kind, metavar=option.metavar, help=words)
 
 
