@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 _TEMPLATES = ("A3_LandscapeTD.svg", "A3_Landscape_TD.svg", "ISO/A3_Landscape_TD.svg")
 _PAGE = (420.0, 297.0)
 _MARGIN = 25.0
+# TechDraw looks for hidden lines; with more parts than this, minutes go by and the page is drawn
+# as a picture instead.
+_MOST_PARTS = 200
+_ARC_POINTS = 25
 
 
 def add_flat_patterns(
@@ -78,6 +82,9 @@ def add_flat_patterns(
 def add_drawing_page(feature: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject:
     """Add a TechDraw page that shows flat patterns at a scale that fits, with the parts' names.
 
+    With more than 200 parts the lines are a picture that does not follow the patterns; drawn by
+    TechDraw itself they would take minutes.
+
     Args:
         feature: flat patterns.
 
@@ -113,33 +120,57 @@ def _add_view(page: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject) -> 
     box = feature.Shape.BoundBox
     room = [length - 2 * _MARGIN for length in _PAGE]
     scale = min(room[0] / max(box.XLength, 1e-9), room[1] / max(box.YLength, 1e-9))
-    view = page.Document.addObject("TechDraw::DrawViewPart", "View")
-    page.addView(view)
-    view.Source = [feature]
-    view.Direction = FreeCAD.Vector(0, 0, 1)
-    view.XDirection = FreeCAD.Vector(1, 0, 0)
-    view.ScaleType = "Custom"
-    view.Scale = scale
+    if len(feature.PartNames) <= _MOST_PARTS:
+        view = page.Document.addObject("TechDraw::DrawViewPart", "View")
+        page.addView(view)
+        view.Source = [feature]
+        view.Direction = FreeCAD.Vector(0, 0, 1)
+        view.XDirection = FreeCAD.Vector(1, 0, 0)
+        view.ScaleType = "Custom"
+        view.Scale = scale
+    else:
+        view = page.Document.addObject("TechDraw::DrawViewSymbol", "View")
+        page.addView(view)
+        view.Symbol = _svg(feature, scale, _lines(feature, scale))
     names = page.Document.addObject("TechDraw::DrawViewSymbol", "Names")
     page.addView(names)
-    names.Symbol = _names_as_svg(feature, scale)
+    names.Symbol = _svg(feature, scale, _names(feature, scale))
     for item in (view, names):
         item.X, item.Y = _PAGE[0] / 2, _PAGE[1] / 2
 
 
-def _names_as_svg(feature: FreeCAD.DocumentObject, scale: float) -> str:
-    """A picture as large as the scaled patterns with each part's name in its place, mm."""
+def _lines(feature: FreeCAD.DocumentObject, scale: float) -> str:
+    """All edges of the patterns as one group of SVG, mm on the page."""
     box = feature.Shape.BoundBox
-    width, height = box.XLength * scale, box.YLength * scale
+    found = []
+    for edge in feature.Shape.Edges:
+        points = edge.discretize(2 if edge.Curve.TypeId == "Part::GeomLine" else _ARC_POINTS)
+        places = [((p.x - box.XMin) * scale, (box.YMax - p.y) * scale) for p in points]
+        found.append("M" + " L".join(f"{x:.3f},{y:.3f}" for x, y in places))
+    return f'<path d="{" ".join(found)}" fill="none" stroke="#22303c" stroke-width="0.1"/>'
+
+
+def _names(feature: FreeCAD.DocumentObject, scale: float) -> str:
+    """Each part's name in its place as one group of SVG, mm on the page."""
+    box = feature.Shape.BoundBox
     size = max(1.0, min(4.0, 25.0 * scale))
     texts = []
     for name, place in zip(feature.PartNames, feature.LabelPlaces, strict=True):
         x, y = (place.x - box.XMin) * scale, (box.YMax - place.y) * scale
         texts.append(f'<text x="{x:.3f}" y="{y + size / 3:.3f}">{name}</text>')
-    # Corners that cannot be seen keep the picture's middle where the patterns' is.
-    corners = f'<rect x="0" y="0" width="{width:.3f}" height="{height:.3f}" fill="none"/>'
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.3f}mm" height="{height:.3f}mm" '
-        f'viewBox="0 0 {width:.3f} {height:.3f}">{corners}<g font-family="sans" '
-        f'font-size="{size:.2f}" text-anchor="middle" fill="#b03018">{"".join(texts)}</g></svg>'
+        f'<g font-family="sans" font-size="{size:.2f}" text-anchor="middle" fill="#b03018">'
+        f"{''.join(texts)}</g>"
+    )
+
+
+def _svg(feature: FreeCAD.DocumentObject, scale: float, content: str) -> str:
+    """A picture as large as the scaled patterns."""
+    box = feature.Shape.BoundBox
+    width, height = f"{box.XLength * scale:.3f}", f"{box.YLength * scale:.3f}"
+    # Corners that cannot be seen keep the picture's middle where the patterns' is.
+    corners = f'<rect x="0" y="0" width="{width}" height="{height}" fill="none"/>'
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" '
+        f'viewBox="0 0 {width} {height}">{corners}{content}</svg>'
     )
