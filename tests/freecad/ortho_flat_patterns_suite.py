@@ -1,10 +1,12 @@
 """Flat patterns and drawing pages in documents. Run by FreeCAD without a window."""
 
+from unittest import mock
+
 import FreeCAD
 import ortho_suite_tools as tools
 from ortho_suite_cases import DocumentCase
 
-from freecad_ortho import api
+from freecad_ortho import api, documents
 from solver.errors import InputError
 
 
@@ -101,3 +103,12 @@ class TestDrawing(FlatCase):
             self.assertIn(f">{name}<", names.Symbol)
         with self.assertRaises(InputError):
             api.add_drawing_page(self.beams)
+
+    def test_many_parts_are_drawn_as_a_picture(self):
+        flat = api.add_flat_patterns(self.beams, sheet=(4000, 2000))
+        with mock.patch.object(documents.flat_patterns, "_MOST_PARTS", 3):
+            page = api.add_drawing_page(flat)
+        lines, names = page.Views
+        self.assertEqual(lines.TypeId, "TechDraw::DrawViewSymbol")
+        self.assertEqual(lines.Symbol.count("M"), len(flat.Shape.Edges))
+        self.assertIn(f">{flat.PartNames[0]}<", names.Symbol)
