@@ -20,6 +20,7 @@ _LINES = {
     "catenoid": ("principal", "asymptotic"),
     "enneper": ("asymptotic", "principal"),
     "helicoid": ("asymptotic", "principal"),
+    "scherk": ("asymptotic", "principal"),
     "unduloid": ("principal", "cmc"),
 }
 # A vase, for a rotational net of which no profile is known yet.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
+from scipy.special import ellipj, ellipkinc
 
 from solver.errors import InputError
 from solver.mesh.grid import grid_mesh
@@ -102,20 +103,40 @@ def enneper(
     return grid_mesh(size * np.stack([x, -y, u**2 - v**2], axis=2))
 
 
-def scherk(m: int, n: int, *, reach: float = 1.5, size: float = 1.0) -> QuadMesh:
-    """Scherk's surface z = ln(cos y / cos x) by its asymptotic lines.
+def scherk(
+    m: int, n: int, *, lines: Lines = "asymptotic", reach: float = 1.5, size: float = 1.0
+) -> QuadMesh:
+    """Scherk's surface z = ln(cos y / cos x).
 
-    With cos x = 1 / cosh p and cos y = 1 / cosh q these are p + q = const and p - q = const. Stars
-    planar to third, diagonals equal to second order.
+    With cos x = 1 / cosh p and cos y = 1 / cosh q the asymptotic lines are s = p + q = const and
+    t = p - q = const. Stars planar to third, diagonals equal to second order. The metric
+
+        cosh s cosh t / (cosh s + cosh t) (ds^2 / cosh s + dt^2 / cosh t)
+
+    makes sigma = int ds / sqrt(cosh s), and tau of t likewise, conformal: their bisectors are the
+    principal lines. There s = arsinh(sqrt(2) sn dn / cn^2) of sigma / sqrt(2) and m = 1/2. Faces
+    planar to fifth, diagonals equal to second order.
 
     Raises:
         InputError: a length that is not positive.
     """
     positive(reach=reach, size=size)
     a, b = _square(m, n)
-    p, q = reach * (a + b), reach * (b - a)
+    if _asymptotic(lines):
+        s, t = 2 * reach * b, 2 * reach * a
+    else:
+        half = np.sqrt(2) * np.sin(0.5 * np.arccos(1 / np.cosh(reach)))
+        end = ellipkinc(np.arcsin(half), 0.5)
+        s, t = _lemniscatic(end * (a + b)), _lemniscatic(end * (b - a))
+    p, q = 0.5 * (s + t), 0.5 * (s - t)
     x, y = np.arctan(np.sinh(p)), np.arctan(np.sinh(q))
     return grid_mesh(size * np.stack([x, y, np.log(np.cosh(p) / np.cosh(q))], axis=2))
+
+
+def _lemniscatic(sigma: FloatArray) -> FloatArray:
+    """The s whose integral of 1 / sqrt(cosh s) from 0 is sqrt(2) ``sigma``."""
+    sn, cn, dn, _ = ellipj(sigma, 0.5)
+    return np.asarray(np.arcsinh(np.sqrt(2) * sn * dn / cn**2))
 
 
 def _asymptotic(lines: str) -> bool:

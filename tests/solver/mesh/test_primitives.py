@@ -78,6 +78,8 @@ def test_minimal_surfaces_exactly(name, lines, measure):
         ("enneper", {"lines": "principal"}, measures.orthogonality, 2),
         ("scherk", {}, measures.orthogonality, 2),
         ("scherk", {}, measures.asymptotic, 3),
+        ("scherk", {"lines": "principal"}, measures.orthogonality, 2),
+        ("scherk", {"lines": "principal"}, measures.planarity, 5),
         ("ellipsoid", {"clear": 0.2}, measures.planarity, 2),
         ("elliptic-paraboloid", {"clear": 0.2}, measures.planarity, 2),
         ("unduloid", {"lines": "cmc", "periods": 0.5}, measures.orthogonality, 2),
@@ -114,8 +116,9 @@ def test_points_lie_on_their_surfaces():
     assert np.abs(x**2 / 9 + y**2 / 4 + z**2 / 1.44 - 1).max() < 1e-13
     x, y, z = primitive("elliptic-paraboloid", 9, 8, first=2.0, second=1.0).vertices.T
     assert np.abs(x**2 / 4 + y**2 / 2 - z).max() < 1e-12
-    x, y, z = primitive("scherk", 9, 8).vertices.T
-    assert np.abs(z - np.log(np.cos(y) / np.cos(x))).max() < 1e-12
+    for lines in ("asymptotic", "principal"):
+        x, y, z = primitive("scherk", 9, 8, lines=lines).vertices.T
+        assert np.abs(z - np.log(np.cos(y) / np.cos(x))).max() < 1e-12
     x, y, z = primitive("catenoid", 9, 8, lines="asymptotic", waist=2.0).vertices.T
     assert np.abs(np.hypot(x, y) - 2 * np.cosh(z / 2)).max() < 1e-12
 
