@@ -2418,8 +2418,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Scherk's surface z = ln(cos y / cos x) by its asymptotic lines.</source>
-   <translation>Surface de Scherk z = ln(cos y / cos x) par ses lignes asymptotiques.</translation>
+   <source>Scherk's surface z = ln(cos y / cos x).</source>
+   <translation>Surface de Scherk z = ln(cos y / cos x).</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
