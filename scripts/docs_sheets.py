@@ -48,7 +48,7 @@ def draw_in_place(space: plt.Axes, structure: Structure) -> None:
         plates = Poly3DCollection(sides, facecolors=colour, edgecolors=DARK, lw=0.15, shade=True)
         space.add_collection3d(plates)
     points = structure.mesh.vertices
-    middle, size = points.mean(axis=0), np.ptp(points, axis=0).max() / 2.9
+    middle, size = points.mean(axis=0), np.ptp(points, axis=0).max() / 2.2
     space.set(**{f"{k}lim": (m - size, m + size) for k, m in zip("xyz", middle, strict=True)})
     space.set_axis_off()
 
