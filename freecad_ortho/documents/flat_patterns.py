@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 # FreeCAD's own page by its names in versions 0.20, 1.0 and 1.1.
 _TEMPLATES = ("A3_LandscapeTD.svg", "A3_Landscape_TD.svg", "ISO/A3_Landscape_TD.svg")
 _PAGE = (420.0, 297.0)
-_MARGIN = 25.0
+# Around the patterns, mm; below them stands the title block.
+_MARGIN, _TITLE = 25.0, 35.0
 # TechDraw looks for hidden lines; with more parts than this, minutes go by and the page is drawn
 # as a picture instead.
 _MOST_PARTS = 200
@@ -118,7 +119,7 @@ def add_drawing_page(feature: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject:
 def _add_view(page: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject) -> None:
     """One view from above in the middle of the page, and one drawing of all names over it."""
     box = feature.Shape.BoundBox
-    room = [length - 2 * _MARGIN for length in _PAGE]
+    room = (_PAGE[0] - 2 * _MARGIN, _PAGE[1] - 2 * _MARGIN - _TITLE)
     scale = min(room[0] / max(box.XLength, 1e-9), room[1] / max(box.YLength, 1e-9))
     if len(feature.PartNames) <= _MOST_PARTS:
         view = page.Document.addObject("TechDraw::DrawViewPart", "View")
@@ -136,7 +137,7 @@ def _add_view(page: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject) -> 
     page.addView(names)
     names.Symbol = _svg(feature, scale, _names(feature, scale))
     for item in (view, names):
-        item.X, item.Y = _PAGE[0] / 2, _PAGE[1] / 2
+        item.X, item.Y = _PAGE[0] / 2, (_PAGE[1] + _TITLE) / 2
 
 
 def _lines(feature: FreeCAD.DocumentObject, scale: float) -> str:
