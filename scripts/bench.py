@@ -26,7 +26,7 @@ sys.path.insert(0, str(ROOT))
 from freecad_ortho import api  # noqa: E402
 from freecad_ortho.fabrication import Beams, Panels, stage_seconds  # noqa: E402
 from solver import QuadMesh, optimise  # noqa: E402
-from solver.linear import BACKENDS  # noqa: E402
+from solver.linear.backends import BACKENDS  # noqa: E402
 
 SHARED = ROOT.parent / "shared" / "meshes"
 MESHES = ("demo roof", "heart", "conical1", "botanic-garden-bubble-0", "complete01")

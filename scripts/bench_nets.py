@@ -21,7 +21,7 @@ import numpy as np
 from bench import ROOT, wavy_grid, write
 
 from solver import NetOptions, QuadMesh, Session, optimise, start_optimisation
-from solver.linear import BACKENDS
+from solver.linear.backends import BACKENDS
 from solver.nets import RECIPES
 
 SIDE = 39  # 1,521 vertices

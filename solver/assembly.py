@@ -1,7 +1,7 @@
 """Normal equations of a sum of terms: pattern and scatter positions once, numbers every step.
 
 Only the lower triangle of the symmetric matrix is kept. How the pattern is found and numbered is
-:mod:`solver.pattern`'s business.
+:mod:`solver.linear.pattern`'s business.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from solver.linear.pattern import Layout, Pattern
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.pattern import Layout, Pattern
 from solver.terms.base import Linearisation, Term
 
 # Elements handled at once: their blocks stay in the processor's cache.

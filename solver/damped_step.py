@@ -18,7 +18,7 @@ import numpy as np
 
 from solver.assembly import NormalEquations
 from solver.errors import SingularSystemError
-from solver.linear import SymmetricSolver
+from solver.linear.backends import SymmetricSolver
 from solver.mesh.quadmesh import FloatArray
 from solver.terms.base import Linearisation, Term
 

@@ -23,7 +23,8 @@ from solver.assembly import NormalEquations
 from solver.best import Best
 from solver.candidate import Candidate, judge
 from solver.damped_step import DAMPING_START, Stepper
-from solver.linear import default_backend, symmetric_solver
+from solver.linear.backends import default_backend, symmetric_solver
+from solver.linear.threads import one_thread
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.relaxation import Relaxation
@@ -31,7 +32,6 @@ from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
 from solver.terms.base import FollowingTerm, Linearisation, Term, follows
 from solver.terms.pull import Pull
-from solver.threads import one_thread
 
 _FADE = 0.3
 _FADE_END = 1e-12

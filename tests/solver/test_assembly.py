@@ -9,7 +9,7 @@ import pytest
 
 from solver.assembly import NormalEquations
 from solver.errors import InputError
-from solver.linear import BACKENDS, symmetric_solver
+from solver.linear.backends import BACKENDS, symmetric_solver
 from solver.terms.base import Linearisation
 from solver.terms.fairness import Fairness
 from solver.terms.multi import multi_net

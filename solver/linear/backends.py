@@ -1,8 +1,8 @@
 """Sparse symmetric systems whose pattern never changes.
 
 The analysis of the pattern is done once; each call factors new numbers. ``scipy`` stands for the
-multifrontal method of :mod:`solver.multifrontal`, on LAPACK from scipy. The package ``rslab`` takes
-large systems where it can be imported: it uses all cores.
+method of :mod:`solver.linear.multifrontal`, on LAPACK from scipy. The package ``rslab`` takes large
+systems where it can be imported: it uses all cores.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ import numpy as np
 from scipy.sparse import csc_array
 
 from solver.errors import InputError
+from solver.linear.multifrontal import Multifrontal
+from solver.linear.pattern import Pattern
 from solver.mesh.quadmesh import FloatArray
-from solver.multifrontal import Multifrontal
-from solver.pattern import Pattern
 
 BACKENDS = ("scipy", "rslab")
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.sparse import coo_array, csc_array
 
-from solver.dissection import dissect
+from solver.linear.dissection import dissect
 
 
 def graph_of(links, count):

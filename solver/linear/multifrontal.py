@@ -20,10 +20,10 @@ from scipy.linalg.blas import dsyrk, dtrsm, dtrsv
 from scipy.linalg.lapack import dpotrf
 
 from solver.errors import SingularSystemError
+from solver.linear.pattern import Pattern
+from solver.linear.threads import one_thread
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.pattern import Pattern
-from solver.threads import one_thread
 
 # Borders that fall into more runs than this are added entry by entry.
 _MOST_RUNS = 8

@@ -12,10 +12,10 @@ from scipy.sparse import csc_array, diags_array
 from scipy.sparse.linalg import splu
 
 from solver.errors import SingularSystemError
+from solver.linear.multifrontal import Multifrontal
+from solver.linear.pattern import Layout
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.subdivide import subdivided
-from solver.multifrontal import Multifrontal
-from solver.pattern import Layout
 from solver.terms.base import coordinates_of
 from tests.conftest import wavy_grid
 

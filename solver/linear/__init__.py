@@ -1,0 +1,1 @@
+"""Sparse symmetric systems: their pattern, its numbering, and their factorisation."""
