@@ -32,7 +32,7 @@ def add_source(
     Args:
         name: of the source, one of :data:`freecad_ortho.sources.SOURCES`.
         nets: nets that it is made of, for sources that need some; they are hidden.
-        faces: shapes and names of their faces, for the source ``faces``.
+        faces: shapes and names of their faces, for the source ``faces``; the shapes are hidden.
         document: a document or its name; without it that of the nets or faces, the active or a new
             one.
         options: of the source; lengths as numbers of mm, quantities or texts such as ``"2 m"``.
@@ -56,8 +56,9 @@ def add_source(
     with transaction(target, entry.name.capitalize()):
         feature = source_net.create(target, name, values, chosen, links)
         target.recompute()
-        for net in chosen:
-            net.Visibility = False
+        # As FreeCAD does with what a shape is made of: both would be drawn into each other.
+        for item in [*chosen, *(link[0] for link in links)]:
+            item.Visibility = False
     _say_remarks(feature)
     return feature
 

@@ -53,7 +53,8 @@ class SourcePanel:
         self._document = document.Name
         self._nets, self._faces = list(nets), list(faces)
         self._edited = edited.Name if edited else None
-        self._shown_before = _visible([*nets, *([edited] if edited else [])])
+        owners = {face[0].Name: face[0] for face in faces}
+        self._shown_before = _visible([*nets, *owners.values(), *([edited] if edited else [])])
         self._inputs = source_net.inputs(nets, faces)
         self._last: Any = None
         self.view = three_d_view(document)

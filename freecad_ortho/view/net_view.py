@@ -175,6 +175,7 @@ class NetView(Stateless):
 
     def _mode(self, *shapes: Any) -> coin.SoGroup:
         group = coin.SoGroup()
+        group.addChild(nodes.nearer())
         group.addChild(self._coordinates)
         for shape in shapes:
             group.addChild(shape)

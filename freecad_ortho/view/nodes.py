@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pivy import coin
 
+# Part of the depth of a scene: far above rounding, too little to be seen through anything.
+_NEARER = 2e-5
+
 
 def unpickable() -> coin.SoPickStyle:
     """What follows is only shown and does not catch the mouse."""
@@ -16,6 +19,13 @@ def unlit() -> coin.SoLightModel:
     """What follows has its plain colours."""
     node = coin.SoLightModel()
     node.model = coin.SoLightModel.BASE_COLOR
+    return node
+
+
+def nearer() -> coin.SoDepthBuffer:
+    """What follows is seen where it lies in the same surface as something else."""
+    node = coin.SoDepthBuffer()
+    node.range = (0.0, 1.0 - _NEARER)
     return node
 
 

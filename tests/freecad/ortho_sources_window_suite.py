@@ -12,6 +12,7 @@ import Part
 from ortho_mouse_tools import Hand
 from ortho_suite_cases import PanelCase
 from ortho_suite_tools import press, wait
+from PySide import QtGui
 
 from freecad_ortho import api, convert
 from freecad_ortho.commands import dialogs, sources
@@ -132,6 +133,38 @@ class TestPanels(SourceWindowCase):
         box.Height = 20
         self.document.recompute()
         self.assertEqual(len(net.Faces) // 4, 2 * 32)
+
+    def test_a_net_is_seen_on_its_faces(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        FreeCADGui.Selection.addSelection(box, ["Face3", "Face6"])
+        panel = self.opened("FaceNet")
+        self.assertFalse(box.Visibility)
+        panel.fields["edge"].value = 2.0
+        press("Cancel")
+        self.assertTrue(box.Visibility)
+        net = api.net_from_faces([(box, "Face3"), (box, "Face6")], edge=2.0)
+        self.assertFalse(box.Visibility)
+        Hand(self.document)
+        alone = self.net_picture(net)
+        # Both at once: in the same planes the net is the one that is seen.
+        box.Visibility = True
+        together = self.net_picture(net)
+        on_net = (alone != 255).any(axis=2)
+        self.assertGreater(on_net.mean(), 0.1)
+        self.assertGreater((alone == together).all(axis=2)[on_net].mean(), 0.98)
+        self.assertGreater((alone != together).any(axis=2).mean(), 0.02)
+        self.document.undo()
+        self.assertEqual([item.Name for item in self.document.Objects], ["Box"])
+        self.assertTrue(box.Visibility)
+
+    def net_picture(self, net):
+        """Pixels of the view as (height, width, 3) bytes."""
+        net.ColourMap = "None"
+        path = str(tools.SCRATCH / "faces.png")
+        FreeCADGui.activeView().saveImage(path, 600, 400, "White")
+        image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
+        return np.frombuffer(bytes(image.constBits()), np.uint8).reshape(400, 600, 3)
 
     def test_closing_the_document_is_safe(self):
         self.opened("Primitive")
