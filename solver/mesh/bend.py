@@ -8,6 +8,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Part of the larger principal curvature that the smaller one has on a doubly curved sheet.
 _DOUBLE = 0.3
+# Unit vectors with a smaller part in the plane that fits the mesh best have no direction there.
+_LEVEL = 0.1
 
 
 def unbent(mesh: QuadMesh, direction: FloatArray) -> QuadMesh:
@@ -48,9 +50,14 @@ def _quadric(mesh: QuadMesh) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 def central_directions(mesh: QuadMesh) -> list[FloatArray]:
-    """Unit vectors along a diagonal and a medial line of the face nearest to the middle."""
+    """Unit vectors along a diagonal and a medial line of the face nearest to the middle.
+
+    Those that stand upright on the plane that fits the mesh best, as in a tube, are left out.
+    """
     corners = mesh.vertices[mesh.faces]
     middles = corners.mean(axis=1)
     face = int(np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1)))
     a, b, c, d = corners[face]
-    return [vector / np.linalg.norm(vector) for vector in (c - a, b + c - a - d)]
+    level = _quadric(mesh)[1][:2]
+    units = [vector / np.linalg.norm(vector) for vector in (c - a, b + c - a - d)]
+    return [unit for unit in units if np.linalg.norm(level @ unit) > _LEVEL]
