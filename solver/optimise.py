@@ -13,7 +13,7 @@ from solver.errors import InputError
 from solver.gauss_newton import Optimisation
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import RECIPES
-from solver.nets.constraints import Constraints, corners_that_stay
+from solver.nets.constraints import Constraints, corners_that_stay, settled
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, fixed_vertices
 from solver.plan import Plan
@@ -110,6 +110,7 @@ def start_optimisation(
     wanted = constraints or Constraints()
     fixed = fixed_vertices(mesh, fix)
     fixed[corners_that_stay(mesh, wanted)] = True
+    wanted = settled(mesh, fixed, wanted)
 
     plan = Plan(net, fixed, options or NetOptions(), wanted, weights)
     _refuse_contradictions(plan.single(mesh))

@@ -171,6 +171,25 @@ class Connectivity:
         return np.where(self.regular[self._half_edges[:, 1]], straight, -1)
 
     @cached_property
+    def boundary_loops(self) -> tuple[IntArray, ...]:
+        """Vertices of each boundary loop in order; loops may touch, but do not cross."""
+        half = np.flatnonzero(self.twins < 0)
+        onward = _next(half)
+        while (inner := self.twins[onward] >= 0).any():
+            onward[inner] = _next(self.twins[onward[inner]])
+        start = self._half_edges[:, 0]
+        after = dict(zip(half.tolist(), onward.tolist(), strict=True))
+        loops = []
+        while after:
+            first = next(iter(after))
+            loop, here = [first], after.pop(first)
+            while here != first:
+                loop.append(here)
+                here = after.pop(here)
+            loops.append(start[loop])
+        return tuple(loops)
+
+    @cached_property
     def line_triples(self) -> IntArray:
         """(T, 3) consecutive vertices left, centre, right on a parameter line, each once."""
         here = np.flatnonzero(self.continuation >= 0)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.mesh.closest import Polyline, TriangleSurface
-from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
@@ -97,6 +97,19 @@ def add_constraints(problem: Problem, wanted: Constraints, closeness: float) -> 
     return problem
 
 
+def settled(mesh: QuadMesh, fixed: BoolArray, wanted: Constraints) -> Constraints:
+    """Settle by the start what glides where.
+
+    A net that is reached through an easier one is posed from other shapes on the way, whose
+    boundary is no longer the curve that was asked for.
+
+    Raises:
+        InputError: a vertex that does not exist, nothing to glide.
+    """
+    glide = [one for each in wanted.glide for one in _settled(mesh, fixed, each)]
+    return replace(wanted, glide=tuple(glide))
+
+
 def corners_that_stay(mesh: QuadMesh, wanted: Constraints) -> IntArray:
     """Corners of a boundary that glides on its own start curve: they would round it off."""
     if any(isinstance(glide, BoundaryGlide) for glide in wanted.glide):
@@ -125,48 +138,54 @@ def _add_handles(problem: Problem, handles: Mapping[int, FloatArray]) -> None:
 
 
 def _add_glide(problem: Problem, glide: Glide) -> None:
-    if isinstance(glide, BoundaryGlide):
-        for loop in boundary_loops(problem.mesh.connectivity):
-            curve = Polyline(_to_solver(problem, problem.mesh.vertices[loop]), closed=True)
-            chosen = loop[~problem.fixed[loop]]
-            problem.require(OnCurve(chosen, curve), problem.own_residual("glide"))
+    if isinstance(glide, BoundaryGlide) or glide.vertices is None:
+        for one in _settled(problem.mesh, problem.fixed, glide):
+            _add_glide(problem, one)
         return
+    term: OnPlane | OnCurve | OnSurface
     if isinstance(glide, PlaneGlide):
-        normal = np.eye(3)[glide.axis]
         place = float((glide.place - problem.centre[glide.axis]) / problem.scale)
-        miss = problem.mesh.vertices[:, glide.axis] - glide.place
-        chosen = _chosen(
-            problem, glide.vertices, miss, f"plane {_AXES[glide.axis]}={glide.place:g}"
-        )
-        problem.require(OnPlane(chosen, normal, place), problem.own_residual("glide"))
+        term = OnPlane(glide.vertices, np.eye(3)[glide.axis], place)
     elif isinstance(glide, CurveGlide):
         curve = Polyline(_to_solver(problem, glide.points), closed=glide.closed)
-        feet, _ = Polyline(glide.points, closed=glide.closed).closest(problem.mesh.vertices)
-        miss = np.linalg.norm(problem.mesh.vertices - feet, axis=1)
-        chosen = _chosen(problem, glide.vertices, miss, "curve")
-        problem.require(OnCurve(chosen, curve), problem.own_residual("glide"))
+        term = OnCurve(glide.vertices, curve)
     else:
         surface = TriangleSurface(_to_solver(problem, glide.points), glide.triangles)
-        used = problem.mesh.connectivity.referenced & ~problem.fixed
-        chosen = np.flatnonzero(used) if glide.vertices is None else glide.vertices
-        problem.require(OnSurface(chosen, surface), problem.own_residual("glide"))
+        term = OnSurface(glide.vertices, surface)
+    problem.require(term, problem.own_residual("glide"))
 
 
-def _chosen(problem: Problem, named: IntArray | None, miss: FloatArray, what: str) -> IntArray:
-    """Vertices that were named, or free boundary vertices near the guide."""
-    if named is not None:
-        count = len(problem.mesh.vertices)
-        if len(named) and (named.min() < 0 or named.max() >= count):
-            raise InputError(f"glide: vertices are numbered 0 to {count - 1}, got {named.max()}")
-        return named
-    rim = problem.mesh.connectivity.boundary_vertices & ~problem.fixed
-    near = rim & (np.abs(miss) <= _NEAR * problem.scale)
-    if not near.any():
-        raise InputError(
-            f"glide: no free boundary vertex lies within half a mean edge of the {what}; "
-            "move the mesh there or name the vertices"
-        )
-    return np.flatnonzero(near)
+def _settled(mesh: QuadMesh, fixed: BoolArray, glide: Glide) -> list[Glide]:
+    """The same with its vertices named, one for each loop of a boundary."""
+    net = mesh.connectivity
+    if isinstance(glide, BoundaryGlide):
+        return [
+            CurveGlide(mesh.vertices[loop], closed=True, vertices=loop[~fixed[loop]])
+            for loop in net.boundary_loops
+        ]
+    if glide.vertices is not None:
+        strangers = glide.vertices[(glide.vertices < 0) | (glide.vertices >= len(fixed))]
+        if len(strangers):
+            raise InputError(
+                f"glide: vertex {strangers[0]} does not exist; vertices are numbered 0 to "
+                f"{len(fixed) - 1}"
+            )
+        return [glide]
+    chosen = net.referenced & ~fixed
+    if not isinstance(glide, SurfaceGlide):
+        if isinstance(glide, PlaneGlide):
+            miss = np.abs(mesh.vertices[:, glide.axis] - glide.place)
+            what = f"plane {_AXES[glide.axis]}={glide.place:g}"
+        else:
+            feet, _ = Polyline(glide.points, closed=glide.closed).closest(mesh.vertices)
+            miss, what = np.linalg.norm(mesh.vertices - feet, axis=1), "curve"
+        chosen &= net.boundary_vertices & (miss <= _NEAR * mesh.mean_edge)
+        if not chosen.any():
+            raise InputError(
+                f"glide: no free boundary vertex lies within half a mean edge of the {what}; "
+                "move the mesh there or name the vertices"
+            )
+    return [replace(glide, vertices=np.flatnonzero(chosen))]
 
 
 def _add_symmetry(problem: Problem, axis: int) -> None:
@@ -190,24 +209,6 @@ def _add_symmetry(problem: Problem, axis: int) -> None:
     if len(middle):
         term = OnPlane(middle, np.eye(3)[axis], place, name="symmetry")
         problem.require(term, problem.own_residual("symmetry"))
-
-
-def boundary_loops(net: Connectivity) -> list[IntArray]:
-    """Vertices of each boundary loop, in order."""
-    half = np.flatnonzero(net.twins < 0)
-    start = net.faces.ravel()[half]
-    end = np.roll(net.faces, -1, axis=1).ravel()[half]
-    after = dict(zip(start.tolist(), end.tolist(), strict=True))
-    loops = []
-    while after:
-        first, vertex = next(iter(after.items()))
-        loop = [first]
-        del after[first]
-        while vertex != first:
-            loop.append(vertex)
-            vertex = after.pop(vertex)
-        loops.append(np.array(loop, dtype=np.int64))
-    return loops
 
 
 def _to_solver(problem: Problem, points: FloatArray) -> FloatArray:

@@ -13,9 +13,14 @@ from solver.nets.constraints import (
     CurveGlide,
     PlaneGlide,
     SurfaceGlide,
-    boundary_loops,
+    settled,
 )
+from solver.nets.settings import Weights
+from solver.plan import Plan
 from tests.conftest import QuadMesh, grid_faces, surface_of_revolution, wavy_grid
+from tests.meshes import noisy
+
+TRIANGLE = np.eye(3), np.array([[0, 1, 2]])
 
 
 def bent_sheet(rows: int = 13, columns: int = 11) -> QuadMesh:
@@ -47,13 +52,31 @@ def test_the_boundary_glides_on_its_own_curve():
     start = wavy_grid(12, 11, shear=0.05)
     outcome = optimise(start, "orthogonal", constraints=Constraints(glide=(BoundaryGlide(),)))
     mesh = solved(outcome)
-    (loop,) = boundary_loops(start.connectivity)
+    (loop,) = start.connectivity.boundary_loops
     feet, _ = Polyline(start.vertices[loop], closed=True).closest(mesh.vertices[loop])
     assert np.linalg.norm(mesh.vertices[loop] - feet, axis=1).max() <= 1e-9
     corners = start.connectivity.corners
     assert (mesh.vertices[corners] == start.vertices[corners]).all()
     moved = np.linalg.norm(mesh.vertices[loop] - start.vertices[loop], axis=1)
     assert moved.max() > 1e-3
+
+
+def test_a_net_reached_through_an_easier_one_glides_on_the_start_curve():
+    start, fixed = wavy_grid(7, 6), np.zeros(42, dtype=bool)
+    wanted = settled(start, fixed, Constraints(glide=(BoundaryGlide(), PlaneGlide(1, 5.0))))
+    plan = Plan("conical", fixed, NetOptions(), wanted, Weights())
+    way_round = next(problem for problem in plan.problems(start) if problem.easier)
+    later = way_round.easier(noisy(start, 0.3, seed=1))
+    assert later.measures["glide"](start, np.zeros(0)).max() <= 1e-14
+    gliding = [term.vertices.tolist() for term in later.constraints if term.name == "glide"]
+    assert gliding == [start.connectivity.boundary_loops[0].tolist(), list(range(5, 42, 6))]
+
+
+def test_boundaries_that_touch_glide_each_on_its_own():
+    points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1], [2, 1, 0], [2, 2, 0.1], [1, 2.2, 0]]
+    start = QuadMesh.from_arrays(points, [[0, 1, 2, 3], [2, 4, 5, 6]])
+    outcome = optimise(start, "orthogonal", constraints=Constraints(glide=(BoundaryGlide(),)))
+    assert outcome.report.residuals["glide"].max <= 1e-10
 
 
 def test_vertices_glide_on_a_drawn_curve():
@@ -129,6 +152,8 @@ def test_isometry_as_a_guide_keeps_a_sheet_from_stretching():
         ({"handles": {0: np.zeros(3)}}, "handle: vertex 0 is fixed too"),
         ({"handles": {5: np.full(3, np.nan)}}, "handle: the target of vertex 5 is not finite"),
         ({"glide": (PlaneGlide(2, 1e3),)}, "no free boundary vertex lies within half"),
+        ({"glide": (PlaneGlide(2, 0.0, np.array([3, -1])),)}, "glide: vertex -1 does not exist"),
+        ({"glide": (SurfaceGlide(*TRIANGLE, np.array([30])),)}, "glide: vertex 30 does not exist"),
         ({"symmetry": "w"}, "symmetry: expected letters"),
         ({"symmetry": "x"}, "has no mirror image in the plane x=0"),
     ],

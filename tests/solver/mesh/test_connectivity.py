@@ -41,6 +41,17 @@ def test_grid_counts():
     assert net.components.max() == 0
 
 
+def test_boundary_loops_run_around_the_faces():
+    (loop,) = Connectivity(grid_faces(3, 4), 12).boundary_loops
+    assert sorted(loop) == [0, 1, 2, 3, 4, 7, 8, 9, 10, 11]
+    assert set(np.abs(np.diff(loop, append=loop[0])).tolist()) == {1, 4}
+
+
+def test_boundary_loops_that_touch_do_not_cross():
+    one, two = Connectivity(np.array([[0, 1, 2, 3], [2, 4, 5, 6]]), 7).boundary_loops
+    assert (one.tolist(), two.tolist()) == ([0, 1, 2, 3], [2, 4, 5, 6])
+
+
 def test_triples_are_collinear_on_a_grid():
     columns = 6
     net = Connectivity(grid_faces(5, columns), 30)
