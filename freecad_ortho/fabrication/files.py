@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
@@ -26,22 +28,24 @@ from freecad_ortho.fabrication.tables import (
     write_table,
 )
 from freecad_ortho.fabrication.workshop import Workshop
-from solver.errors import OutputError
-from solver.io.atomic import staged_folder
+from solver.io.atomic import refuse_in_the_way, staged_folder
 from solver.mesh.quadmesh import QuadMesh
 
+_REPORT = "report.json"
 FILES = (
     "structure.step",
     "flat.dxf",
     "parts.csv",
     "nodes.csv",
     "stock.csv",
-    "report.json",
+    _REPORT,
     "report.html",
 )
 BENDS = "bends.csv"
 SHEETS = "sheets"
 JOINTS = "joints"
+# What an earlier report may name for removal: nothing but such names is ever written beside FILES.
+_REMOVABLE = re.compile(rf"[^/\\]+\.csv|({SHEETS}|{JOINTS})/[^/\\]+\.(dxf|svg|stl)")
 
 
 def write(
@@ -56,7 +60,7 @@ def write(
 
     Args:
         structure: what to write.
-        folder: made when missing; other files in it stay.
+        folder: made when missing; files in it that no earlier run wrote stay.
         progress: called with a fraction and words; whatever it raises stops the writing, and then
             the folder is as it was before.
         workshop: sizes of sheets and bars, width of the cut.
@@ -73,9 +77,10 @@ def write(
     """
     say = progress or (lambda fraction, words: None)
     target = Path(folder)
-    _refuse_folders_in_the_way(target)
+    for name in (*FILES, f"{SHEETS}/*", f"{JOINTS}/*"):
+        refuse_in_the_way(target, name)
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
-    with _no_new_folders_on_failure(target), staged_folder(target) as staging:
+    with _no_new_folders_on_failure(target), staged_folder(target, _earlier(target)) as staging:
         structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
         say(0.4, "structure.step")
         write_step(staging / "structure.step", structure.parts)
@@ -85,21 +90,41 @@ def write(
             say(0.9, SHEETS)
             _write_sheets(staging / SHEETS, production)
         say(0.95, "lists and reports")
-        write_lists(staging, production)
         _write_joints(staging / JOINTS, structure)
-        tables = [table.name for result in structure.results.values() for table in result.tables]
-        extra = [target / name for name in (BENDS, *tables) if (staging / name).exists()]
-        written = extra + [
-            target / folder_name / path.name
-            for folder_name in (SHEETS, JOINTS)
-            for path in sorted((staging / folder_name).glob("*"))
-        ]
+        names = write_lists(staging, production)
         say(1.0, "written")
-    return [target / name for name in FILES] + written
+    return [target / name for name in names]
 
 
-def write_lists(folder: Path, production: Production) -> None:
-    """Write the lists and reports into a folder.
+def _beside(folder: Path, structure: Structure) -> list[str]:
+    """Names of the files beside those that every structure has."""
+    tables = [table.name for result in structure.results.values() for table in result.tables]
+    lists = [name for name in (BENDS, *tables) if (folder / name).exists()]
+    return lists + [
+        f"{folder_name}/{path.name}"
+        for folder_name in (SHEETS, JOINTS)
+        for path in sorted((folder / folder_name).glob("*"))
+    ]
+
+
+def _earlier(target: Path) -> list[str]:
+    """Names of the files that an earlier run wrote here and that this one may leave out."""
+    try:
+        report = json.loads((target / _REPORT).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        # Missing, or something else of that name: then nothing here is known to be ours.
+        return []
+    names = report.get("files") if isinstance(report, dict) and "systems" in report else None
+    if not isinstance(names, list):
+        return []
+    return [name for name in names if isinstance(name, str) and _REMOVABLE.fullmatch(name)]
+
+
+def write_lists(folder: Path, production: Production) -> list[str]:
+    """Write the lists and reports into a folder that holds all other files.
+
+    Returns:
+        Names of all files, which the report lists too.
 
     Raises:
         OSError: a file cannot be written.
@@ -114,8 +139,10 @@ def write_lists(folder: Path, production: Production) -> None:
     for result in production.structure.results.values():
         for table in result.tables:
             write_table(folder / table.name, table.columns, table.rows)
-    write_report(folder / "report.json", production.report())
     (folder / "report.html").write_text(report_page(production), encoding="utf-8")
+    names = [*FILES, *_beside(folder, production.structure)]
+    write_report(folder / _REPORT, {**production.report(), "files": names})
+    return names
 
 
 def _write_joints(folder: Path, structure: Structure) -> None:
@@ -164,14 +191,6 @@ def stage_seconds(mesh_mm: QuadMesh, systems: Sequence[System]) -> dict[str, flo
         timed("tables", lambda: write_lists(folder, production))
     seconds["total"] = sum(seconds.values())
     return seconds
-
-
-def _refuse_folders_in_the_way(target: Path) -> None:
-    for name in FILES:
-        if (target / name).is_dir():
-            raise OutputError(f"{target / name}: is a folder; remove it or choose another place")
-    if (target / SHEETS).is_file():
-        raise OutputError(f"{target / SHEETS}: is a file; remove it or choose another place")
 
 
 @contextmanager

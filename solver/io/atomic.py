@@ -6,7 +6,7 @@ import errno
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -39,13 +39,17 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
 
 
 @contextmanager
-def staged_folder(target: str | os.PathLike[str]) -> Iterator[Path]:
+def staged_folder(target: str | os.PathLike[str], replaced: Iterable[str] = ()) -> Iterator[Path]:
     """Give a temporary folder whose files move into ``target`` only when the block succeeds.
 
-    Files already in ``target`` under other names stay.
+    Args:
+        target: made when missing; files already in it or in its folders stay under other names.
+        replaced: names of files in ``target`` that go then, written anew or not; folders that this
+            leaves empty go too.
 
     Raises:
-        OutputError: ``target`` cannot be made or written.
+        OutputError: ``target`` cannot be made or written, or holds a folder where a file is to be
+            or a file where a folder is to be.
     """
     folder = Path(target)
     try:
@@ -57,7 +61,7 @@ def staged_folder(target: str | os.PathLike[str]) -> Iterator[Path]:
         ) from error
     try:
         yield staging
-        _move_all(sorted(staging.iterdir()), folder)
+        _move_all(staging, folder, replaced)
     except OutputError:
         raise
     except OSError as error:
@@ -67,29 +71,58 @@ def staged_folder(target: str | os.PathLike[str]) -> Iterator[Path]:
         shutil.rmtree(staging, ignore_errors=True)
 
 
-def _move_all(paths: list[Path], folder: Path) -> None:
-    """Move files and folders into a folder; where one cannot be moved, put all back as it was."""
-    kept: list[tuple[Path, Path | None]] = []
+def refuse_in_the_way(folder: Path, name: str | os.PathLike[str]) -> None:
+    """Refuse to write a file where a folder is, or into a folder where a file is.
+
+    Args:
+        folder: that is written to.
+        name: of the file, relative to it.
+
+    Raises:
+        OutputError: naming what is in the way.
+    """
+    path = folder / name
+    if path.is_dir():
+        raise OutputError(f"{path}: is a folder; remove it or choose another place")
+    for above in path.parents[: len(Path(name).parts) - 1]:
+        if above.is_file():
+            raise OutputError(f"{above}: is a file; remove it or choose another place")
+
+
+def _move_all(staging: Path, folder: Path, replaced: Iterable[str]) -> None:
+    """Move all files into a folder; where one cannot be moved, put everything back as it was."""
+    new = sorted(path.relative_to(staging) for path in staging.rglob("*") if path.is_file())
+    old = [name for name in sorted(map(Path, replaced)) if (folder / name).is_file()]
+    for name in new:
+        refuse_in_the_way(folder, name)
+    before = Path(tempfile.mkdtemp(dir=staging))
+    moves: list[tuple[Path, Path]] = []
+    made: list[Path] = []
+
+    def move(source: Path, target: Path) -> None:
+        missing = [path for path in target.parents if not path.exists()]
+        for path in reversed(missing):
+            path.mkdir()
+            made.append(path)
+        os.replace(source, target)
+        moves.append((source, target))
+
     try:
-        for path in paths:
-            target = folder / path.name
-            old = None
-            if target.exists():
-                old = path.with_name(path.name + ".before")
-                os.replace(target, old)
-            kept.append((target, old))
-            os.replace(path, target)
+        for name in dict.fromkeys([*old, *new]):
+            if (folder / name).exists():
+                move(folder / name, before / name)
+        for name in new:
+            move(staging / name, folder / name)
     except OSError:
-        for target, old in reversed(kept):
-            if old is not None:
-                if target.is_dir():
-                    shutil.rmtree(target)
-                os.replace(old, target)
-            elif target.is_dir():
-                shutil.rmtree(target)
-            elif target.exists():
-                target.unlink()
+        for source, target in reversed(moves):
+            os.replace(target, source)
+        for path in reversed(made):
+            path.rmdir()
         raise
+    for name in old:
+        for path in [folder / above for above in name.parents][:-1]:
+            if path.is_dir() and not any(path.iterdir()):
+                path.rmdir()
 
 
 def _umask() -> int:

@@ -26,6 +26,7 @@ from freecad_ortho.fabrication.dxf import LAYERS, row_layout
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.step import read_step
+from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.tables import COLUMNS
 from solver.errors import OrthoError, OutputError
 from solver.mesh.primitives import primitive
@@ -215,6 +216,7 @@ def test_parts_list_reads_back(structure, folder):
 
 def test_report_reads_back(structure, folder, roof):
     report = json.loads((folder / "report.json").read_text())
+    assert report.pop("files") == list(FILES)
     assert report == json.loads(json.dumps(produce(structure).report()))
     assert report["unit"] == "mm"
     assert report["systems"] == ["beams", "panels"]
@@ -330,3 +332,81 @@ def test_two_thousand_parts_take_little_more_than_the_step_writer():
     ours = seconds["build"] + seconds["solids"] + seconds["dxf"] + seconds["step"]
     assert ours <= 3 * seconds["step"]
     assert seconds["total"] <= 3 * seconds["step"]
+
+
+@pytest.fixture(scope="module")
+def lapped(roof):
+    return build(roof, [Beams(200, 12, ends="lapped"), Nodes("socket", 120, thickness=12)])
+
+
+def everything_in(folder):
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
+
+
+def test_files_that_only_an_earlier_run_wrote_go_and_others_stay(lapped, small, tmp_path):
+    nested = write(lapped, tmp_path, workshop=Workshop(sheet=(12000, 4000)))
+    names = [str(path.relative_to(tmp_path)) for path in nested]
+    assert everything_in(tmp_path) == sorted(names)
+    assert json.loads((tmp_path / "report.json").read_text())["files"] == names
+    assert "bends.csv" in names and "sheets/sheet-001.dxf" in names and "joints/N0001.stl" in names
+    for name in ("mine.csv", "sheets/mine.dxf"):
+        (tmp_path / name).write_text("kept")
+    write(small, tmp_path)
+    assert everything_in(tmp_path) == sorted([*FILES, "mine.csv", "sheets/mine.dxf"])
+    assert (tmp_path / "sheets" / "mine.dxf").read_text() == "kept"
+    assert not (tmp_path / "joints").exists()
+
+
+def test_files_of_an_earlier_run_stay_when_the_new_one_fails(lapped, small, tmp_path, monkeypatch):
+    write(lapped, tmp_path, workshop=Workshop(sheet=(12000, 4000)))
+    before = {name: (tmp_path / name).read_bytes() for name in everything_in(tmp_path)}
+
+    def fail(source, target):
+        if target == tmp_path / "stock.csv" and source.parent.parent == tmp_path:
+            raise OSError(13, "Permission denied")
+        return moved(source, target)
+
+    moved = os.replace
+    monkeypatch.setattr("solver.io.atomic.os.replace", fail)
+    with pytest.raises(OutputError, match="Permission denied"):
+        write(small, tmp_path)
+    assert {name: (tmp_path / name).read_bytes() for name in everything_in(tmp_path)} == before
+
+
+@pytest.mark.parametrize(
+    "report",
+    [
+        '{"files": ["mine.csv"]}',
+        '{"systems": [], "files": ["../mine.csv", "notes/mine.csv", "mine.txt", 3]}',
+        '{"systems": [], "files": 3}',
+        "no report at all",
+    ],
+)
+def test_a_report_of_something_else_removes_nothing(small, tmp_path, report):
+    folder = tmp_path / "out"
+    kept = [
+        tmp_path / "mine.csv",
+        *(folder / n for n in ("mine.csv", "notes/mine.csv", "mine.txt")),
+    ]
+    for path in kept:
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("kept")
+    (folder / "report.json").write_text(report)
+    write(small, folder)
+    assert [path.read_text() for path in kept] == ["kept"] * len(kept)
+
+
+@pytest.mark.parametrize("name", ["joints", "sheets"])
+def test_a_file_in_the_place_of_a_folder_is_said(small, tmp_path, name):
+    (tmp_path / name).write_text("mine")
+    with pytest.raises(OutputError, match=f"{name}: is a file; remove it"):
+        write(small, tmp_path)
+    assert everything_in(tmp_path) == [name]
+
+
+def test_a_folder_in_the_place_of_a_list_is_said_and_kept(lapped, tmp_path):
+    (tmp_path / "bends.csv").mkdir()
+    (tmp_path / "bends.csv" / "mine.txt").write_text("kept")
+    with pytest.raises(OutputError, match=r"bends\.csv: is a folder; remove it"):
+        write(lapped, tmp_path)
+    assert everything_in(tmp_path) == ["bends.csv/mine.txt"]
