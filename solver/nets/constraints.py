@@ -194,11 +194,12 @@ def _add_symmetry(problem: Problem, axis: int) -> None:
     image = points[used].copy()
     image[:, axis] *= -1.0
     distance, twin = cKDTree(points[used]).query(image)
-    if (distance > _TWIN * problem.scale).any():
-        worst = int(used[np.argmax(distance)])
+    # Where vertices lie close, one may be the nearest of two images.
+    alone = np.where(twin[twin] == np.arange(len(used)), distance, np.inf)
+    if alone.max() > _TWIN * problem.scale:
         raise InputError(
-            f"symmetry: vertex {worst} has no mirror image in the plane {_AXES[axis]}=0; "
-            "centre the mesh there or leave the symmetry out"
+            f"symmetry: vertex {used[np.argmax(alone)]} has no mirror image in the plane "
+            f"{_AXES[axis]}=0; centre the mesh there or leave the symmetry out"
         )
     twin = used[twin]
     place = float(-problem.centre[axis] / problem.scale)

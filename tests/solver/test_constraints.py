@@ -121,6 +121,14 @@ def test_symmetry_is_kept_exactly():
     assert np.abs(mesh.vertices.reshape(11, 8, 3) - twin).max() <= 1e-10
 
 
+def test_a_vertex_needs_a_mirror_image_of_its_own():
+    i, j = np.meshgrid([-3.0, -2, -1, -0.1, 0.1, 0.2, 1, 2, 3], np.arange(4.0), indexing="ij")
+    points = np.stack([i, j, 0.1 * i**2], axis=2).reshape(-1, 3)
+    start = QuadMesh.from_arrays(points, grid_faces(9, 4))
+    with pytest.raises(InputError, match="symmetry: vertex 20 has no mirror image"):
+        optimise(start, "orthogonal", constraints=Constraints(symmetry="x"))
+
+
 def test_isometric_dragging_by_two_handles_keeps_every_face():
     start = bent_sheet()
     handles = {5: start.vertices[5] + [0.1, 0, -0.1], 137: start.vertices[137] - [0.1, 0, 0.1]}
