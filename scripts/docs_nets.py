@@ -35,7 +35,7 @@ from solver import Constraints, NetOptions, QuadMesh, optimise
 from solver.analysis import measures, spheres
 from solver.mesh.primitives import primitive
 from solver.report import CONVERGED, Outcome
-from solver.statics import Loads, start_densities, supported_vertices, unbalanced
+from solver.statics import Loads, start_densities, unbalanced
 from tests.conftest import SHARED, demo_roof, wavy_grid
 from tests.meshes import bent_sheet, deformed, hanging_net, helicoid, noisy, scherk, unduloid
 
@@ -84,7 +84,7 @@ def paper(name: str, other: Callable[[], QuadMesh]) -> QuadMesh:
 def imbalance(mesh: QuadMesh) -> np.ndarray:
     """(V,) force left at each free vertex over the mean load, with the best forces in the edges."""
     net = mesh.connectivity
-    supports = supported_vertices(net, net.boundary_vertices)
+    supports = net.boundary_vertices
     free = np.flatnonzero(~supports & net.referenced)
     points = (mesh.vertices - mesh.vertices.mean(axis=0)) / mesh.mean_edge
     loads = Loads(net, per_vertex=1.0).at(points.ravel())

@@ -52,11 +52,11 @@ class Loads:
         return np.asarray(self.scale * load)
 
 
-def supported_vertices(net: Connectivity, supports: BoolArray) -> BoolArray:
-    """Check that every component stands on at least three supports.
+def refuse_mechanisms(net: Connectivity, supports: BoolArray) -> None:
+    """Refuse supports (V,) that leave a component fewer than three supported vertices.
 
     Raises:
-        InputError: a component has fewer: it would be a mechanism.
+        InputError: naming the component with the fewest.
     """
     corners = np.zeros((int(net.components.max()) + 1, net.vertex_count), dtype=bool)
     corners[np.repeat(net.components, 4), net.faces.ravel()] = True
@@ -67,13 +67,14 @@ def supported_vertices(net: Connectivity, supports: BoolArray) -> BoolArray:
             f"supports: component {part} has {standing[part]} supported vertices and would be a "
             "mechanism; support at least three vertices of each component"
         )
-    return supports
 
 
 def start_densities(
     net: Connectivity, points: FloatArray, load: FloatArray, supports: BoolArray, sign: int
 ) -> FloatArray:
     """(E,) force densities that balance the loads on the given shape as well as possible.
+
+    Zero in edges between two supports: whatever they carry, nothing else is loaded by it.
 
     Args:
         net: the net.
@@ -84,7 +85,8 @@ def start_densities(
     """
     matrix, right = equilibrium_system(net, points, load, supports)
     bounds = {0: (-np.inf, np.inf), -1: (-np.inf, -1e-3), 1: (1e-3, np.inf)}[sign]
-    return np.asarray(lsq_linear(matrix, right, bounds=bounds, lsmr_tol="auto").x)
+    densities = np.asarray(lsq_linear(matrix, right, bounds=bounds, lsmr_tol="auto").x)
+    return np.where(supports[net.edges].all(axis=1), 0.0, densities)
 
 
 def equilibrium_system(

@@ -7,7 +7,7 @@ from scipy.sparse.linalg import lsmr
 
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.statics import equilibrium_system, supported_vertices
+from solver.statics import equilibrium_system, refuse_mechanisms
 
 _EXACT = 1e-13
 _PASSES = 4000
@@ -27,7 +27,7 @@ def force_densities(mesh: QuadMesh, supports: BoolArray | None = None) -> FloatA
     """
     net = mesh.connectivity
     held = net.boundary_vertices if supports is None else supports
-    supported_vertices(net, held)
+    refuse_mechanisms(net, held)
     # At edges of length one, so that a model in mm and in m are solved alike.
     points = mesh.vertices / mesh.mean_edge
     matrix, right = equilibrium_system(net, points, np.ones(len(points)), held)

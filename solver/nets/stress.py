@@ -8,11 +8,11 @@ import numpy as np
 
 from solver.analysis import measures
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.options import NetOptions
 from solver.problem import Problem, of_mesh
-from solver.statics import Loads, start_densities, supported_vertices, unbalanced
+from solver.statics import Loads, refuse_mechanisms, start_densities, unbalanced
 from solver.terms.equilibrium import Equilibrium
 from solver.terms.orthogonality import Orthogonality
 
@@ -29,8 +29,9 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.5.
     """
     net = problem.mesh.connectivity
-    supports = supported_vertices(net, problem.fixed)
-    _refuse_one_line(problem, supports)
+    supports = problem.fixed
+    refuse_mechanisms(net, supports)
+    _refuse_one_line(problem)
     free = np.flatnonzero(~supports & net.referenced)
     if not len(free):
         raise InputError("supports: every vertex is supported; leave some free to carry load")
@@ -64,13 +65,13 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
     return problem
 
 
-def _refuse_one_line(problem: Problem, supports: BoolArray) -> None:
+def _refuse_one_line(problem: Problem) -> None:
     """Say which component would swing around a line that holds all its supports."""
     net = problem.mesh.connectivity
     for part in range(int(net.components.max()) + 1):
         own = np.zeros(net.vertex_count, dtype=bool)
         own[net.faces[net.components == part]] = True
-        held = problem.mesh.vertices[own & supports]
+        held = problem.mesh.vertices[own & problem.fixed]
         extents = np.linalg.svd(held - held.mean(axis=0), compute_uv=False)
         if extents[1] <= _LINE * problem.scale:
             raise InputError(
