@@ -8,13 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
+from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 _SMOOTHINGS = 15
-_ROUNDS = 4
+# Rings of faces at the border whose vertices move to make room for it.
+_RINGS = 3
 # Faces thinner than this part of a square are no use.
 _THIN = 0.05
 
@@ -138,20 +140,20 @@ def fitted(
     Raises:
         InputError: no face is left.
     """
-    start, dropped = mesh, 0
-    for _ in range(_ROUNDS):
-        net = start.connectivity
-        near = net.boundary_vertices.copy()
-        for _ in range(3):
-            near[start.faces[near[start.faces].any(axis=1)].ravel()] = True
-        done = set_back(start, surface, border, near, held)
+    dropped = 0
+    while True:
+        near = mesh.connectivity.boundary_vertices.copy()
+        for _ in range(_RINGS):
+            near[mesh.faces[near[mesh.faces].any(axis=1)].ravel()] = True
+        done = set_back(mesh, surface, border, near, held)
         bad = _useless(done, surface)
         if not bad.any():
             return done, dropped
+        if bad.all():
+            raise InputError("border: no quad has room inside; take a finer sampling")
         dropped += int(bad.sum())
-        held = held[np.unique(start.faces[~bad])]
-        start = compact(start, start.faces[~bad])
-    return done, dropped
+        held = held[np.unique(mesh.faces[~bad])]
+        mesh = compact(mesh, mesh.faces[~bad])
 
 
 def straight_corners(mesh: QuadMesh) -> int:

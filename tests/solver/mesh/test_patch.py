@@ -100,6 +100,39 @@ def test_a_border_is_met(edge):
     assert mesh.connectivity.components.max() == 0
 
 
+def level(u, v):
+    return np.stack([u, v, 0 * u], axis=1)
+
+
+def star(edge):
+    """A level star with seven points, and how many quads of that edge begin inside of it."""
+
+    def reach(angle):
+        return 1 + 0.7 * np.cos(7 * angle)
+
+    def inside(u, v):
+        return np.hypot(u, v) < reach(np.arctan2(v, u))
+
+    angle = np.linspace(0, 2 * np.pi, 720, endpoint=False)
+    line = level(reach(angle) * np.cos(angle), reach(angle) * np.sin(angle))
+    ends = (-2.0, 2.0), (-2.0, 2.0)
+    whole = sampled([SurfacePatch(level, *ends)], edge=edge).mesh
+    centres = whole.vertices[whole.faces].mean(axis=1)
+    return SurfacePatch(level, *ends, inside, (line,)), int(inside(*centres[:, :2].T).sum())
+
+
+def test_all_quads_without_room_at_a_border_are_left_out_and_said():
+    patch, cells = star(0.2)
+    net = sampled([patch], edge=0.2)
+    assert (net.mesh.face_area_vectors[:, 2] > 0).all()
+    assert measures.flipped(net.mesh).sum() <= straight_corners(net.mesh)
+    left_out = cells - len(net.mesh.faces)
+    assert left_out > 0
+    assert f"{left_out} quads at the border had no room and were left out" in net.remarks[0]
+    with pytest.raises(InputError, match="no quad has room inside; take a finer sampling"):
+        sampled([star(0.3)[0]], edge=0.3)
+
+
 def test_a_cut_face_may_be_dropped_instead():
     mesh = sampled([DISC], edge=0.2, outside="drop").mesh
     assert disc(mesh.vertices[:, 0], mesh.vertices[:, 1]).all()
