@@ -71,7 +71,7 @@ def _message(run: Optimisation, best: Candidate, status: str) -> str:
     if status == STOPPED and len(run.history) >= run.max_steps:
         remedies.insert(0, f"more than {run.max_steps} steps")
     if status == STALLED and not remedies:
-        remedies.append("try more fairness, or a start mesh nearer to the net")
+        remedies.append("more fairness, or a start mesh nearer to the net")
     advice = "; try: " + "; ".join(remedies) if remedies else ""
     verb = "ended" if status == STOPPED else "no further progress"
     where = f" at {best.worst_place}" if best.worst_place else ""

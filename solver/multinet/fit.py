@@ -69,7 +69,7 @@ def fit_multi_net(mesh: QuadMesh) -> MultiNetFit:
             "fit: all parameter lines are planar, which leaves the quadric open; "
             "build rotational and planar multi-nets from their profile or conics instead"
         )
-    transposed = families[1] > families[0]
+    transposed = families[1][0] > families[0][0]
     base = families[transposed][1]
     if transposed:
         scaled = scaled.transpose(1, 0, 2)

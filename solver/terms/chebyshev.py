@@ -22,15 +22,15 @@ class EqualEdges:
 
     Args:
         edges: (n, 2) ends of each edge.
-        length: the given length in mean edges, or None.
-        shared: position of the unknown length in the flat vector, or None.
+        length: the given length in mean edges, where it is not shared.
+        shared: position of the unknown length in the flat vector, None for a given one.
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 7 and E_Cheby;
     there the difference of squares is not divided by the length.
     """
 
     edges: IntArray
-    length: float | None = None
+    length: float = 1.0
     shared: int | None = None
     name: str = "chebyshev"
     linear: bool = False
@@ -52,8 +52,7 @@ class EqualEdges:
         """Return (n, 1) and (n, 1, 6 or 7)."""
         v = points_of(x, self.unknowns[:, :6])
         d = v[:, 1] - v[:, 0]
-        wanted = x[self.shared] if self.shared is not None else self.length
-        square = float(wanted or 1.0) ** 2
+        square = (self.length if self.shared is None else x[self.shared]) ** 2
         ratio = dot(d, d) / square
         by_end = d / square
         columns = [-by_end, by_end]

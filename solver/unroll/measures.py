@@ -29,7 +29,6 @@ class StripMeasures:
         gap: largest difference in length between an outer edge of a face and its pattern: 0 when
             the strip is developable.
         admissible_width: width at which rulings would meet.
-        admissible_at: edge of the axis where they would.
     """
 
     length: float
@@ -42,7 +41,6 @@ class StripMeasures:
     smallest_bend_radius: float
     gap: float
     admissible_width: float
-    admissible_at: int
 
 
 def strip_measures(strip: Strip, width: float, normals: FloatArray) -> StripMeasures:
@@ -51,7 +49,6 @@ def strip_measures(strip: Strip, width: float, normals: FloatArray) -> StripMeas
     lean = np.arcsin(np.clip(np.abs(np.einsum("ck,ck->c", strip.normals, normals)), 0, 1))
     turn = strip.bends * np.cos(strip.slant)
     torsion = np.abs(strip.twists + 0.5 * (turn[:-1] + turn[1:])) / strip.lengths
-    width_allowed, edge = strip.admissible_width()
     return StripMeasures(
         length=float(strip.lengths.sum()),
         straightness=straightness(strip.flat_points),
@@ -62,8 +59,7 @@ def strip_measures(strip: Strip, width: float, normals: FloatArray) -> StripMeas
         torsion_deg=float(np.degrees(torsion.max())),
         smallest_bend_radius=smallest_bend_radius(strip, width),
         gap=developability_gap(strip, width),
-        admissible_width=width_allowed,
-        admissible_at=edge,
+        admissible_width=strip.admissible_width()[0],
     )
 
 

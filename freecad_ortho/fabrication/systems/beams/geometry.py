@@ -22,7 +22,6 @@ from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, edge_
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.offset.axes import Axes
 
 # Corners of a beam, one ring at the lower and one at the upper level: in the middle at the start,
 # right, right, in the middle at the end, left, left; counter-clockwise from above.
@@ -123,7 +122,6 @@ class BeamGeometry:
 
 def beam_geometry(
     mesh: QuadMesh,
-    axes: Axes,
     levels: tuple[float, float],
     width: float,
     frames: Frames,
@@ -133,7 +131,6 @@ def beam_geometry(
 
     Args:
         mesh: positions in mm.
-        axes: of the same mesh.
         levels: lower and upper level along the axes, mm from the mesh.
         width: of the section, across the beam, mm.
         frames: planes of the beams.

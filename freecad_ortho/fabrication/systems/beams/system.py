@@ -129,9 +129,7 @@ class Beams(System):
             built = ~site.mesh.connectivity.boundary_edges
         around = around_axes(site.mesh, site.axes, frames.along, built)
         cuts, folded, laps = self._cuts(site, frames, around, built)
-        geometry = beam_geometry(
-            site.mesh, site.axes, self.levels, section.overall_width, frames, cuts
-        )
+        geometry = beam_geometry(site.mesh, self.levels, section.overall_width, frames, cuts)
         wanted = site.chosen_edges & built
         parts = edge_beams(site, geometry, section, wanted & ~folded)
         lines = tuple(line for line in site.chosen_lines if (folded & built)[line.edges].all())

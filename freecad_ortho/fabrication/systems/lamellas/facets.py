@@ -54,13 +54,13 @@ class _Pieces:
         """Cut the outline along every ruling that bends."""
         ahead, face = [list(range(len(self.points)))], 0
         for station in np.flatnonzero(np.abs(self.ribbon.strip.bends) > FLAT).tolist():
-            behind, ahead = self._split_all(ahead, station, face)
+            behind, ahead = self._split_all(ahead, station)
             self.done += [(face, loop) for loop in behind]
             face = station
         self.done += [(face, loop) for loop in ahead]
 
     def _split_all(
-        self, loops: list[list[int]], station: int, face: int
+        self, loops: list[list[int]], station: int
     ) -> tuple[list[list[int]], list[list[int]]]:
         """Loops behind and ahead of a ruling; those that it misses are behind."""
         behind, ahead = [], []
