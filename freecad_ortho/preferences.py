@@ -45,6 +45,11 @@ def solver_settings() -> dict[str, str]:
     return {} if chosen is None else {"backend": chosen}
 
 
+def at_once() -> float:
+    """Give the seconds that a shape may take to be built at once when its net changes."""
+    return float(group().GetFloat("AtOnceSeconds", 1.0))
+
+
 def workers() -> int:
     """Give the number of processes that share the work on fabrication files."""
     return max(1, int(group().GetInt("Workers", 1)))

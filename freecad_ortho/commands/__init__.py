@@ -60,7 +60,7 @@ def for_selection() -> list[str]:
     if not context.selected_nets_and_structures():
         return []
     offered = ("EditNet", "Optimise", "Display", "Check", "Beams", "Lamellas", "Panels")
-    offered += ("FlatPatterns", "ExportFabrication", "Bake")
+    offered += ("UpdateStructures", "FlatPatterns", "ExportFabrication", "Bake")
     found = [f"Ortho_{name}" for name in offered]
     return [name for name in found if FreeCADGui.isCommandActive(name)]
 

@@ -7,6 +7,7 @@ import FreeCADGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command, NetCommand
+from freecad_ortho.objects import outdated
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -96,24 +97,30 @@ class Patches(StructureCommand):
 
 
 class UpdateStructures(Command):
-    """Build anew the structures that wait for it."""
+    """Build anew what waits for it."""
 
     icon = "update"
     shortcut = "O, U"
     text = QT_TRANSLATE_NOOP("Ortho_UpdateStructures", "Update structures")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_UpdateStructures",
-        "Build those structures anew that do not follow their nets automatically",
+        "Build those structures and flat patterns anew that wait because they take long",
     )
 
     def IsActive(self) -> bool:
-        """Where a structure waits."""
-        return super().IsActive() and any(item.Outdated for item in context.all_structures())
+        """Where something waits."""
+        document = FreeCAD.ActiveDocument
+        return super().IsActive() and document is not None and bool(outdated.waiting(document))
 
     def Activated(self) -> None:
         """Build them."""
-        with messages.errors_shown():
-            context.run("update_structures")
+        update_waiting()
+
+
+def update_waiting() -> None:
+    """Build what waits in the active document."""
+    with messages.errors_shown(), messages.busy():
+        context.run("update_structures")
 
 
 class Bake(Command):

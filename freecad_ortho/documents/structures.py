@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,13 +20,14 @@ from freecad_ortho.documents.common import (
 from freecad_ortho.fabrication import SYSTEMS, Selection
 from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
-from freecad_ortho.objects import build
+from freecad_ortho.objects import build, flat_patterns, outdated
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import choices, is_length, options_of, property_name
 from solver.errors import InputError
 
 if TYPE_CHECKING:
     Length = float | str | FreeCAD.Units.Quantity
+    Progress = Callable[[float, str], None]
 
 
 def add_structure(
@@ -77,8 +78,8 @@ def add_structure(
             Density=density,
             **properties,
         )
-        with removed_on_failure(feature):
-            structure_object.rebuild(feature)
+        with removed_on_failure(feature), progress(FreeCAD.Qt.translate("Ortho", title)) as say:
+            structure_object.rebuild(feature, say)
         feature.purgeTouched()
         # As Part does with what a shape is made of: otherwise both are drawn into each other.
         net.Visibility = False
@@ -115,23 +116,36 @@ def add_panels(
 
 
 def update_structures(document: FreeCAD.Document | None = None) -> list[FreeCAD.DocumentObject]:
-    """Build those structures anew that wait for it because they do not follow automatically.
+    """Build those structures and flat patterns anew that wait to be asked.
+
+    They wait because they take long, because they do not follow automatically, or because what they
+    stand on waits.
 
     Returns:
-        The structures that were built.
+        What was built.
 
     Raises:
         InputError: no document is open, or sizes that no longer fit; the document is unchanged.
+        OrthoError: Esc was pressed; the document is unchanged.
     """
     target = open_document(document)
-    waiting = [
-        item for item in target.Objects if structure_object.is_structure(item) and item.Outdated
-    ]
-    with transaction(target, FreeCAD.Qt.translate("Ortho", "Update structures")):
-        for feature in waiting:
-            structure_object.rebuild(feature)
+    chosen = outdated.waiting(target)
+    title = FreeCAD.Qt.translate("Ortho", "Update structures")
+    with transaction(target, title), progress(title) as say:
+        for number, feature in enumerate(chosen):
+            if structure_object.is_structure(feature):
+                structure_object.rebuild(feature, _share(say, number, len(chosen)))
+            else:
+                flat_patterns.rebuild(feature)
             feature.purgeTouched()
-    return waiting
+    return chosen
+
+
+def _share(say: Progress | None, number: int, count: int) -> Progress | None:
+    """The progress of one piece of work out of several."""
+    if say is None:
+        return None
+    return lambda fraction, words: say((number + fraction) / count, words)
 
 
 def export_fabrication(

@@ -3,10 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 
-from freecad_ortho import convert
-from freecad_ortho.fabrication import SYSTEMS, Selection, Structure, build, material
+from freecad_ortho import __version__, convert
+from freecad_ortho.fabrication import (
+    SYSTEMS,
+    Limits,
+    Material,
+    Selection,
+    Structure,
+    System,
+    build,
+    material,
+)
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.limit_properties import limits_of
 from freecad_ortho.objects.net import is_net
@@ -15,6 +26,8 @@ from solver.errors import InputError
 
 if TYPE_CHECKING:
     import FreeCAD
+
+    from solver.mesh.quadmesh import QuadMesh
 
 _REMEDY = "select structures of different systems on the same net"
 
@@ -28,6 +41,48 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
     Raises:
         InputError: not structures, structures that do not go together, or sizes that do not fit.
     """
+    plan = _plan(features)
+    whole = build(
+        plan.mesh,
+        plan.systems,
+        material=plan.material,
+        limits=plan.limits,
+        selection=plan.selection,
+    )
+    return whole.only(*plan.wanted)
+
+
+def recipe(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:
+    """A word that is another where :func:`structure` would give other parts.
+
+    Args:
+        features: structures of different systems.
+        more: what else matters; with a ``repr`` that says all.
+
+    Raises:
+        InputError: as :func:`structure`, as far as the geometry does not matter.
+    """
+    plan = _plan(features)
+    word = sha256(plan.mesh.vertices.tobytes() + plan.mesh.faces.tobytes())
+    # Another version of the workbench may build the same in another way.
+    settings = (__version__, plan.systems, plan.material, plan.limits, plan.selection, plan.wanted)
+    word.update(repr((settings, more)).encode())
+    return word.hexdigest()
+
+
+@dataclass(frozen=True, eq=False)
+class _Plan:
+    """All that the properties of structures say, as fabrication takes it."""
+
+    mesh: QuadMesh
+    systems: list[System]
+    material: Material
+    limits: Limits
+    selection: Selection
+    wanted: list[str]
+
+
+def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
     net = _common_net(features)
     by_system = _by_system(features)
     carrier = _carrier(by_system, net)
@@ -37,15 +92,14 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
     ordered = [name for name in SYSTEMS if name in by_system]
     lines = _agreed(features, "lines", lambda feature: (feature.Family, tuple(feature.Lines)))
     of_what = _agreed(features, "material", lambda feature: (feature.Material, feature.Density))
-    limits = _agreed(features, "limits", limits_of)
-    whole = build(
+    return _Plan(
         convert.quad_mesh(net),
         [system_of(by_system[name], name) for name in ordered],
-        material=material(of_what[0].lower(), of_what[1] or None),
-        limits=limits,
-        selection=Selection(lines[0].lower(), lines[1] or None),
+        material(of_what[0].lower(), of_what[1] or None),
+        _agreed(features, "limits", limits_of),
+        Selection(lines[0].lower(), lines[1] or None),
+        [name for name in ordered if name in wanted],
     )
-    return whole.only(*(name for name in ordered if name in wanted))
 
 
 def _by_system(features: Sequence[FreeCAD.DocumentObject]) -> dict[str, FreeCAD.DocumentObject]:

@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 import numpy as np
 
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
-from solver.errors import InputError, OrthoError
+from freecad_ortho.objects import outdated
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property
+from freecad_ortho.objects.structure import is_structure
+from solver.errors import InputError
 
 if TYPE_CHECKING:
     import Part
 
-    from freecad_ortho.fabrication import FlatPattern
+    from freecad_ortho.fabrication import FlatPattern, Structure, Workshop
     from freecad_ortho.fabrication.nesting import Sheet
     from solver.mesh.quadmesh import FloatArray
 
@@ -77,6 +79,7 @@ _PROPERTIES = (
         "Sheets",
         QT_TRANSLATE_NOOP("App::Property", "Width of the cut that outlines are compensated for"),
     ),
+    *outdated.updating("Flat patterns"),
     Property(
         "App::PropertyStringList",
         "PartNames",
@@ -116,23 +119,25 @@ _PROPERTIES = (
 )
 
 
-class FlatPatterns(Persistent):
+class FlatPatterns(outdated.Following):
     """Proxy of flat patterns. Only recomputing needs the fabrication packages."""
 
     properties = _PROPERTIES
     version = VERSION
 
-    def execute(self, feature: FreeCAD.DocumentObject) -> None:
-        """Lay the patterns out anew; on an error the last good shape stays.
+    def rebuild(self, feature: FreeCAD.DocumentObject) -> None:
+        """Lay the patterns out."""
+        rebuild(feature)
 
-        Raises:
-            OrthoError: what is wrong and what to do.
-        """
-        try:
-            rebuild(feature)
-        except OrthoError as error:
-            # The report view shows where an exception came from; the inner frames help nobody.
-            raise type(error)(str(error)) from None
+    def recipe(self, feature: FreeCAD.DocumentObject) -> str:
+        """A word that stands for all that the patterns are laid out from."""
+        from freecad_ortho.objects import build
+
+        return build.recipe(feature.Structures, _workshop(feature))
+
+    def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
+        """The structures whose parts are shown."""
+        return [item for item in feature.Structures if is_structure(item)]
 
 
 def create(
@@ -141,6 +146,7 @@ def create(
     """Add flat patterns to a document without laying them out yet."""
     feature = document.addObject("Part::FeaturePython", "FlatPatterns")
     FlatPatterns(feature)
+    outdated.watch()
     feature.Structures = list(structures)
     for name, value in properties.items():
         setattr(feature, name, value)
@@ -157,21 +163,24 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     Raises:
         OrthoError: nothing to lay out, or a part larger than the sheet; nothing was changed.
     """
-    import Part
-
-    from freecad_ortho.fabrication import Workshop
-    from freecad_ortho.fabrication.kerf import compensated
     from freecad_ortho.objects import build
 
-    structure = build.structure(feature.Structures)
-    workshop = Workshop(
-        sheet=_sheet_size(feature),
-        spacing=feature.Spacing.Value,
-        grain=feature.Grain.lower(),
-        nesting=feature.Nesting.lower(),
-        seed=feature.Seed,
-        kerf=feature.Kerf.Value,
-    )
+    with outdated.timed(feature):
+        _lay_out(feature, build.structure(feature.Structures), _workshop(feature))
+    feature.Outdated = False
+    feature.BuiltFrom = build.recipe(feature.Structures, _workshop(feature))
+
+
+def is_flat_patterns(feature: object) -> bool:
+    """Tell whether a document object is flat patterns."""
+    return isinstance(getattr(feature, "Proxy", None), FlatPatterns)
+
+
+def _lay_out(feature: FreeCAD.DocumentObject, structure: Structure, workshop: Workshop) -> None:
+    import Part
+
+    from freecad_ortho.fabrication.kerf import compensated
+
     flat = {
         part.name: compensated(part.name, part.pattern, workshop.kerf)
         for part in structure.parts
@@ -197,9 +206,18 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     feature.Waste = 1 - sum(sheet.used for sheet in sheets) / area if area else 0.0
 
 
-def is_flat_patterns(feature: object) -> bool:
-    """Tell whether a document object is flat patterns."""
-    return isinstance(getattr(feature, "Proxy", None), FlatPatterns)
+def _workshop(feature: FreeCAD.DocumentObject) -> Workshop:
+    """What the parts are cut from and with."""
+    from freecad_ortho.fabrication import Workshop
+
+    return Workshop(
+        sheet=_sheet_size(feature),
+        spacing=feature.Spacing.Value,
+        grain=feature.Grain.lower(),
+        nesting=feature.Nesting.lower(),
+        seed=feature.Seed,
+        kerf=feature.Kerf.Value,
+    )
 
 
 def _sheet_size(feature: FreeCAD.DocumentObject) -> tuple[float, float] | None:

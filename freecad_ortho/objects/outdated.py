@@ -1,4 +1,4 @@
-"""Keeps the mark on objects that wait to be asked before they are built anew.
+"""Shapes that follow a net: quick ones at once, long ones marked until they are asked for.
 
 FreeCAD takes the mark off everything that it has recomputed. So an object that chose to wait says
 so in a property, and gets its mark back when the recompute of its document is over.
@@ -6,7 +6,136 @@ so in a property, and gets its mark back when the recompute of its document is o
 
 from __future__ import annotations
 
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
 import FreeCAD
+
+from freecad_ortho import preferences
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
+from solver.errors import OrthoError
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+# What building takes about, for shapes that have not been built in this session.
+_SECONDS_AN_EDGE = 1.5e-4
+
+
+def updating(group: str) -> tuple[Property, ...]:
+    """Properties that say whether a shape follows, under a heading of the property editor."""
+    return (
+        Property(
+            "App::PropertyBool",
+            "AutomaticUpdate",
+            group,
+            QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Follow each change at once, if that does not take long; else only when asked to",
+            ),
+            default=True,
+            flags=OUTPUT,
+        ),
+        Property(
+            "App::PropertyBool",
+            "Outdated",
+            "Result",
+            QT_TRANSLATE_NOOP("App::Property", "The shape waits to be built anew"),
+            default=False,
+            flags=OUTPUT | READ_ONLY,
+        ),
+        Property(
+            "App::PropertyString",
+            "BuiltFrom",
+            "Result",
+            QT_TRANSLATE_NOOP("App::Property", "Stands for all that the shape was built from"),
+            flags=OUTPUT | READ_ONLY | HIDDEN,
+        ),
+    )
+
+
+class Following(Persistent):
+    """Base of the proxies of such shapes, with the properties of :func:`updating` among theirs.
+
+    Attributes:
+        seconds: that building took last, on this machine in this session.
+    """
+
+    seconds: float | None = None
+
+    def onDocumentRestored(self, feature: FreeCAD.DocumentObject) -> None:
+        """Give an object from an older document the properties that came later."""
+        super().onDocumentRestored(feature)
+        watch()
+        if feature.Outdated:
+            feature.touch()
+
+    def execute(self, feature: FreeCAD.DocumentObject) -> None:
+        """Build the shape anew or let it wait; on an error the last good shape stays.
+
+        Raises:
+            OrthoError: what is wrong and what to do; FreeCAD shows it and marks the object.
+        """
+        try:
+            if self._waits(feature):
+                self._mark(feature)
+            else:
+                self.rebuild(feature)
+        except OrthoError as error:
+            # The report view shows where an exception came from; the inner frames help nobody.
+            raise type(error)(str(error)) from None
+
+    def rebuild(self, feature: FreeCAD.DocumentObject) -> None:
+        """Build the shape."""
+        raise NotImplementedError
+
+    def recipe(self, feature: FreeCAD.DocumentObject) -> str:
+        """A word that stands for all that the shape is built from."""
+        raise NotImplementedError
+
+    def stands_on(self, feature: FreeCAD.DocumentObject) -> Sequence[FreeCAD.DocumentObject]:
+        """Other such shapes that this one would not fit while they wait."""
+        raise NotImplementedError
+
+    def _waits(self, feature: FreeCAD.DocumentObject) -> bool:
+        if feature.Shape.isNull():
+            return False
+        if not feature.AutomaticUpdate:
+            return True
+        if any(item.Outdated for item in self.stands_on(feature)):
+            return True
+        if self.seconds is None:
+            self.seconds = _SECONDS_AN_EDGE * len(feature.Shape.Edges)
+        return self.seconds > preferences.at_once()
+
+    def _mark(self, feature: FreeCAD.DocumentObject) -> None:
+        """Say that it waits, unless it is touched only and nothing has changed."""
+        before = feature.Outdated
+        feature.Outdated = feature.BuiltFrom != self.recipe(feature)
+        if feature.Outdated and not before:
+            FreeCAD.Console.PrintMessage(
+                FreeCAD.Qt.translate(
+                    "Ortho", "{} waits to be built anew: Refresh or Update structures does it"
+                ).format(feature.Label)
+                + "\n"
+            )
+
+
+@contextmanager
+def timed(feature: FreeCAD.DocumentObject) -> Iterator[None]:
+    """Remember how long building a shape takes."""
+    # Loading the CAD kernel, once in a session, counts for no shape.
+    loaded = "cadquery" in sys.modules
+    start = time.perf_counter()
+    yield
+    feature.Proxy.seconds = time.perf_counter() - start if loaded else None
+
+
+def waiting(document: FreeCAD.Document) -> list[FreeCAD.DocumentObject]:
+    """Give what waits in a document to be built anew."""
+    return [item for item in document.Objects if getattr(item, "Outdated", False)]
 
 
 class _Observer:
@@ -14,16 +143,20 @@ class _Observer:
 
     def slotRecomputedDocument(self, document: FreeCAD.Document) -> None:
         """Mark what waits."""
-        for feature in document.Objects:
-            if getattr(feature, "Outdated", False):
-                feature.touch()
+        for feature in waiting(document):
+            feature.touch()
 
 
-_observers: list[_Observer] = []
+_observers: list[Any] = []
 
 
 def watch() -> None:
-    """Begin to keep marks; doing it again changes nothing."""
-    if not _observers:
-        _observers.append(_Observer())
-        FreeCAD.addDocumentObserver(_observers[0])
+    """Begin to keep marks, and to build what waits at Refresh; doing it again changes nothing."""
+    if _observers:
+        return
+    _observers.append(_Observer())
+    FreeCAD.addDocumentObserver(_observers[0])
+    if FreeCAD.GuiUp:
+        from freecad_ortho.view import refresh
+
+        refresh.connect()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import Any
 
 import FreeCAD
@@ -10,7 +11,7 @@ import FreeCAD
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS
 from freecad_ortho.objects import outdated
 from freecad_ortho.objects.limit_properties import limit_properties
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property, ensure
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, ensure
 from freecad_ortho.objects.system_properties import options_of, system_property
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -56,24 +57,7 @@ _PROPERTIES = (
         "Structure",
         QT_TRANSLATE_NOOP("App::Property", "Numbers of these parameter lines; empty: all"),
     ),
-    Property(
-        "App::PropertyBool",
-        "AutomaticUpdate",
-        "Structure",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Follow each change of the net; else only when asked to update"
-        ),
-        default=True,
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyBool",
-        "Outdated",
-        "Result",
-        QT_TRANSLATE_NOOP("App::Property", "The shape waits to be built anew"),
-        default=False,
-        flags=OUTPUT | READ_ONLY,
-    ),
+    *outdated.updating("Structure"),
     Property(
         "App::PropertyEnumeration",
         "Material",
@@ -121,7 +105,7 @@ _PROPERTIES = (
 )
 
 
-class Structure(Persistent):
+class Structure(outdated.Following):
     """Proxy of a structure. Only recomputing needs the fabrication packages, showing does not."""
 
     properties = _PROPERTIES
@@ -131,26 +115,20 @@ class Structure(Persistent):
         """Give a structure from an older document the properties that came later."""
         super().onDocumentRestored(feature)
         ensure_options(feature)
-        outdated.watch()
 
-    def execute(self, feature: FreeCAD.DocumentObject) -> None:
-        """Build the solids anew; on an error the last good shape stays.
+    def rebuild(self, feature: FreeCAD.DocumentObject) -> None:
+        """Build the solids."""
+        rebuild(feature)
 
-        Without automatic update the shape stays too, and the object keeps its mark.
+    def recipe(self, feature: FreeCAD.DocumentObject) -> str:
+        """A word that stands for all that the solids are built from."""
+        from freecad_ortho.objects import build
 
-        Raises:
-            OrthoError: what is wrong and what to do; FreeCAD shows it and marks the object.
-        """
-        from solver.errors import OrthoError
+        return build.recipe([feature])
 
-        if not feature.AutomaticUpdate and not feature.Shape.isNull():
-            feature.Outdated = True
-            return
-        try:
-            rebuild(feature)
-        except OrthoError as error:
-            # The report view shows where an exception came from; the inner frames help nobody.
-            raise type(error)(str(error)) from None
+    def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
+        """The beams that the parts lie on."""
+        return [feature.OnBeams] if is_structure(feature.OnBeams) else []
 
 
 def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD.DocumentObject:
@@ -185,8 +163,14 @@ def ensure_options(feature: FreeCAD.DocumentObject) -> None:
     feature.setPropertyStatus("OnBeams", status)
 
 
-def rebuild(feature: FreeCAD.DocumentObject) -> None:
+def rebuild(
+    feature: FreeCAD.DocumentObject, progress: Callable[[float, str], None] | None = None
+) -> None:
     """Set the shape and what is known of the parts from the properties.
+
+    Args:
+        feature: the structure.
+        progress: called with a fraction and words; may raise to stop.
 
     Raises:
         OrthoError: the properties or the net do not make a structure; nothing was changed.
@@ -195,11 +179,13 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     from freecad_ortho.fabrication.packages import missing_package_named
     from freecad_ortho.objects import build
 
-    structure = build.structure([feature])
-    with missing_package_named():
-        shape = convert.part_shape(structure.compound())
-    feature.Shape = shape
+    with outdated.timed(feature):
+        structure = build.structure([feature])
+        with missing_package_named():
+            shape = convert.part_shape(structure.compound(progress))
+        feature.Shape = shape
     feature.Outdated = False
+    feature.BuiltFrom = build.recipe([feature])
     feature.PartNames = [part.name for part in structure.parts]
     feature.Verdicts = list(structure.verdicts)
     feature.Report = json.dumps(structure.report())

@@ -2,6 +2,7 @@
 
 import json
 import time
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
@@ -13,7 +14,8 @@ from ortho_suite_tools import vertices, wait
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from freecad_ortho import api, convert
+from freecad_ortho import api, convert, preferences
+from freecad_ortho.objects import structure
 from solver.analysis import measures
 
 SIDE = 10
@@ -89,6 +91,35 @@ class TestDragging(EditingCase):
         wait()
         self.panel.reject()
         self.assertLeft(net)
+
+    def test_letting_go_waits_for_no_long_structure(self):
+        net = api.import_net(tools.wavy_mesh(rows=SIDE, columns=SIDE))
+        api.optimise_net(net)
+        beams = api.add_beams(net)
+        preferences.group().SetFloat("AtOnceSeconds", 0.0)
+        self.addCleanup(preferences.group().RemFloat, "AtOnceSeconds")
+        volume = beams.Shape.Volume
+        self.enter(net)
+        end = self.held(net)
+        with mock.patch.object(structure, "rebuild", side_effect=AssertionError):
+            self.settled(end)
+        self.assertEqual((beams.Outdated, beams.Shape.Volume), (True, volume))
+        self.panel.reject()
+        self.assertLeft(net)
+        self.assertIn("Touched", beams.State)
+        self.assertTrue(FreeCADGui.isCommandActive("Ortho_UpdateStructures"))
+        steps = net.Document.UndoCount
+        # As a click on FreeCAD's Refresh, which is enabled where something is marked.
+        (refresh,) = FreeCADGui.Command.get("Std_Refresh").getAction()
+        refresh.setEnabled(True)
+        refresh.trigger()
+        wait()
+        self.assertFalse(beams.Outdated)
+        self.assertNotEqual(beams.Shape.Volume, volume)
+        self.assertEqual(net.Document.UndoCount, steps + 1)
+        self.assertEqual(self.lines[-1], "freecad_ortho.api.update_structures()")
+        self.assertFalse(FreeCADGui.isCommandActive("Ortho_UpdateStructures"))
+        self.assertEqual(self.errors, [])
 
     def test_under_the_mouse_and_along_an_axis(self):
         net = self.edited()

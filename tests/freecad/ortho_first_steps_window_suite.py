@@ -93,7 +93,13 @@ class TestPreferences(FirstStepsCase):
         self.addCleanup(self.forget)
 
     def forget(self):
-        for name in (*preferences.LENGTHS, "ImportUnit", "SparseSolver", "Workers"):
+        for name in (
+            *preferences.LENGTHS,
+            "ImportUnit",
+            "SparseSolver",
+            "Workers",
+            "AtOnceSeconds",
+        ):
             preferences.group().RemFloat(name)
             preferences.group().RemInt(name)
         for name in preferences.COLOURS:
@@ -118,6 +124,8 @@ class TestPreferences(FirstStepsCase):
             box = page.findChild(QtGui.QComboBox, name)
             shown = [box.itemText(k) for k in range(box.count())]
             self.assertEqual(shown[1:], list(choices[1:]))
+        seconds = page.findChild(QtGui.QDoubleSpinBox, "AtOnceSeconds").value()
+        self.assertEqual(seconds, preferences.at_once())
         page.deleteLater()
 
     def test_what_is_chosen_on_the_page_is_what_the_code_reads(self):

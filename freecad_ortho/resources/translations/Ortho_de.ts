@@ -219,9 +219,9 @@
    <translation>Flanschdicke: der Flansche, wo sie abweicht</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/structure.py" />
-   <source>Follow each change of the net; else only when asked to update</source>
-   <translation>Jeder Änderung des Netzes folgen; sonst nur auf Verlangen</translation>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>Follow each change at once, if that does not take long; else only when asked to</source>
+   <translation>Jeder Änderung sofort folgen, wenn das nicht lange dauert; sonst nur auf Verlangen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -769,6 +769,11 @@
    <translation>Quadrate der Halbachsen der ersten Ellipse</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>Stands for all that the shape was built from</source>
+   <translation>Steht für alles, woraus die Form gebaut wurde</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Steps along u and v</source>
    <translation>Schritte längs u und v</translation>
@@ -839,7 +844,7 @@
    <translation>Das Netz, auf das Optimieren und Bearbeiten zielen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>The shape waits to be built anew</source>
    <translation>Die Form wartet darauf, neu gebaut zu werden</translation>
   </message>
@@ -3805,6 +3810,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} Ecken, {} Vierecke</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>{} waits to be built anew: Refresh or Update structures does it</source>
+   <translation>{} wartet darauf, neu gebaut zu werden: mit Aktualisieren oder Tragwerke aktualisieren</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>{}, diagonal</source>
    <translation>{}, diagonal</translation>
@@ -3851,6 +3861,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Fabrication files</source>
    <translation>Fertigungsdateien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Follow at once up to</source>
+   <translation>Sofort folgen bis</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -3919,6 +3934,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Structures and flat patterns</source>
+   <translation>Tragwerke und Abwicklungen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Thickness of beams</source>
    <translation>Dicke der Träger</translation>
   </message>
@@ -3936,6 +3956,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Thickness of the plates of new beams</source>
    <translation>Dicke der Bleche neuer Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Those that take longer to build keep their shape and a mark when their net changes, until Refresh or Update structures</source>
+   <translation>Was länger zu bauen braucht, behält bei einer Änderung des Netzes seine Form und eine Marke, bis zu Aktualisieren oder Tragwerke aktualisieren</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -4420,8 +4445,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <name>Ortho_UpdateStructures</name>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
-   <source>Build those structures anew that do not follow their nets automatically</source>
-   <translation>Jene Tragwerke neu bauen, die ihren Netzen nicht von selbst folgen</translation>
+   <source>Build those structures and flat patterns anew that wait because they take long</source>
+   <translation>Jene Tragwerke und Abwicklungen neu bauen, die warten, weil sie lange dauern</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />

@@ -219,9 +219,9 @@
    <translation>Épaisseur des semelles : des semelles si elle diffère</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/structure.py" />
-   <source>Follow each change of the net; else only when asked to update</source>
-   <translation>Suivre chaque changement du réseau ; sinon seulement sur demande</translation>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>Follow each change at once, if that does not take long; else only when asked to</source>
+   <translation>Suivre chaque changement aussitôt, si ce n'est pas long ; sinon seulement sur demande</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -769,6 +769,11 @@
    <translation>Carrés des demi-axes de la première ellipse</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>Stands for all that the shape was built from</source>
+   <translation>Représente tout ce dont la forme a été construite</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Steps along u and v</source>
    <translation>Pas selon u et v</translation>
@@ -839,7 +844,7 @@
    <translation>Le réseau visé par l'optimisation et l'édition</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>The shape waits to be built anew</source>
    <translation>La forme attend d'être reconstruite</translation>
   </message>
@@ -3805,6 +3810,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} sommets, {} quadrilatères</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>{} waits to be built anew: Refresh or Update structures does it</source>
+   <translation>{} attend d'être reconstruit : par Rafraîchir ou Mettre à jour les structures</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>{}, diagonal</source>
    <translation>{}, diagonal</translation>
@@ -3851,6 +3861,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Fabrication files</source>
    <translation>Fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Follow at once up to</source>
+   <translation>Suivre aussitôt jusqu'à</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -3919,6 +3934,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Structures and flat patterns</source>
+   <translation>Structures et développés</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Thickness of beams</source>
    <translation>Épaisseur des poutres</translation>
   </message>
@@ -3936,6 +3956,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Thickness of the plates of new beams</source>
    <translation>Épaisseur des plats des nouvelles poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Those that take longer to build keep their shape and a mark when their net changes, until Refresh or Update structures</source>
+   <translation>Ce qui est plus long à construire garde sa forme et une marque quand le réseau change, jusqu'à Rafraîchir ou Mettre à jour les structures</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -4420,8 +4445,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <name>Ortho_UpdateStructures</name>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
-   <source>Build those structures anew that do not follow their nets automatically</source>
-   <translation>Reconstruire les structures qui ne suivent pas leurs réseaux d'elles-mêmes</translation>
+   <source>Build those structures and flat patterns anew that wait because they take long</source>
+   <translation>Reconstruire les structures et développés en attente parce qu'ils sont longs à construire</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
