@@ -169,9 +169,10 @@ def write_report(path: Path, report: dict[str, Any]) -> None:
     """Write the report as JSON.
 
     Raises:
+        ValueError: a number in it is not finite; JSON has no such numbers.
         OSError: the file cannot be written.
     """
-    path.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
+    path.write_text(json.dumps(report, indent=2, allow_nan=False) + "\n", encoding="utf-8")
 
 
 def _number(value: float | None) -> str:

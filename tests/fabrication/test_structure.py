@@ -1,5 +1,6 @@
 """Systems by name, chosen lines, materials, limits and verdicts; parts that travel."""
 
+import json
 import pickle
 from dataclasses import replace
 
@@ -9,6 +10,7 @@ import pytest
 from freecad_ortho import api
 from freecad_ortho.fabrication import (
     MATERIALS,
+    SYSTEMS,
     Beams,
     Limits,
     Measures,
@@ -19,7 +21,11 @@ from freecad_ortho.fabrication import (
     systems_of,
 )
 from freecad_ortho.fabrication.limits import verdict
+from freecad_ortho.fabrication.production import produce
+from freecad_ortho.fabrication.systems.beams.system import ENDS
 from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
+from tests.conftest import grid_faces
 
 
 def test_systems_come_in_the_order_of_building_with_their_defaults():
@@ -122,3 +128,24 @@ def test_parts_travel_without_their_solids(structure):
     assert np.array_equal(again.points, part.points)
     assert again.solid().Volume() == pytest.approx(part.volume, rel=1e-9)
     assert part.body.volume == pytest.approx(part.volume, rel=1e-9)
+
+
+def plane_grid(columns):
+    """A row of level squares of 1 m."""
+    x, y = np.meshgrid(np.arange(columns), np.arange(2), indexing="ij")
+    points = np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
+    return QuadMesh.from_arrays(1000.0 * points, grid_faces(columns, 2))
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_reports_of_level_nets_hold_no_number_that_json_has_not(name):
+    structure = build(plane_grid(4), systems_of(name, {"thickness": 8.0}))
+    assert json.loads(json.dumps(produce(structure).report(), allow_nan=False))["systems"] == [name]
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_a_net_without_inner_edges_has_no_inner_beams(ends):
+    with pytest.raises(InputError, match="beams: nothing to build on this net"):
+        build(plane_grid(2), systems_of("beams", {"ends": ends, "no_boundary_beams": True}))
+    with pytest.raises(InputError, match="nodes: nothing to build on this net"):
+        build(plane_grid(2), systems_of("nodes", {"no_boundary_beams": True}))

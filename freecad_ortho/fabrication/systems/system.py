@@ -83,7 +83,7 @@ class System(ABC):
 
     @abstractmethod
     def build(self, site: Site) -> SystemParts:
-        """Work out the parts.
+        """Work out the parts; none where the net has nothing that this system builds on.
 
         Raises:
             InputError: sizes that do not fit the net, or a net that is not fit for this system.

@@ -127,10 +127,12 @@ class Beams(System):
         built = np.ones(len(site.mesh.connectivity.edges), dtype=bool)
         if not self.boundary_beams:
             built = ~site.mesh.connectivity.boundary_edges
+        wanted = site.chosen_edges & built
+        if not wanted.any():
+            return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
         cuts, folded, laps = self._cuts(site, frames, around, built)
         geometry = beam_geometry(site.mesh, self.levels, section.overall_width, frames, cuts)
-        wanted = site.chosen_edges & built
         parts = edge_beams(site, geometry, section, wanted & ~folded)
         lines = tuple(line for line in site.chosen_lines if (folded & built)[line.edges].all())
         parts += line_beams(site, geometry, self.thickness, lines, laps)

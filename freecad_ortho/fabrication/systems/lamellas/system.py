@@ -85,14 +85,12 @@ class Lamellas(LamellaSettings, System):
             "crossings": sum(len(row) for row in met) // 2,
             "slot_width_min_mm": min(slots, default=None),
             "slot_width_max_mm": max(slots, default=None),
-            "straightness_max_mm": _worst(parts, "straightness_mm"),
-            "radius_spread_max_mm": _worst(parts, "radius_spread_mm"),
-            "gap_max_mm": _worst(parts, "gap_mm"),
-            "lean_max_deg": _worst(parts, "lean_deg"),
-            "torsion_max_deg_per_m": _worst(parts, "torsion_deg_per_m"),
-            "bend_radius_min_mm": min(
-                (part.measures.min_bend_radius_mm or np.inf for part in parts), default=None
-            ),
+            "straightness_max_mm": max(_values(parts, "straightness_mm"), default=None),
+            "radius_spread_max_mm": max(_values(parts, "radius_spread_mm"), default=None),
+            "gap_max_mm": max(_values(parts, "gap_mm"), default=None),
+            "lean_max_deg": max(_values(parts, "lean_deg"), default=None),
+            "torsion_max_deg_per_m": max(_values(parts, "torsion_deg_per_m"), default=None),
+            "bend_radius_min_mm": min(_values(parts, "min_bend_radius_mm"), default=None),
             "admissible_width_mm": allowed if np.isfinite(allowed) else None,
             **sums(parts),
         }
@@ -130,6 +128,7 @@ def lamella_name(line: ParameterLine) -> str:
     return f"L-{line.family.upper()}{line.number + 1:03d}"
 
 
-def _worst(parts: tuple[Part, ...], measure: str) -> float | None:
-    values = [getattr(part.measures, measure) for part in parts]
-    return max((value for value in values if value is not None), default=None)
+def _values(parts: tuple[Part, ...], measure: str) -> list[float]:
+    """Those values of a measure that there are."""
+    values = (getattr(part.measures, measure) for part in parts)
+    return [value for value in values if value is not None]

@@ -109,6 +109,8 @@ class Nodes(System):
         built = site.chosen_edges.copy()
         if not self.boundary_beams:
             built &= ~site.mesh.connectivity.boundary_edges
+        if not built.any():
+            return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
         names = part_names("N", len(site.mesh.vertices))
         made = [
