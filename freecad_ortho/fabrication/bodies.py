@@ -19,11 +19,12 @@ if TYPE_CHECKING:
     import cadquery
 
 Loops = tuple[tuple[int, ...], ...]
-# Corners of a box, lower ring then upper ring, true where the upper bound is meant; its sides.
-_BOX = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]) == 1
-_BOX_SIDES: Loops = ((4, 5, 6, 7), (3, 2, 1, 0)) + tuple(
+# Sides of a body with the corners of a box: a lower ring of four, then the upper one.
+BOX_SIDES: Loops = ((4, 5, 6, 7), (3, 2, 1, 0)) + tuple(
     (k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4) for k in range(4)
 )
+# These corners, true where the upper bound is meant.
+_BOX = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]) == 1
 
 
 class Body(ABC):
@@ -55,7 +56,7 @@ class Body(ABC):
         By default its box in its own coordinates.
         """
         low, high = self.points.min(axis=0), self.points.max(axis=0)
-        return (Polyhedron(np.where(_BOX, high, low), _BOX_SIDES),)
+        return (Polyhedron(np.where(_BOX, high, low), BOX_SIDES),)
 
 
 @dataclass(frozen=True, eq=False)

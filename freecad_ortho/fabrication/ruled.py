@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -57,6 +57,15 @@ class RuledBody(Body):
             loops: Loops = tuple([*ends, *sides][:: -1 if len(block) in _RING else 1])
             found.append(Polyhedron(block, loops))
         return tuple(found)
+
+    def seen_from(self, origin: FloatArray, frame: FloatArray) -> RuledBody:
+        """The same body seen from an ``origin`` (3,), its axes the rows of ``frame`` (3, 3)."""
+        return replace(
+            self,
+            corners=(self.corners - origin) @ frame.T,
+            handles={ends: (inner - origin) @ frame.T for ends, inner in self.handles.items()},
+            blocks=tuple((block - origin) @ frame.T for block in self.blocks),
+        )
 
     @cached_property
     def points(self) -> FloatArray:

@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 
 import ezdxf
 import numpy as np
@@ -122,13 +123,12 @@ def test_skyline_never_overlaps():
 
 def test_files_of_the_sheets(roof, tmp_path):
     structure = build(roof, [Panels(20, 15)])
-    stale = tmp_path / "sheets" / "sheet-999.dxf"
-    stale.parent.mkdir()
-    stale.write_text("of an earlier run")
+    smaller = replace(SHOP, sheet=(2000.0, 1500.0))
+    earlier = {path.name for path in write(structure, tmp_path, workshop=smaller)}
     files = write(structure, tmp_path, workshop=SHOP)
     names = {path.name for path in files if path.parent.name == "sheets"}
     assert names == {path.name for path in (tmp_path / "sheets").iterdir()}
-    assert "overview.svg" in names and stale.name not in names
+    assert "overview.svg" in names and len(earlier) > len(files)
     seen = []
     for path in sorted((tmp_path / "sheets").glob("*.dxf")):
         drawing = ezdxf.readfile(path)

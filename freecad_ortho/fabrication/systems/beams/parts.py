@@ -7,6 +7,7 @@ import numpy as np
 from freecad_ortho.fabrication.bodies import Polyhedron
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.folded import FoldedPlate, folded_plate
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
@@ -81,22 +82,15 @@ def line_beams(
         form = chain(site, geometry, line, thickness / 2, laps)
         plate = folded_plate(form)
         name = line_name(line)
-        pattern = _folded_pattern(name, plate, line, across)
-        volume = plate.body.volume
         parts.append(
-            Part(
-                name=name,
-                kind="beam",
-                body=plate.body,
-                origin=form.vertices[0] + site.shift,
-                frame=form.frame[0],
-                pattern=pattern,
-                length=float(pattern.size[0]),
-                width=float(pattern.size[1]),
-                thickness=thickness,
-                area=pattern.area,
-                volume=volume,
-                mass=site.material.mass(volume),
+            plate_part(
+                site,
+                name,
+                "beam",
+                plate.body,
+                (form.vertices[0], form.frame[0]),
+                _folded_pattern(name, plate, line, across),
+                thickness,
                 vertices=tuple(line.vertices.tolist()),
                 family=line.family,
                 line=line.number,

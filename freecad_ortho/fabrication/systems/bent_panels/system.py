@@ -8,12 +8,13 @@ Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_size
 from freecad_ortho.fabrication.systems.bent_panels.plate import Plate, plate_of
@@ -104,32 +105,16 @@ class BentPanels(System):
         row_of_face: dict[int, str],
     ) -> Part:
         """The part, its own coordinates in its middle face."""
-        strip = plate.ribbon.strip
-        face = len(strip.lengths) // 2
-        along, up = strip.along[face], strip.across[0][face]
-        frame = np.stack([along, up, np.cross(along, up)])
-        origin = strip.points[face]
-        body = plate.body()
-        body = replace(
-            body,
-            corners=(body.corners - origin) @ frame.T,
-            blocks=tuple((block - origin) @ frame.T for block in body.blocks),
-        )
-        pattern = plate.pattern(_beside(site, row, row_of_face))
-        bend = smallest_bend_radius(strip, 2 * float(plate.reach.min()))
-        return Part(
-            name=row.name,
-            kind="bent panel",
-            body=body,
-            origin=origin + site.shift,
-            frame=frame,
-            pattern=pattern,
-            length=float(pattern.size[0]),
-            width=float(pattern.size[1]),
-            thickness=self.thickness,
-            area=pattern.area,
-            volume=body.volume,
-            mass=site.material.mass(body.volume),
+        place = plate.ribbon.middle()
+        bend = smallest_bend_radius(plate.ribbon.strip, 2 * float(plate.reach.min()))
+        return plate_part(
+            site,
+            row.name,
+            "bent panel",
+            plate.body().seen_from(*place),
+            place,
+            plate.pattern(_beside(site, row, row_of_face)),
+            self.thickness,
             vertices=tuple(np.unique(row.rungs).tolist()),
             family=family,
             measures=Measures(

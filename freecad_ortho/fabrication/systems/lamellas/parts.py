@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -89,11 +89,8 @@ def lamella_part(made: Cut, site: Site) -> Part:
     """Return the part, its own coordinates in the middle of its axis."""
     lamella, ribbon = made.lamella, made.lamella.ribbon
     strip = ribbon.strip
-    face = len(strip.lengths) // 2
-    along, up = strip.along[face], strip.across[0][face]
-    frame = np.stack([along, up, np.cross(along, up)])
-    origin = strip.points[face]
-    body: Body = _moved(made.body, origin, frame)
+    origin, frame = ribbon.middle()
+    body: Body = made.body.seen_from(origin, frame)
     if made.holes:
         placed = tuple(
             Drill(frame @ (place - origin), frame @ direction, hole.diameter, ribbon.thickness)
@@ -148,14 +145,6 @@ def _drill(ribbon: Ribbon, station: int) -> tuple[FloatArray, FloatArray]:
     strip = ribbon.strip
     level = 0.5 * (ribbon.lower + ribbon.upper) * ribbon.stretch[station]
     return strip.points[station] + level * strip.rulings[station], strip.normals[station]
-
-
-def _moved(body: RuledBody, origin: FloatArray, frame: FloatArray) -> RuledBody:
-    """The body in a part's own coordinates."""
-    handles = {ends: (inner - origin) @ frame.T for ends, inner in body.handles.items()}
-    blocks = tuple((block - origin) @ frame.T for block in body.blocks)
-    corners = (body.corners - origin) @ frame.T
-    return replace(body, corners=corners, handles=handles, blocks=blocks)
 
 
 def _pattern(made: Cut) -> FlatPattern:

@@ -40,6 +40,13 @@ class Ribbon:
         """(K,) length along the ruling per unit of level."""
         return self.strip.reach(1.0)
 
+    def middle(self) -> tuple[FloatArray, FloatArray]:
+        """Start (3,) of the edge in the middle, and the directions (3, 3) along, across and up."""
+        strip = self.strip
+        face = len(strip.lengths) // 2
+        along, up = strip.along[face], strip.across[0][face]
+        return strip.points[face], np.stack([along, up, np.cross(along, up)])
+
     def edge(self, level: float) -> FloatArray:
         """(K, 2) where the rulings reach a level, in the pattern."""
         strip = self.strip

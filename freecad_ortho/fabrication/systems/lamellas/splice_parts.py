@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.drilled import Drill, DrilledBody
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
+from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.splices import (
@@ -16,7 +17,6 @@ from freecad_ortho.fabrication.systems.lamellas.splices import (
     half_length,
     square_end,
 )
-from freecad_ortho.fabrication.systems.panels.geometry import LOOPS
 
 
 def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
@@ -46,20 +46,15 @@ def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
         Drill(np.append(hole.centre - middle, 0.0), lift / lift[2], hole.diameter, thickness)
         for hole in pattern.holes
     )
-    body = DrilledBody(Polyhedron(whole, LOOPS), drills)
-    return Part(
-        name=splice.name,
-        kind="splice",
-        body=body,
-        origin=origin + site.shift,
-        frame=frame,
-        pattern=pattern,
-        length=float(pattern.size[0]),
-        width=float(pattern.size[1]),
-        thickness=ribbon.thickness,
-        area=pattern.area,
-        volume=body.volume,
-        mass=site.material.mass(body.volume),
+    body = DrilledBody(Polyhedron(whole, BOX_SIDES), drills)
+    return plate_part(
+        site,
+        splice.name,
+        "splice",
+        body,
+        (origin, frame),
+        pattern,
+        thickness,
         family=lamella.family,
         line=lamella.line,
     )

@@ -14,12 +14,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_size, rounded_down
-from freecad_ortho.fabrication.systems.panels.geometry import LOOPS, half_angle_tangents, inset
+from freecad_ortho.fabrication.systems.panels.geometry import half_angle_tangents, inset
 from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.lines import FAMILIES
@@ -130,23 +131,17 @@ class Louvres(System):
             flat = outline[face] - low
             body = Polyhedron(
                 np.concatenate([np.column_stack([flat, np.full(4, z)]) for z in (-half, half)]),
-                LOOPS,
+                BOX_SIDES,
             )
-            pattern = _pattern(name, flat)
             parts.append(
-                Part(
-                    name=name,
-                    kind="louvre",
-                    body=body,
-                    origin=middle[face] + low @ frame[face, :2] + site.shift,
-                    frame=frame[face],
-                    pattern=pattern,
-                    length=float(pattern.size[0]),
-                    width=float(pattern.size[1]),
-                    thickness=self.thickness,
-                    area=pattern.area,
-                    volume=body.volume,
-                    mass=site.material.mass(body.volume),
+                plate_part(
+                    site,
+                    name,
+                    "louvre",
+                    body,
+                    (middle[face] + low @ frame[face, :2], frame[face]),
+                    _pattern(name, flat),
+                    self.thickness,
                     vertices=tuple(faces[face]),
                     face=face,
                 )

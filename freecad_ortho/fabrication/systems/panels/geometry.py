@@ -21,11 +21,6 @@ from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
-LOOPS = (
-    (4, 5, 6, 7),
-    (3, 2, 1, 0),
-    *((k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4) for k in range(4)),
-)
 # Sine of a corner's exterior angle below which its two sides count as one line.
 _STRAIGHT = 1e-3
 

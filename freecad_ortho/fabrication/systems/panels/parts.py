@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.panels.geometry import LOOPS, PanelGeometry, neighbours
+from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
 from solver.mesh.quadmesh import FloatArray
 
 # Bevels narrower than this, mm, are not drawn.
@@ -36,23 +37,15 @@ def panel_parts(
     for face, name in enumerate(names):
         beside = [names[other] if other >= 0 else "" for other in across[face]]
         pattern = _flat_pattern(name, geometry.outline[face], geometry.upper[face], beside)
-        length, width = pattern.size.tolist()
-        body = Polyhedron(corners[face], LOOPS)
-        volume = body.volume
         parts.append(
-            Part(
-                name=name,
-                kind="panel",
-                body=body,
-                origin=geometry.origin[face] + site.shift,
-                frame=geometry.frame[face],
-                pattern=pattern,
-                length=length,
-                width=width,
-                thickness=thickness,
-                area=pattern.area,
-                volume=volume,
-                mass=site.material.mass(volume),
+            plate_part(
+                site,
+                name,
+                "panel",
+                Polyhedron(corners[face], BOX_SIDES),
+                (geometry.origin[face], geometry.frame[face]),
+                pattern,
+                thickness,
                 vertices=tuple(faces[face]),
                 face=face,
                 measures=Measures(gap_mm=float(gaps[face])),

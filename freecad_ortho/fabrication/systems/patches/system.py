@@ -9,12 +9,13 @@ al. (2021), Using isometries for computational design and fabrication.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_size, positive
 from freecad_ortho.fabrication.systems.patches.pattern import patch_pattern
@@ -117,28 +118,17 @@ class Patches(System):
         along = corner[1] - corner[0]
         x = unit_rows((along - (along @ normal) * normal)[None])[0]
         frame = np.stack([x, np.cross(normal, x), normal])
+        place = middles[face], frame
         body = sheet_body(mesh, half, self.thickness, piece.name)
-        moved = replace(
-            body,
-            corners=(body.corners - middles[face]) @ frame.T,
-            blocks=tuple((block - middles[face]) @ frame.T for block in body.blocks),
-        )
-        pattern = patch_pattern(site, piece, patch, piece_of_face)
-        length, width = pattern.size.tolist()
         bend = smallest_radius(mesh)
-        return Part(
-            name=piece.name,
-            kind="patch",
-            body=moved,
-            origin=middles[face] + site.shift,
-            frame=frame,
-            pattern=pattern,
-            length=length,
-            width=width,
-            thickness=self.thickness,
-            area=pattern.area,
-            volume=moved.volume,
-            mass=site.material.mass(moved.volume),
+        return plate_part(
+            site,
+            piece.name,
+            "patch",
+            body.seen_from(*place),
+            place,
+            patch_pattern(site, piece, patch, piece_of_face),
+            self.thickness,
             vertices=tuple(np.unique(piece.vertices).tolist()),
             measures=Measures(
                 gap_mm=float(np.abs(patch.stretch).max()),
