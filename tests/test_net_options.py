@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.__main__ import main
+from freecad_ortho.cli import net_options
 from solver import QuadMesh
 from solver.analysis import measures, spheres
 from tests.conftest import grid_faces, shared_mesh, wavy_grid
@@ -115,6 +117,53 @@ def test_gliding_on_a_surface_file(tmp_path, wave):
     assert report["moved"]["max"] > 0.01
 
 
+def glides(*arguments: str):
+    """Gliding that the options ask for, of a mesh in metres."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--fix", default="none")
+    parser.add_argument("--net", default="principal")
+    net_options.add(parser)
+    options = parser.parse_args(arguments)
+    return net_options.settings(options, api.LoadedMesh(wavy_grid(3, 3), "m", ()))["constraints"]
+
+
+@pytest.mark.parametrize(("gap", "closed"), [(0.0, True), (1e-9, True), (0.5, False)])
+def test_a_curve_far_from_the_origin_closes_where_its_ends_meet(tmp_path, gap, closed):
+    angle = np.linspace(0, 2 * np.pi, 9)
+    curve = np.stack([5 * np.cos(angle), 5 * np.sin(angle), 0 * angle], axis=1)
+    curve[-1] += [0, 0, gap]
+    path = tmp_path / "b@1.txt"
+    np.savetxt(path, curve + [1e6, 2e6, 0], fmt="%.12g")
+    (glide,) = glides("--glide", f"curve:{path}@3,4").glide
+    assert glide.closed is closed
+    assert len(glide.points) == 9 - closed
+    assert glide.vertices.tolist() == [3, 4]
+
+
+@pytest.mark.parametrize("named", ["mm", None])
+def test_surfaces_count_in_the_unit_that_their_file_names(tmp_path, named):
+    surface, factor = wavy_grid(4, 4), 1000.0 if named else 1.0
+    path = str(tmp_path / "surface.obj")
+    api.write_mesh(path, surface.scaled(factor), named)
+    found = glides("--glide", f"surface:{path}", "--close-to", path)
+    for points in (found.glide[0].points, found.close_to[0]):
+        assert np.allclose(points, surface.vertices, rtol=1e-12)
+
+
+def test_a_reference_counts_in_the_unit_that_its_file_names(tmp_path):
+    sheet = wavy_grid(5, 4, shear=0.0)
+    api.write_mesh(tmp_path / "start.obj", sheet, "m")
+    api.write_mesh(tmp_path / "reference.obj", sheet.scaled(1000.0), "mm")
+    x, y, z = sheet.vertices[0] + [0.0, 0.0, 0.2]
+    mesh, _ = optimised(
+        tmp_path,
+        tmp_path / "start.obj",
+        *("--net", "isometric", "--reference", str(tmp_path / "reference.obj")),
+        *("--handle", f"0:{x},{y},{z}"),
+    )
+    assert measures.isometry(mesh, sheet.vertices).max() <= 1e-10
+
+
 def test_the_other_variant_is_named_where_it_is_much_closer(tmp_path, capsys):
     s, t = np.meshgrid(np.linspace(-1, 1, 9), np.linspace(-1, 1, 9), indexing="ij")
     points = np.stack([s * np.cos(t), s * np.sin(t), t], axis=2).reshape(-1, 3)
@@ -151,8 +200,12 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--handle", "5:1,2"], "handle: expected I:x,y,z"),
         (["--handle", "5000:1,2,3"], "handle: vertex 5000 does not exist"),
         (["--glide", "ceiling"], "glide: expected boundary, plane:z=0"),
+        (["--glide", "plane:z=high"], "glide: expected a finite number"),
+        (["--glide", "boundary@3"], "glide: expected boundary, plane:z=0"),
+        (["--glide", "plane:z=0@3,,4"], "glide: expected 3 finite numbers"),
+        (["--glide", "plane:z=0@3,72"], "glide: vertex 72 does not exist"),
         (["--glide", "plane:z=999"], "no free boundary vertex lies within half"),
-        (["--glide", "curve:absent.txt"], "absent.txt: cannot be read"),
+        (["--glide", "curve:absent.txt"], "absent.txt: no such file"),
         (["--glide", "surface:absent.obj"], "absent.obj: no such file"),
         (["--glide", "surface:absent.stl"], "absent.stl: no such file"),
         (["--close-to", "absent.obj"], "absent.obj: no such file"),

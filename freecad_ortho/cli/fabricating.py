@@ -17,7 +17,6 @@ from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS, Option
 from freecad_ortho.fabrication.workshop import Workshop
-from solver.errors import InputError
 
 _LIMITS = {field.name: field.default for field in fields(Limits)}
 
@@ -55,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
         loaded.mesh,
         options.system,
         family=options.family,
-        lines=None if options.lines is None else _line_numbers(options.lines),
+        lines=None if options.lines is None else values.whole_numbers("--lines", options.lines),
         material=options.material,
         density=options.density,
         unit=loaded.unit,
@@ -75,8 +74,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _given(options: argparse.Namespace, names: Iterable[str], prefix: str = "") -> dict[str, Any]:
     """Values of those options that the user gave."""
-    values = {name: getattr(options, prefix + name) for name in names}
-    return {name: value for name, value in values.items() if value is not None}
+    given = {name: getattr(options, prefix + name) for name in names}
+    return {name: value for name, value in given.items() if value is not None}
 
 
 def _add_limits(parser: argparse.ArgumentParser) -> None:
@@ -134,10 +133,3 @@ def _add_option(
     if shown := _shown(option.default) if default is None else default:
         words += f" (default: {shown})"
     group.add_argument(flag, type=option.kind, metavar=option.metavar, help=words)
-
-
-def _line_numbers(text: str) -> tuple[int, ...]:
-    numbers = values.numbers("--lines", text, text.count(",") + 1)
-    if any(number != int(number) for number in numbers):
-        raise InputError(f"--lines: expected whole numbers separated by commas, got '{text[:40]}'")
-    return tuple(int(number) for number in numbers)

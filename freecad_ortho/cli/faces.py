@@ -8,7 +8,6 @@ import sys
 from freecad_ortho.cli import values
 from freecad_ortho.step_faces import net_from_step
 from freecad_ortho.units import millimetres_per
-from solver.errors import InputError
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -35,10 +34,7 @@ def run(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output)
     unit = options.unit or "mm"
     scale = millimetres_per(unit)
-    try:
-        numbers = [int(word) for word in (options.faces or "").split(",") if word]
-    except ValueError:
-        raise InputError(f"--faces: expected numbers I,J,K, got '{options.faces[:40]}'") from None
+    numbers = values.whole_numbers("--faces", options.faces) if options.faces else ()
     first, last = values.numbers("--u-part", options.u_part, 2)
     low, high = values.numbers("--v-part", options.v_part, 2)
     net = net_from_step(

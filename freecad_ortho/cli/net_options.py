@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
+import re
 from typing import Any
 
 import numpy as np
 
 from freecad_ortho import api
+from freecad_ortho.cli import values
 from freecad_ortho.triangles import read_triangles
+from freecad_ortho.units import millimetres_per
 from solver import Constraints, InputError, NetOptions
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.io.intake import quad_mesh
+from solver.io.points import read_points
+from solver.io.polygons import read_polygons
+from solver.mesh.mirror import size_of
+from solver.mesh.quadmesh import FloatArray
 from solver.nets.constraints import (
     BoundaryGlide,
     CurveGlide,
@@ -21,6 +27,10 @@ from solver.nets.constraints import (
 )
 
 _AXES = "xyz"
+# The end of a --glide that names vertices; a path may have an @ of its own.
+_VERTICES = re.compile(r"@([\d,]+)$")
+# Curves whose ends are nearer than this part of their size are closed.
+_CLOSED = 1e-6
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -56,12 +66,12 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--symmetry", default="", metavar="x,y", help="mirror planes")
 
 
-def settings(options: argparse.Namespace, mesh: QuadMesh) -> dict[str, Any]:
+def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, Any]:
     """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh."""
     forces = "compression" if options.compression else "tension" if options.tension else "free"
     reference = None
     if options.reference:
-        reference = _reference(options.reference, mesh)
+        reference = _reference(options.reference, loaded)
     fix = options.fix
     if options.net == "stress":
         fix = options.supports or (fix if fix != "none" else "boundary")
@@ -83,28 +93,34 @@ def settings(options: argparse.Namespace, mesh: QuadMesh) -> dict[str, Any]:
             load_length=options.load_length,
             forces=forces,
         ),
-        "constraints": _constraints(options),
+        "constraints": _constraints(options, loaded.unit),
     }
 
 
-def _reference(path: str, mesh: QuadMesh) -> FloatArray:
+def _reference(path: str, loaded: api.LoadedMesh) -> FloatArray:
     """Positions of the reference mesh, whose faces must be those of the mesh."""
-    other = api.read_mesh(path).mesh
+    data, mesh = read_polygons(path), loaded.mesh
+    other, _ = quad_mesh(data.vertices, data.polygons)
     if other.vertices.shape != mesh.vertices.shape or not np.array_equal(other.faces, mesh.faces):
         raise InputError(
             f"{path}: has other vertices or faces than the mesh ({len(other.vertices)} and "
             f"{len(other.faces)}, not {len(mesh.vertices)} and {len(mesh.faces)}, or in another "
             "order); give the same mesh in another shape"
         )
-    return other.vertices
+    return _in_unit(other.vertices, data.unit, loaded.unit)
 
 
-def _constraints(options: argparse.Namespace) -> Constraints | None:
+def _in_unit(points: FloatArray, named: str | None, wanted: str) -> FloatArray:
+    """Points of a file that names its unit, in another; others are taken for it already."""
+    return points if named is None else points * (millimetres_per(named) / millimetres_per(wanted))
+
+
+def _constraints(options: argparse.Namespace, unit: str) -> Constraints | None:
     handles = dict(_handle(text) for text in options.handle)
-    glide = tuple(_glide(text) for text in options.glide)
+    glide = tuple(_glide(text, unit) for text in options.glide)
     near = None
     if options.close_to:
-        near = _surface(options.close_to)
+        near = _surface(options.close_to, unit)
     symmetry = options.symmetry.replace(",", "").replace(" ", "").lower()
     if not (handles or glide or near or symmetry):
         return None
@@ -120,62 +136,36 @@ def _handle(text: str) -> tuple[int, FloatArray]:
         raise InputError(f"handle: expected I:x,y,z such as 12:0,0,3.5, got '{text}'") from None
 
 
-def _glide(text: str) -> Glide:
-    what, _, named = text.partition("@")
+def _glide(text: str, unit: str) -> Glide:
+    match = _VERTICES.search(text)
+    what = text[: match.start()] if match else text
     kind, _, where = what.partition(":")
-    vertices = _numbers(named) if named else None
-    if kind == "boundary" and not where:
+    vertices = np.array(values.whole_numbers("glide", match[1])) if match else None
+    if what == "boundary" and not match:
         return BoundaryGlide()
     if kind == "plane" and where[:2] in ("x=", "y=", "z="):
-        try:
-            return PlaneGlide(_AXES.index(where[0]), float(where[2:]), vertices)
-        except ValueError:
-            pass
+        (place,) = values.numbers("glide", where[2:], 1)
+        return PlaneGlide(_AXES.index(where[0]), place, vertices)
     if kind == "curve" and where:
         points, closed = _curve(where)
         return CurveGlide(points, closed, vertices)
     if kind == "surface" and where:
-        return SurfaceGlide(*_surface(where), vertices)
+        return SurfaceGlide(*_surface(where, unit), vertices)
     raise InputError(
-        f"glide: expected boundary, plane:z=0, curve:FILE or surface:FILE, got '{text}'"
+        "glide: expected boundary, plane:z=0, curve:FILE or surface:FILE, and @I,J for some "
+        f"vertices only, got '{text}'"
     )
 
 
-def _numbers(text: str) -> np.ndarray:
-    try:
-        return np.array([int(word) for word in text.split(",")], dtype=np.int64)
-    except ValueError:
-        raise InputError(f"glide: expected vertex numbers after @, got '{text}'") from None
-
-
-def _surface(path: str) -> tuple[FloatArray, np.ndarray]:
+def _surface(path: str, unit: str) -> tuple[FloatArray, np.ndarray]:
     """Points and triangles of a surface's file."""
-    points, triangles, _ = read_triangles(path)
-    return points, triangles
+    points, triangles, named = read_triangles(path)
+    return _in_unit(points, named, unit), triangles
 
 
 def _curve(path: str) -> tuple[FloatArray, bool]:
-    """Points of a text file, one ``x y z`` (or ``v x y z``) a line; closed where first is last."""
-    try:
-        lines = Path(path).read_text(encoding="utf-8").replace(",", " ").splitlines()
-    except (OSError, UnicodeDecodeError):
-        raise InputError(f"{path}: cannot be read; give a text file of points") from None
-    points = []
-    for number, line in enumerate(lines, start=1):
-        words = line.split()
-        if words[:1] == ["v"]:
-            words = words[1:]
-        elif not words or not (words[0][0].isdigit() or words[0][0] in "+-."):
-            continue
-        try:
-            x, y, z = (float(word) for word in words[:3])
-        except ValueError:
-            raise InputError(
-                f"{path}, line {number}: expected 'x y z', got '{line[:40]}'"
-            ) from None
-        points.append([x, y, z])
-    if len(points) < 2:
-        raise InputError(f"{path}: a curve needs at least two points, found {len(points)}")
-    curve = np.array(points)
-    closed = len(curve) > 3 and bool(np.allclose(curve[0], curve[-1]))
+    """Points of a file, without the last where it is the first again: then they are closed."""
+    curve = read_points(path)
+    apart = np.abs(curve[-1] - curve[0]).max()
+    closed = len(curve) > 3 and bool(apart <= _CLOSED * size_of(curve))
     return (curve[:-1] if closed else curve), closed

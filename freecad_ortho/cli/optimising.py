@@ -20,7 +20,7 @@ from solver.report import CONVERGED
 def run(options: argparse.Namespace) -> bool:
     """Optimise as the options say; return whether the net was reached."""
     loaded = reporting.load(options)
-    settings = net_options.settings(options, loaded.mesh)
+    settings = net_options.settings(options, loaded)
     _refuse_bad_targets(options.output, options.report)
     warning = closer_variant(loaded.mesh, options.net, options.diagonal)
     if warning is not None:

@@ -136,13 +136,13 @@ def _coarsen(mesh: QuadMesh, options: argparse.Namespace) -> QuadMesh:
     if "x" in options.every:
         u, v = values.sampling(options.every, "--every")
         return coarsen.coarsened_grid(mesh, u, v, not options.drop_border)
-    return coarsen.coarsened(mesh, int(values.numbers("--every", options.every, 1)[0]))
+    return coarsen.coarsened(mesh, values.whole_numbers("--every", options.every, 1)[0])
 
 
 def _trim(mesh: QuadMesh, options: argparse.Namespace) -> QuadMesh:
     if options.rings:
         return coarsen.without_border(mesh, options.rings)
-    counts = [int(n) for n in values.numbers("--rows", options.rows or "0,0,0,0", 4)]
+    counts = values.whole_numbers("--rows", options.rows or "0,0,0,0", 4)
     if not any(counts):
         raise InputError("trim: expected --rows or --rings, got neither; say what to cut off")
     return coarsen.trimmed(mesh, (counts[0], counts[2]), (counts[1], counts[3]))

@@ -29,10 +29,21 @@ def numbers(option: str, text: str, count: int) -> tuple[float, ...]:
     except ValueError:
         values = ()
     if len(values) != count or any(value != value or abs(value) > 1e300 for value in values):
-        raise InputError(
-            f"{option}: expected {count} finite numbers separated by commas, got '{text[:40]}'"
-        )
+        wanted = f"{count} finite numbers separated by commas" if count > 1 else "a finite number"
+        raise InputError(f"{option}: expected {wanted}, got '{text[:40]}'")
     return values
+
+
+def whole_numbers(option: str, text: str, count: int | None = None) -> tuple[int, ...]:
+    """The whole numbers of ``1,2,3``, ``count`` of them where that is given.
+
+    Raises:
+        InputError: other than that many whole numbers.
+    """
+    found = numbers(option, text, text.count(",") + 1 if count is None else count)
+    if any(number != int(number) for number in found):
+        raise InputError(f"{option}: expected whole numbers separated by commas, got '{text[:40]}'")
+    return tuple(int(number) for number in found)
 
 
 def sampling(text: str, option: str = "--sampling") -> tuple[int, int]:

@@ -168,7 +168,7 @@ def _rule(text: str) -> Glide:
     what, _, named = text.removeprefix("plane:").replace(" ", "").partition("@")
     try:
         vertices = np.array([int(word) for word in named.split(",")]) if named else None
-        if what == "boundary":
+        if what == "boundary" and not named:
             return BoundaryGlide()
         if what[:1] in _AXES and what[1:2] == "=":
             return PlaneGlide(_AXES.index(what[0]), float(what[2:]), vertices)
