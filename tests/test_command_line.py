@@ -88,6 +88,7 @@ def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
         (["optimise", "MESH", "-o", "out.obj", "--fix", "9999"], "fix: vertex 9999"),
         (["optimise", "MESH", "-o", "absent/out.obj"], "does not exist"),
         (["optimise", "MESH", "-o", "out.obj", "--report", "absent/r.json"], "does not exist"),
+        (["optimise", "MESH", "-o", "out.obj", "--report", "out.obj"], "both mesh and report"),
         (["fabricate", "MESH", "-o", "out", "--height", "-1"], "height"),
         (["fabricate", "MESH", "-o", "out", "--thickness", "nan"], "thickness"),
         (["fabricate", "MESH", "-o", "out", "--thickness", "5000"], "thickness"),

@@ -259,11 +259,14 @@ def test_offset_says_what_it_keeps(tmp_path, capsys):
         (["--distance", "0"], "distance: expected a finite number other than 0"),
         (["--distance", "-90000"], "folds the offset mesh at edge"),
         (["--distance", "1", "--kind", "corner"], "kind: expected one of parallel, vertex"),
+        (["--distance", "1", "--report", "OUT"], "is to hold both mesh and report"),
+        (["--distance", "1", "--report", "/absent/r.json"], "/absent: does not exist"),
     ],
 )
 def test_bad_offsets_are_one_line(tmp_path, capsys, words, expected):
     path, out = tmp_path / "dome.obj", tmp_path / "out.obj"
     api.write_mesh(path, primitive("sphere", 9, 7, radius=8, angles=(0, 150)), "m")
+    words = [str(out) if word == "OUT" else word for word in words]
     assert main(["offset", str(path), *words, "-o", str(out)]) == 2
     error = capsys.readouterr().err
     assert expected in error and error.count("\n") == 1

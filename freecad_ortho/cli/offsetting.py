@@ -33,14 +33,13 @@ def add(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the offset mesh and say what its distance is."""
-    values.refuse_unwritable(options.output)
+    values.refuse_unwritable(options.output, options.report)
     if not math.isfinite(options.distance):
         raise InputError(f"--distance: expected a finite number of mm, got {options.distance}")
     loaded = reporting.load(options)
     scale = millimetres_per(loaded.unit)
     found = api.offset_mesh(loaded.mesh.scaled(scale), options.distance, options.kind)
     if options.report:
-        values.refuse_unwritable(options.report)
         report = {
             "kind": found.kind,
             "distance_mm": found.distance,

@@ -5,13 +5,12 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import os
 import sys
 from collections.abc import Callable
 
 from freecad_ortho import api
-from freecad_ortho.cli import net_options, reporting
-from solver import InputError, Outcome, OutputError, StepRecord
+from freecad_ortho.cli import net_options, reporting, values
+from solver import Outcome, StepRecord
 from solver.analysis.advisor import closer_variant
 from solver.io.atomic import write_text
 from solver.report import CONVERGED
@@ -21,7 +20,7 @@ def run(options: argparse.Namespace) -> bool:
     """Optimise as the options say; return whether the net was reached."""
     loaded = reporting.load(options)
     settings = net_options.settings(options, loaded)
-    _refuse_bad_targets(options.output, options.report)
+    values.refuse_unwritable(options.output, options.report)
     warning = closer_variant(loaded.mesh, options.net, options.diagonal)
     if warning is not None:
         sys.stderr.write(f"note: {warning}\n")
@@ -56,23 +55,6 @@ def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepR
         progress(min(max(done, 0.0), 1.0), f"step {record.step}: {residuals}")
 
     return follow
-
-
-def _refuse_bad_targets(output: str, report: str | None) -> None:
-    """Say before the work, not after it, that a result has nowhere to go."""
-    if report is not None and os.path.realpath(output) == os.path.realpath(report):
-        raise InputError(f"{report}: is to hold both mesh and report; name two files")
-    for path in (output, report):
-        if path is None:
-            continue
-        folder = os.path.dirname(os.path.abspath(path))
-        if os.path.isdir(path):
-            raise InputError(f"{path}: is a folder; name a file in it")
-        # A finished file takes the place of the old one, which must not be a device or a pipe.
-        if os.path.exists(path) and not os.path.isfile(path):
-            raise InputError(f"{path}: is not an ordinary file; name another")
-        if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
-            raise OutputError(f"{folder}: does not exist or cannot be written; make it first")
 
 
 def _tell(outcome: Outcome, path: str) -> None:

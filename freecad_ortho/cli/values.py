@@ -70,18 +70,26 @@ def add_output(parser: argparse.ArgumentParser) -> None:
     allow_negative_lists(parser)
 
 
-def refuse_unwritable(path: str) -> None:
-    """Say before the work, not after it, that a result has nowhere to go.
+def refuse_unwritable(output: str, report: str | None = None) -> None:
+    """Say before the work, not after it, that a mesh or a report has nowhere to go.
 
     Raises:
-        InputError: the path is a folder.
-        OutputError: its folder is missing or cannot be written.
+        InputError: a path is a folder or a device, or both are one.
+        OutputError: a folder is missing or cannot be written.
     """
-    folder = os.path.dirname(os.path.abspath(path))
-    if os.path.isdir(path):
-        raise InputError(f"{path}: is a folder; name a file in it")
-    if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
-        raise OutputError(f"{folder}: does not exist or cannot be written; make it first")
+    if report is not None and os.path.realpath(output) == os.path.realpath(report):
+        raise InputError(f"{report}: is to hold both mesh and report; name two files")
+    for path in (output, report):
+        if path is None:
+            continue
+        folder = os.path.dirname(os.path.abspath(path))
+        if os.path.isdir(path):
+            raise InputError(f"{path}: is a folder; name a file in it")
+        # A finished file takes the place of the old one, which must not be a device or a pipe.
+        if os.path.exists(path) and not os.path.isfile(path):
+            raise InputError(f"{path}: is not an ordinary file; name another")
+        if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
+            raise OutputError(f"{folder}: does not exist or cannot be written; make it first")
 
 
 def write(path: str, mesh: QuadMesh, unit: str | None, words: str = "") -> int:
