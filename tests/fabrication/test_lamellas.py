@@ -1,6 +1,7 @@
 """Lamellas: exact patterns, valid solids, slots that fit, files that read back."""
 
 import csv
+import dataclasses
 import math
 
 import cadquery
@@ -286,6 +287,29 @@ def test_gridshells_of_the_paper(name, kind, width):
         assert part.measures.lean_deg <= 10
     check_solids(structure)
     assert not check_clashes(structure.parts).clashes
+
+
+@pytest.mark.parametrize("strip", ["auto", "twisted"])
+def test_rulings_with_few_digits_do_not_make_lamellas_lean(strip):
+    exact = helicoid().scaled(2000.0)
+    rounded_off = exact.with_vertices(np.round(exact.vertices, 3))
+    settings = Lamellas(60.0, 4.0, strip=strip)
+    one, two = (build(mesh, [settings]).results["lamellas"] for mesh in (exact, rounded_off))
+    assert two.report["pattern"] == "straight" and two.report["lean_max_deg"] < 0.5
+    torsion = one.report["torsion_max_deg_per_m"]
+    assert two.report["torsion_max_deg_per_m"] == pytest.approx(torsion, rel=1e-3)
+    for part in two.parts:
+        if part.measures.straightness_mm is not None:
+            assert part.measures.straightness_mm <= 1e-4 * part.length
+
+
+def test_a_pattern_that_only_a_lamella_on_edge_has_is_refused():
+    mesh = surface_of_revolution(17, 15).scaled(1000.0)
+    settings = Lamellas(40.0, 3.0, position="lying", layers=2, pattern="straight")
+    with pytest.raises(InputError, match=r"L-\w\d+ would lean \d\d degrees .* --pattern free"):
+        build(mesh, [settings])
+    free = build(mesh, [dataclasses.replace(settings, pattern="free")]).results["lamellas"]
+    assert free.report["lean_max_deg"] < 10
 
 
 def test_a_helicoid_may_stand_in_two_layers():

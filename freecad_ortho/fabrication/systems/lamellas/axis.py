@@ -33,8 +33,12 @@ from solver.unroll.twisted import twisted_strip
 IS_NET = 1e-3
 # Largest measure with which an exact pattern can still be asked for.
 _NEAR_NET = 0.1
-# A line on which the net asks nothing (at the boundary) may lean this far for its pattern, degrees.
-_LEAN = 10.0
+# Degrees that a lamella may lean for its pattern before one along the normals is looked at, and the
+# most that it may lean at all.
+_LEAN, _LEAN_OVER = 10.0, 45.0
+# Share of the length up to which a pattern along the normals is preferred to one that leans: edges
+# that are straight but for their last digits say nothing about how a strip should stand.
+_NEARLY = 1e-4
 # Share of the length up to which a pattern counts as exact.
 _EXACT = 1e-6
 # Where rulings close in on each other the strip bends sharply: left to choose, it is made of plane
@@ -211,7 +215,11 @@ class _Maker:
         """Strip, whether it may twist, and measures; None where the line must go without.
 
         At the boundary the net asks nothing of a line: there, where its pattern could only be
-        exact with a strip that leans far over, or not at all, it is left free.
+        exact with a strip that leans far over, or not at all, it is left free. So is one elsewhere
+        that would lie where it should stand, if the pattern was left to choose.
+
+        Raises:
+            InputError: no strip has the pattern that was asked for, or only one that leans over.
         """
         try:
             made = self.made(turns, name, vertices)
@@ -219,10 +227,28 @@ class _Maker:
             if on_boundary:
                 return None
             raise
-        measures = made[2]
-        miss = measures.straightness if kind == "straight" else measures.radius_spread
-        fails = measures.lean_deg > _LEAN or miss > _EXACT * measures.length
-        return None if on_boundary and fails else made
+        lean = made[2].lean_deg
+        if on_boundary:
+            return made if lean <= _LEAN and _miss(made, kind) <= _EXACT else None
+        if lean <= _LEAN:
+            return made
+        upright = self._upright(name, vertices)
+        if upright is not None and _miss(upright, kind) <= _NEARLY:
+            return upright
+        if lean > _LEAN_OVER and self.settings.pattern != "auto":
+            raise InputError(
+                f"pattern: {name} would lean {lean:.0f} degrees from the normals to unroll "
+                f"{'straight' if kind == 'straight' else 'to an arc'}; optimise the net first or "
+                "take --pattern free"
+            )
+        return None if lean > _LEAN_OVER else made
+
+    def _upright(self, name: str, vertices: IntArray) -> Made | None:
+        """The strip along the normals, None where plane faces are wanted and cannot make it."""
+        try:
+            return self.made(None, name, vertices)
+        except InputError:
+            return None
 
     def made(self, turns: FloatArray | None, name: str, vertices: IntArray) -> Made:
         """Strip, whether it may twist, and measures; developable where that is wanted or fits.
@@ -280,6 +306,13 @@ class _Maker:
         return replace(
             found, straightness=straightness(points), radius=radius, radius_spread=spread
         )
+
+
+def _miss(made: Made, kind: str) -> float:
+    """How far a strip's pattern is from straight or an arc, as a share of its length."""
+    measures = made[2]
+    miss = measures.straightness if kind == "straight" else measures.radius_spread
+    return miss / measures.length
 
 
 def _turns(points: FloatArray, radius: float, closed: bool) -> FloatArray:

@@ -116,11 +116,15 @@ class Lamellas(LamellaSettings, System):
         leaning = [each.name for each in lamellas if each.pattern != pattern.kind]
         if leaning:
             messages.append(
-                f"lamellas: {', '.join(leaning[:4])}{' ...' if len(leaning) > 4 else ''} at the "
-                "boundary, where the net asks nothing of the line, follow the normals and are not "
-                f"exactly {'straight' if pattern.kind == 'straight' else 'arcs'}"
+                f"lamellas: {', '.join(leaning[:4])}{' ...' if len(leaning) > 4 else ''} follow "
+                f"the normals and are not exactly {_exactly(pattern)}: at the boundary the net "
+                "asks nothing of a line, and elsewhere they would lean over"
             )
         return messages
+
+
+def _exactly(pattern: Pattern) -> str:
+    return "straight" if pattern.kind == "straight" else "arcs"
 
 
 def lamella_name(line: ParameterLine) -> str:
