@@ -50,11 +50,13 @@ class ClashCheck:
         near: pairs whose boxes meet.
         cut: pairs among them that the CAD kernel had to cut.
         clashes: pairs that share more than contact.
+        open: names of pairs that the CAD kernel failed to cut: nothing is known about them.
     """
 
     near: int
     cut: int
     clashes: tuple[Clash, ...]
+    open: tuple[tuple[str, str], ...] = ()
 
     def report(self) -> dict[str, Any]:
         """Numbers and names, ready for JSON."""
@@ -65,6 +67,7 @@ class ClashCheck:
                 {"parts": [clash.first, clash.second], "volume_mm3": clash.volume}
                 for clash in self.clashes
             ],
+            "pairs_open": [list(pair) for pair in self.open],
         }
 
 
@@ -95,12 +98,13 @@ def check_clashes(
     open_pairs = np.unique(np.sort(owner[pairs[shared > CONTACT * least]], axis=1), axis=0)
     work = [(parts[i], parts[j]) for i, j in open_pairs.tolist()]
     volumes = in_chunks(_shared_volumes, work, executor, progress, size=8)
-    clashes = tuple(
-        Clash(one.name, other.name, found)
-        for (one, other), found in zip(work, volumes, strict=True)
-        if found > CONTACT * min(one.volume, other.volume)
-    )
-    return ClashCheck(len(near), len(work), clashes)
+    clashes, unknown = [], []
+    for (one, other), found in zip(work, volumes, strict=True):
+        if found is None:
+            unknown.append((one.name, other.name))
+        elif found > CONTACT * min(one.volume, other.volume):
+            clashes.append(Clash(one.name, other.name, found))
+    return ClashCheck(len(near), len(work), tuple(clashes), tuple(unknown))
 
 
 def _near(points: Sequence[FloatArray], owner: IntArray) -> IntArray:
@@ -159,14 +163,14 @@ def _normals(points: FloatArray, loops: Loops) -> FloatArray:
     return np.stack(rows, axis=1)
 
 
-def _shared_volumes(pairs: Sequence[tuple[Part, Part]]) -> list[float]:
-    """Volumes that the solids of pairs share, mm3."""
+def _shared_volumes(pairs: Sequence[tuple[Part, Part]]) -> list[float | None]:
+    """Volumes that the solids of pairs share, mm3; None where the CAD kernel fails."""
     import cadquery
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
-    result = []
+    result: list[float | None] = []
     for one, other in pairs:
         common = BRepAlgoAPI_Common(one.solid().wrapped, other.solid().wrapped)
-        shape = common.Shape() if common.IsDone() else None
-        result.append(0.0 if shape is None else cadquery.Shape.cast(shape).Volume())
+        good = common.IsDone() and not common.HasErrors()
+        result.append(cadquery.Shape.cast(common.Shape()).Volume() if good else None)
     return result

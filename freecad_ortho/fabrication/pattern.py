@@ -6,7 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, unit_rows
+
+# Distance, mm, below which two sides of an outline touch rather than cross.
+_TOUCHING = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +101,20 @@ def polygon_area(outline: FloatArray) -> float:
     """Signed area of a polygon (N, 2), positive when counter-clockwise."""
     x, y = (outline - outline[0]).T
     return float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+
+
+def overlaps_itself(polygon: FloatArray) -> bool:
+    """Whether two sides of a closed polygon (N, 2) cross each other."""
+    ends = np.roll(polygon, -1, axis=0)
+    steps = unit_rows(ends - polygon)
+
+    def side(points: FloatArray) -> FloatArray:
+        arms = points[None] - polygon[:, None]
+        distance = steps[:, None, 0] * arms[..., 1] - steps[:, None, 1] * arms[..., 0]
+        return np.where(np.abs(distance) <= _TOUCHING, 0.0, np.sign(distance))
+
+    apart = side(polygon) * side(ends) < 0
+    return bool((apart & apart.T).any())
 
 
 def fitted_text_size(text: str, width: float, height: float, largest: float = 30.0) -> float:

@@ -58,6 +58,11 @@ class Production:
         for clash in self.clashes.clashes:
             for name, other in ((clash.first, clash.second), (clash.second, clash.first)):
                 cuts.setdefault(name, []).append(f"cuts {other} by {clash.volume:.1f} mm3")
+        for pair in self.clashes.open:
+            for name, other in (pair, pair[::-1]):
+                cuts.setdefault(name, []).append(
+                    f"may cut {other}, which the CAD kernel leaves open"
+                )
         verdicts = []
         for part, words in zip(self.structure.parts, self.structure.verdicts, strict=True):
             all_words = ([] if words == OK else [words]) + cuts.get(part.name, [])

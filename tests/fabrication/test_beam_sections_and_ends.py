@@ -5,6 +5,7 @@ from collections import Counter, defaultdict
 
 import numpy as np
 import pytest
+import shapely
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, build
@@ -256,3 +257,18 @@ def test_nets_of_the_authors(name, kind):
             build(mesh, [beams(120, **kind)])
         return
     assert_sound(build(mesh, [beams(120, **{"section_width": 50.0, **kind})]), 41, 97)
+
+
+def winding(turn):
+    """A wall along a ramp around a tower: plane faces, edges of about 1 m."""
+    angle, height = np.meshgrid(np.linspace(0, turn, 24), np.arange(3.0), indexing="ij")
+    points = np.stack([4 * np.cos(angle), 4 * np.sin(angle), height + 0.7 * angle], axis=-1)
+    return QuadMesh.from_arrays(1000 * points.reshape(-1, 3), grid_faces(24, 3))
+
+
+def test_folded_plates_whose_pattern_overlaps_itself_are_refused():
+    made = build(winding(5.5), [beams(ends="lapped")])
+    for part in made.parts:
+        assert shapely.Polygon(part.pattern.outline).is_valid
+    with pytest.raises(InputError, match=r"B-[UV]001 overlaps itself; take mitred or hub ends"):
+        build(winding(9.0), [beams(ends="lapped")])

@@ -8,6 +8,7 @@ import cadquery
 import ezdxf
 import numpy as np
 import pytest
+import shapely
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho.fabrication import Lamellas, Selection, build, write
@@ -173,6 +174,18 @@ def test_names_and_neighbours_are_on_the_pattern_and_depend_on_connectivity_only
     assert len(crossed) == len(set(crossed)) == len(part.vertices)
 
 
+@pytest.mark.parametrize(("strip", "layers"), [("developable", 1), ("twisted", 1), ("twisted", 2)])
+def test_names_of_neighbours_lie_on_the_plate(strip, layers):
+    settings = Lamellas(40.0, 3.0, strip=strip, pattern="free", layers=layers)
+    for part in build(rounded(), [settings]).parts:
+        plate = shapely.Polygon(part.pattern.outline)
+        for mark in part.pattern.marks:
+            if mark.text:
+                half = mark.size * np.array([len(mark.text), 1.0]) / 2
+                box = shapely.affinity.rotate(shapely.box(*-half, *half), mark.angle)
+                assert plate.contains(shapely.affinity.translate(box, *mark.points[0]))
+
+
 def test_two_layers_have_a_bolt_hole_at_each_crossing():
     for position in ("standing", "lying"):
         system = Lamellas(60, 5, position=position, layers=2, hole=11)
@@ -180,6 +193,11 @@ def test_two_layers_have_a_bolt_hole_at_each_crossing():
         for part, solid in zip(structure.parts, structure.solids(), strict=True):
             assert len(part.pattern.holes) == len(part.vertices)
             assert {hole.diameter for hole in part.pattern.holes} == {11}
+            centres = np.array([hole.centre for hole in part.pattern.holes])
+            for mark in part.pattern.marks:
+                if not mark.text:
+                    arms = np.linalg.norm(mark.points[:, None] - centres, axis=2)
+                    assert arms.min() == pytest.approx(0.3 * 60) and mark.points.min() >= -1e-9
             assert solid.isValid()
             assert solid.Volume() == pytest.approx(part.area * 5, rel=1e-9)
         assert worst_clash(structure) == 0.0

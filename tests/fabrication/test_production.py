@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho.fabrication import Beams, FlatPattern, Hole, Panels, Workshop, build, write
 from freecad_ortho.fabrication.clash import check_clashes
@@ -16,6 +17,7 @@ from freecad_ortho.fabrication.nesting.sheet import turned
 from freecad_ortho.fabrication.nodes import nodes
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
+from freecad_ortho.fabrication.report import report_page
 from freecad_ortho.fabrication.stock import stock_list
 from solver.errors import InputError
 from solver.mesh.grid import grid_faces
@@ -183,6 +185,21 @@ def test_clashes_are_found_with_their_volume(plane):
     failed = production.report()["verdict"]["failed"]
     assert set(failed) == {first.name, x.name}
     assert failed[x.name].startswith(f"cuts {first.name} by 369375.0 mm3")
+
+
+def test_a_pair_that_the_kernel_cannot_cut_is_said(twisted, monkeypatch):
+    class Failing(BRepAlgoAPI_Common):
+        def IsDone(self):
+            return False
+
+    monkeypatch.setattr("OCP.BRepAlgoAPI.BRepAlgoAPI_Common", Failing)
+    production = produce(build(twisted, [Beams(200, 12)]))
+    report = production.report()
+    checked = report["clash_check"]
+    assert checked["clashes"] == [] and len(checked["pairs_open"]) == checked["pairs_cut"] > 0
+    one, other = checked["pairs_open"][0]
+    assert f"may cut {other}, which the CAD kernel leaves open" in report["verdict"]["failed"][one]
+    assert f"({one} and {other}" in report_page(production)
 
 
 def test_a_far_part_meets_nobody(plane):

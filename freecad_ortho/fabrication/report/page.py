@@ -164,11 +164,15 @@ def _stock(production: Production) -> str:
 
 def _clashes(production: Production) -> str:
     check = production.clashes
-    words = f"{check.near:,} pairs of parts come near each other; "
+    words = f"{check.near:,} pairs of parts come near each other"
+    if check.open:
+        names = "; ".join(" and ".join(pair) for pair in check.open)
+        words += f", of which the CAD kernel leaves {len(check.open)} open ({escape(names)})"
     if not check.clashes:
-        return f"<h2>Clash check</h2><p>{words}none shares volume.</p>"
+        others = " of the others" if check.open else ""
+        return f"<h2>Clash check</h2><p>{words}; none{others} shares volume.</p>"
     rows = [(clash.first, clash.second, f"{clash.volume:.1f}") for clash in check.clashes]
-    return f"<h2>Clash check</h2><p>{words}{len(rows)} share volume:</p>" + _table(
+    return f"<h2>Clash check</h2><p>{words}; {len(rows)} share volume:</p>" + _table(
         ("part", "cuts", "by mm3"), rows
     )
 

@@ -6,13 +6,20 @@ import numpy as np
 
 from freecad_ortho.fabrication.bodies import Polyhedron
 from freecad_ortho.fabrication.part import Measures, Part, part_names
-from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.pattern import (
+    Bend,
+    FlatPattern,
+    Mark,
+    fitted_text_size,
+    overlaps_itself,
+)
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.folded import FoldedPlate, folded_plate
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
 from freecad_ortho.fabrication.systems.beams.sections import Piece, Section, pieces
+from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray
@@ -74,7 +81,11 @@ def line_beams(
     lines: tuple[ParameterLine, ...],
     laps: Crossings | None,
 ) -> tuple[Part, ...]:
-    """Return one folded plate for each line."""
+    """Return one folded plate for each line.
+
+    Raises:
+        InputError: sizes that do not fit, or a flat pattern that overlaps itself.
+    """
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
     across = _names_across(site)
     parts = []
@@ -82,6 +93,11 @@ def line_beams(
         form = chain(site, geometry, line, thickness / 2, laps)
         plate = folded_plate(form)
         name = line_name(line)
+        if overlaps_itself(plate.outline):
+            raise InputError(
+                f"beams: the flat pattern of {name} overlaps itself; take mitred or hub ends, or "
+                "cut the mesh"
+            )
         parts.append(
             plate_part(
                 site,

@@ -7,10 +7,15 @@ from functools import cached_property
 
 import numpy as np
 
-from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.pattern import (
+    Bend,
+    FlatPattern,
+    Mark,
+    fitted_text_size,
+    overlaps_itself,
+)
 from freecad_ortho.fabrication.ruled import RuledBody, Side
 from freecad_ortho.fabrication.systems.bent_panels.rows import Row
-from freecad_ortho.fabrication.systems.lamellas.outline import overlaps_itself
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh

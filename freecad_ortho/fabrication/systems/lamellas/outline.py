@@ -8,10 +8,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray, unit_rows
-
-# Distance, mm, below which two sides of an outline touch rather than cross.
-_TOUCHING = 1e-6
+from solver.mesh.quadmesh import FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,17 +126,3 @@ def _notched(edge: FloatArray, notches: list[Notch], name: str) -> FloatArray:
         face, reached = end, float(np.linalg.norm(cut.mouth[1] - edge[end]))
     path += list(edge[face + 1 :])
     return np.array(path)
-
-
-def overlaps_itself(polygon: FloatArray) -> bool:
-    """Whether two sides of a closed polygon (N, 2) cross each other."""
-    ends = np.roll(polygon, -1, axis=0)
-    steps = unit_rows(ends - polygon)
-
-    def side(points: FloatArray) -> FloatArray:
-        arms = points[None] - polygon[:, None]
-        distance = steps[:, None, 0] * arms[..., 1] - steps[:, None, 1] * arms[..., 0]
-        return np.where(np.abs(distance) <= _TOUCHING, 0.0, np.sign(distance))
-
-    apart = side(polygon) * side(ends) < 0
-    return bool((apart & apart.T).any())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +16,7 @@ from freecad_ortho.fabrication.pattern import (
     Hole,
     Mark,
     fitted_text_size,
+    overlaps_itself,
     polygon_area,
 )
 from freecad_ortho.fabrication.ruled import RuledBody
@@ -24,7 +25,7 @@ from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.cells import grid_of, ruled_body
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
 from freecad_ortho.fabrication.systems.lamellas.facets import folded_body
-from freecad_ortho.fabrication.systems.lamellas.outline import notch, outline, overlaps_itself
+from freecad_ortho.fabrication.systems.lamellas.outline import notch, outline
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from solver.errors import InputError
@@ -187,24 +188,28 @@ def _pattern(made: Cut) -> FlatPattern:
     )
 
 
-def _marks(made: Cut, placed, turn: FloatArray) -> list[Mark]:  # type: ignore[no-untyped-def]
+def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArray) -> list[Mark]:
     """A tick and the other's name at each crossing, beside it on the side that stays whole."""
     ribbon = made.lamella.ribbon
     strip = ribbon.strip
+    level = 0.5 * (ribbon.lower + ribbon.upper)
     marks = []
     for crossing in made.crossings:
         station = crossing.station
-        ruling = strip.flat_rulings[station]
-        ahead = np.array([ruling[1], -ruling[0]])
         side = -1.0 if crossing.slot is None or crossing.slot.upward else 1.0
-        middle = strip.flat_points[station] + 0.5 * (ribbon.lower + ribbon.upper) * ruling
-        tick = np.stack([middle, middle + side * 0.1 * ribbon.width * ruling])
-        if crossing.slot is None:
-            tick = np.stack([middle - 0.5 * ribbon.width * ruling, tick[0] - 0.3 * ruling])
-        room = 0.4 * float(strip.lengths[min(station, len(strip.lengths) - 1)])
+        ruling = ribbon.stretch[station] * strip.flat_rulings[station]
+        middle = strip.flat_points[station] + level * ruling
+        # Where a hole is in the middle the tick ends before it.
+        reach = (0.5, 0.3) if crossing.slot is None else (0.0, 0.1)
+        tick = middle + side * ribbon.width * np.array(reach)[:, None] * ruling
+        # The text lies along the edge that follows, in its face.
+        across = ribbon.flat_across[station]
+        ahead = np.array([across[1], -across[0]])
+        room = 0.4 * float(strip.lengths[station])
         size = fitted_text_size(crossing.other, room, 0.3 * ribbon.width, 12.0)
         text_room = 0.5 * size * len(crossing.other) + 0.5 * size
-        place = middle + text_room * ahead + side * 0.25 * ribbon.width * ruling
+        up = level + side * 0.25 * ribbon.width
+        place = strip.flat_points[station] + text_room * ahead + up * across
         angle = float(np.degrees(np.arctan2(*(ahead @ turn)[::-1])))
         marks += [
             Mark(placed(tick)),

@@ -7,9 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size, overlaps_itself
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.lamellas.outline import overlaps_itself
 from freecad_ortho.fabrication.systems.patches.pieces import Piece
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
