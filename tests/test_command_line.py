@@ -89,11 +89,14 @@ def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
         (["optimise", "MESH", "-o", "absent/out.obj"], "does not exist"),
         (["optimise", "MESH", "-o", "out.obj", "--report", "absent/r.json"], "does not exist"),
         (["optimise", "MESH", "-o", "out.obj", "--report", "out.obj"], "both mesh and report"),
-        (["fabricate", "MESH", "-o", "out", "--height", "-1"], "height"),
-        (["fabricate", "MESH", "-o", "out", "--thickness", "nan"], "thickness"),
-        (["fabricate", "MESH", "-o", "out", "--thickness", "5000"], "thickness"),
+        (["fabricate", "MESH", "-o", "out", "--height", "-1"], "height: expected a number above 0"),
+        (
+            ["fabricate", "MESH", "-o", "out", "--thickness", "nan"],
+            "thickness: expected a number above 0",
+        ),
+        (["fabricate", "MESH", "-o", "out", "--thickness", "5000"], "does not fit edge"),
         (["fabricate", "MESH", "-o", "out", "--system", "walls"], "system: expected one of"),
-        (["fabricate", "MESH", "-o", "out", "--offset", "left"], "offset"),
+        (["fabricate", "MESH", "-o", "out", "--offset", "left"], "offset: expected one of above"),
         (["check", "absent.obj"], "no such file"),
     ],
 )

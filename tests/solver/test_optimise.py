@@ -67,7 +67,7 @@ def test_rounding_noise_of_the_unit_does_not_matter():
     small = optimise(start.scaled(1e-3))
     large = optimise(start.scaled(1e3))
     assert small.report.iterations == large.report.iterations
-    assert np.allclose(small.mesh.vertices * 1e6, large.mesh.vertices, rtol=0, atol=1e-3)
+    assert np.allclose(small.mesh.vertices * 1e6, large.mesh.vertices, rtol=0, atol=1e-6)
 
 
 def test_same_input_same_bytes():

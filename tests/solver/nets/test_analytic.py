@@ -105,7 +105,7 @@ def test_angle_defects_of_chebyshev_results_vanish_exactly():
     """With equal edges and equal diagonals the corner of a face and of its splits sum to pi."""
     start = noisy(bent_sheet())
     mesh = result("chebyshev", start)
-    assert np.nanmax(np.abs(gauss_curvature(mesh))) < 1e-9
+    assert np.nanmax(np.abs(gauss_curvature(mesh))) < 1e-10
     assert np.nanmax(np.abs(gauss_curvature(start))) > 1
 
 
@@ -122,7 +122,7 @@ def test_circular_results_have_circles(build):
         right = [(b @ b - a @ a) / 2, (c @ c - a @ a) / 2, system[2] @ a]
         centre = np.linalg.solve(system, right)
         misses += [np.linalg.norm(d - centre) - np.linalg.norm(a - centre), system[2] @ (d - a)]
-    assert np.abs(misses).max() < 1e-9 * mesh.mean_edge
+    assert np.abs(misses).max() < 1e-10 * mesh.mean_edge
 
 
 @pytest.mark.parametrize("build", [demo_roof, lambda: wavy_grid(12, 10)])
@@ -141,4 +141,4 @@ def test_conical_results_have_cones(build):
     # Degenerate cones are planes: count the volume against the spread of the normals.
     spread = np.linalg.norm(differences, axis=2).max(axis=1)
     assert np.median(spread) > 0.05
-    assert (volumes / spread**2).max() < 1e-9
+    assert (volumes / spread**2).max() < 1e-10

@@ -13,7 +13,7 @@ from tests.meshes import bent_sheet
 
 def test_a_cylinder_along_its_generators_unrolls_exactly():
     patch = flattened(bent_sheet(turned=0.0))
-    assert np.abs(patch.strain).max() <= 1e-9
+    assert np.abs(patch.strain).max() <= 1e-12
     assert np.abs(patch.flat.vertices[:, 2]).max() <= 1e-12
 
 
@@ -36,7 +36,7 @@ def test_what_cannot_be_laid_flat_is_refused():
 def test_chebyshev_sphere_unrolls():
     outcome = optimise(shared_mesh("chebyshev_sphere"), "chebyshev")
     patch = flattened(outcome.mesh)
-    assert np.abs(patch.strain).mean() <= 2e-3
-    assert np.abs(patch.strain).max() <= 2e-2
+    assert np.abs(patch.strain).mean() <= 5e-4
+    assert np.abs(patch.strain).max() <= 1e-3
     areas = patch.flat.face_area_vectors[:, 2]
     assert (areas > 0).all() or (areas < 0).all()

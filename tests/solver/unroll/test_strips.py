@@ -100,7 +100,7 @@ def test_normals_of_a_sphere_make_a_cone_that_unrolls_to_an_arc_of_its_radius():
         measured = strip_measures(strip, 0.5, inward)
         assert measured.radius == pytest.approx(RADIUS, rel=1e-12)
         assert measured.radius_spread <= 1e-12
-        assert measured.gap <= 1e-9
+        assert measured.gap <= 1e-12
         assert measured.admissible_width == pytest.approx(2 * RADIUS, rel=1e-2)
 
 
@@ -115,7 +115,7 @@ def test_a_lying_strip_along_a_helix_is_its_cylinder():
     points, inward, binormal = helix()
     strip = developable_strip(points, binormal)
     measured = strip_measures(strip, 0.2, binormal)
-    assert measured.straightness <= 2e-3 * measured.length
+    assert measured.straightness <= 1e-13 * measured.length
     assert abs(strip.normals[5] @ inward[5]) > 0.99
     # rulings of the cylinder are its generators
     assert np.abs(strip.rulings[1:-1, 2]).min() > 0.999
@@ -141,7 +141,7 @@ def test_star_spheres_give_the_axes_of_a_net_on_a_sphere():
     radial = unit_rows(mesh.vertices[inner])
     sign = np.sign(np.einsum("ij,ij->i", radial, mesh.vertex_normals[inner]))[0]
     found = strip_axes(mesh, -sign * 5.0)[inner]
-    assert np.abs(found - sign * radial).max() <= 1e-9
+    assert np.abs(found - sign * radial).max() <= 1e-12
 
 
 def test_a_closed_strip_has_the_same_ruling_at_both_ends():
@@ -176,11 +176,11 @@ def test_collinear_points_leave_the_planes_alone():
 
 
 def test_circles_are_fitted_from_flat_to_round():
-    for radius, angle in ((1.0, 3.0), (1e3, 1e-2), (5e6, 1e-5)):
+    for radius, angle, near in ((1.0, 3.0, 1e-14), (1e3, 1e-2, 1e-10), (5e6, 1e-5, 1e-5)):
         s = np.linspace(-angle, angle, 9)
         points = radius * np.stack([np.sin(s), 1 - np.cos(s)], axis=1) + [3.0, -2.0]
         found, spread = fitted_circle(points)
-        assert found == pytest.approx(radius, rel=1e-4)
+        assert found == pytest.approx(radius, rel=near)
         assert spread <= 1e-9
     assert fitted_circle(np.array([[0, 0], [1, 0], [2, 0.0]]))[0] == np.inf
 
