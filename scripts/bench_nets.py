@@ -57,10 +57,9 @@ def run_steps(
             step[0, k] = min(step[0, k], time.perf_counter() - begin)
             step[1, k] = min(step[1, k], record.solve_seconds)
         setup = min(setup, run.seconds_setup)
-    size = run.problem.size
     return {
-        "variables": size.auxiliary,
-        "constraints": size.equations,
+        "variables": run.problem.variables,
+        "constraints": run.problem.equations,
         "step_ms": 1e3 * float(np.median(step[0])),
         "solve_ms": 1e3 * float(np.median(step[1])),
         "setup_ms": 1e3 * setup,

@@ -28,7 +28,7 @@ class Candidate:
     Attributes:
         mesh: the shape in model units.
         worst_place: face, edge or vertex with the largest residual of all.
-        details: shared unknowns in words that a user knows, such as a radius.
+        details: shared unknowns in model units, such as force densities.
         residuals: largest and mean value of each measure of the net.
         edge_ratio: shortest / mean edge; ``edge_ratio_start`` the same of the input.
         crease: sharpest angle between neighbouring faces, in degrees; ``crease_start`` likewise.

@@ -11,7 +11,7 @@ import numpy as np
 from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thickness
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.terms.base import Size, Term, follows
+from solver.terms.base import Term, follows
 
 # A measure sees the mesh in model units and the shared scalars.
 Measure = Callable[[QuadMesh, FloatArray], FloatArray]
@@ -180,10 +180,11 @@ class Problem:
         return int(flipped(self.mesh).sum())
 
     @property
-    def size(self) -> Size:
-        """Unknowns and equations of the net as the paper counts them, auxiliary ones included."""
-        sizes = [term.size for term in self.constraints]
-        return Size(
-            len(self.start) + sum(size.auxiliary for size in sizes),
-            sum(size.equations for size in sizes),
-        )
+    def variables(self) -> int:
+        """Number of unknowns of the net as the paper counts them, auxiliary ones included."""
+        return len(self.start) + sum(term.size.auxiliary for term in self.constraints)
+
+    @property
+    def equations(self) -> int:
+        """Number of equations of the net as the paper counts them."""
+        return sum(term.size.equations for term in self.constraints)

@@ -66,7 +66,7 @@ class Report:
         attempts: how many sets of guides were tried.
         seconds: total; ``seconds_per_iteration`` and ``solve_seconds_per_iteration`` are medians.
         residuals: largest and mean of each measure of the net, on the mesh that is returned.
-        details: what the net found out about itself, such as its radius, in model units.
+        details: what the net found besides its shape, such as force densities, in model units.
         edge_ratio: shortest edge / mean edge.
         edge_ratio_start: the same of the input.
         flipped_faces: faces that lie against their neighbours or have a corner turned inside out.

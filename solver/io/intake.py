@@ -56,6 +56,8 @@ def quad_mesh(
 
 
 def _quads(polygons: Sequence[Sequence[int]], vertex_count: int) -> IntArray:
+    if not len(polygons):
+        raise InputError("faces: expected at least one, got none; export the mesh's faces")
     sizes = np.array([len(polygon) for polygon in polygons])
     wrong = np.flatnonzero(sizes != 4)
     if len(wrong):
