@@ -12,4 +12,7 @@ freecad_ortho.use_own_packages(
 )
 if freecad_ortho.shadowing_module():
     FreeCAD.Console.PrintError(freecad_ortho.shadowing_module() + "\n")
-FreeCAD.addImportType("Quad mesh (*.obj)", "freecad_ortho.commands.open_file")
+# Behind FreeCAD's own readers of these files, which stay the first choice; it asks which to take.
+_FILES = "Quad mesh (*.obj *.ply *.off *.json)"
+FreeCAD.addImportType(_FILES, "freecad_ortho.commands.open_file")
+FreeCAD.addExportType(_FILES, "freecad_ortho.commands.open_file")

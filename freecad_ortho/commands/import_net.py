@@ -13,12 +13,14 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 class ImportNet(Command):
-    """Ask for an OBJ file and make a Net of it."""
+    """Ask for a file and make a Net of it."""
 
     icon = "import"
     shortcut = "O, I"
     text = QT_TRANSLATE_NOOP("Ortho_ImportNet", "Import quad mesh")
-    tip = QT_TRANSLATE_NOOP("Ortho_ImportNet", "Read an OBJ file and keep its quads as a net")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_ImportNet", "Read an OBJ, PLY, OFF or JSON file and keep its quads as a net"
+    )
 
     def Activated(self) -> None:
         """Import the file that the user chooses."""

@@ -1,12 +1,13 @@
-"""Quad meshes through File > Open and File > Import: FreeCAD calls the two functions by name."""
+"""Quad meshes through File > Open, Import and Export: FreeCAD calls the functions by name."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 
 import FreeCAD
 
-from solver.errors import OrthoError
+from solver.errors import InputError, OrthoError
 
 
 def open(filename: str) -> FreeCAD.Document | None:
@@ -32,6 +33,20 @@ def insert(filename: str, document_name: str) -> bool:
         import FreeCADGui
 
         FreeCADGui.SendMsgToActiveView("ViewFit")
+    return True
+
+
+def export(features: Sequence[FreeCAD.DocumentObject], filename: str) -> bool:
+    """Write the one net that is selected into a file; True when it worked."""
+    from freecad_ortho import documents
+
+    try:
+        if len(features) != 1:
+            raise InputError(f"export: expected one net, got {len(features)} objects; select one")
+        documents.export_net(features[0], filename)
+    except OrthoError as error:
+        _tell(str(error))
+        return False
     return True
 
 

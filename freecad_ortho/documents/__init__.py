@@ -12,6 +12,7 @@ from freecad_ortho.documents.flat_patterns import add_drawing_page, add_flat_pat
 from freecad_ortho.documents.nets import (
     drag_net,
     dragging,
+    export_net,
     import_net,
     keep_outcome,
     optimise_net,
@@ -54,6 +55,7 @@ __all__ = [
     "drag_net",
     "dragging",
     "export_fabrication",
+    "export_net",
     "form_net",
     "import_net",
     "keep_outcome",

@@ -1,4 +1,4 @@
-"""Nets in documents: reading and optimising them."""
+"""Nets in documents: reading, writing and optimising them."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ def import_net(
     document: FreeCAD.Document | str | None = None,
     unit: str | None = None,
 ) -> FreeCAD.DocumentObject:
-    """Read an OBJ file with quads and add a Net to a document.
+    """Read an OBJ, PLY, OFF or JSON file with quads and add a Net to a document.
 
     Args:
-        path: the OBJ file.
+        path: the file.
         document: a document or its name; without it the active one, or a new one.
         unit: ``mm``, ``cm``, ``m``, ``in`` or ``ft``; without it what the file says.
 
@@ -60,6 +60,31 @@ def import_net(
     for remark in loaded.remarks:
         FreeCAD.Console.PrintWarning(f"{net.Label}: {remark}\n")
     return net
+
+
+def export_net(
+    net: FreeCAD.DocumentObject, path: str | os.PathLike[str], unit: str | None = None
+) -> None:
+    """Write a Net into an OBJ, PLY, OFF or JSON file, quads as quads, every digit kept.
+
+    Args:
+        net: the Net.
+        path: the file; what it is called says its format.
+        unit: ``mm``, ``cm``, ``m``, ``in`` or ``ft``; without it that of the file it came from,
+            else mm. The file names it.
+
+    Raises:
+        InputError: not a Net, or an unknown unit.
+        OutputError: the file cannot be written; nothing half-written is left behind.
+    """
+    from freecad_ortho import api
+
+    require_net(net)
+    chosen = unit or net.Unit or api.DEFAULT_UNIT
+    mesh = convert.quad_mesh(net)
+    # Divided and not multiplied by a part: what was read in metres is written as it was read.
+    metres = mesh.with_vertices(mesh.vertices / millimetres_per(chosen))
+    api.write_mesh(path, metres, chosen)
 
 
 def set_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -163,7 +164,8 @@ def export_fabrication(
         workers: processes that share the work; for large structures.
         workshop: what parts are cut from and with, as on the command line: ``sheet="3000x1500"``,
             ``spacing``, ``grain``, ``nesting``, ``seed``, ``stock``, ``saw``, ``kerf``; lengths in
-            mm or with their unit.
+            mm or with their unit. Lamellas are spliced where ``stock`` says so, in the document
+            too; without it the stock is theirs, and 0 stands for as long as it takes.
 
     Returns:
         The files written.
@@ -177,17 +179,51 @@ def export_fabrication(
     from freecad_ortho import api
 
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
-    structure = build.structure(chosen)
     sizes = {
         name: convert.millimetres(workshop[name], name)
         for name in ("spacing", "stock", "saw", "kerf")
         if workshop.get(name) is not None
     }
-    with (
-        missing_package_named(),
-        progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
-    ):
-        return api.write_fabrication(structure, folder, say, workers=workers, **(workshop | sizes))
+    with _one_stock(chosen, sizes.get("stock")) as stock:
+        structure = build.structure(chosen)
+        with (
+            missing_package_named(),
+            progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
+        ):
+            settings = workshop | sizes | {"stock": stock}
+            return api.write_fabrication(structure, folder, say, workers=workers, **settings)
+
+
+@contextmanager
+def _one_stock(features: Sequence[Any], wanted: float | None) -> Iterator[float | None]:
+    """Let lamellas and the list of stock know the same length, mm; None for as long as it takes.
+
+    A length that is asked for becomes the lamellas' own, in one undo step, unless what happens
+    inside fails; without one theirs counts.
+    """
+    lamellas = [
+        item
+        for item in features
+        if structure_object.is_structure(item) and "Stock" in item.PropertiesList
+    ]
+    lengths = [item.Stock.Value for item in lamellas]
+    if wanted is None:
+        wanted = max(lengths, default=0.0)
+    if all(length == wanted for length in lengths):
+        yield wanted or None
+        return
+    document = lamellas[0].Document
+    with transaction(document, FreeCAD.Qt.translate("Ortho", "Stock length")):
+        try:
+            for item in lamellas:
+                item.Stock = wanted
+            yield wanted or None
+        except BaseException:
+            for item, length in zip(lamellas, lengths, strict=True):
+                item.Stock = length
+                item.purgeTouched()
+            raise
+        document.recompute()
 
 
 def _option_properties(system: str, sizes: dict[str, Any]) -> dict[str, Any]:

@@ -115,8 +115,14 @@ class ExportPanel(_WorkshopPanel):
     def __init__(self, structures: list[FreeCAD.DocumentObject]) -> None:
         title = translate("Ortho", "Export fabrication files")
         super().__init__(structures, title, "export", nested=False)
-        self.stock = LengthField(0.0, optional=True)
-        self.stock.widget.setToolTip(translate("Ortho", "Length of bars and strips; 0: automatic"))
+        lengths = [item.Stock.Value for item in structures if "Stock" in item.PropertiesList]
+        self._given = max(lengths, default=0.0)
+        self.stock = LengthField(self._given)
+        self.stock.widget.setToolTip(
+            translate(
+                "Ortho", "Length of bars and strips, also of lamellas; 0: as long as it takes"
+            )
+        )
         self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
         self.workers.widget.setToolTip(translate("Ortho", "Processes that share the work"))
         self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
@@ -129,8 +135,8 @@ class ExportPanel(_WorkshopPanel):
             InputError: the seed or the workers are not a number.
         """
         settings = super().settings()
-        if self.stock.length is not None:
-            settings["stock"] = self.stock.length
+        if self.stock.millimetres or self._given:
+            settings["stock"] = self.stock.millimetres
         if (self.workers.number or 1) > 1:
             settings["workers"] = self.workers.number
         return settings

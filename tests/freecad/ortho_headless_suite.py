@@ -14,6 +14,7 @@ from freecad_ortho import api, convert
 from freecad_ortho.commands import open_file
 from freecad_ortho.objects.net import VERSION, Net
 from solver.errors import InputError, OutputError
+from solver.io.polygons import READERS, WRITERS
 
 
 class TestNet(DocumentCase):
@@ -64,11 +65,44 @@ class TestNet(DocumentCase):
 
     def test_open_and_insert_through_the_file_menu(self):
         path = tools.wavy_mesh("opened")
-        self.assertIn("freecad_ortho.commands.open_file", FreeCAD.getImportType("obj"))
         document = open_file.open(path)
         self.assertEqual([item.Label for item in document.Objects], ["opened"])
         self.assertTrue(open_file.insert(path, document.Name))
         self.assertEqual(len(document.Objects), 2)
+
+    def test_the_file_menu_knows_every_format_and_prefers_freecads_own(self):
+        ours = "freecad_ortho.commands.open_file"
+        self.assertEqual(READERS.keys(), WRITERS.keys())
+        for ending in READERS:
+            for modules in (FreeCAD.getImportType(ending[1:]), FreeCAD.getExportType(ending[1:])):
+                # The first one is taken where nobody can be asked.
+                self.assertEqual((modules[-1], modules.count(ours)), (ours, 1), ending)
+                self.assertGreater(len(modules), 1, ending)
+
+    def test_every_format_comes_back_through_the_file_menu(self):
+        net = self.imported(unit="m", edge=1.37)
+        for ending in READERS:
+            path = tools.SCRATCH / f"written{ending}"
+            self.assertTrue(open_file.export([net], str(path)))
+            again = api.read_mesh(path)
+            np.testing.assert_array_equal(again.mesh.faces.ravel(), net.Faces)
+            metres = api.read_mesh(net.SourceFile).mesh.vertices
+            np.testing.assert_allclose(again.mesh.vertices, metres, rtol=1e-15)
+            document = open_file.open(str(path))
+            read = document.Objects[0]
+            self.assertEqual((read.Label, list(read.Faces)), ("written", list(net.Faces)))
+            self.assertTrue(open_file.insert(str(path), self.document.Name))
+            FreeCAD.closeDocument(document.Name)
+
+    def test_what_is_no_net_is_not_written(self):
+        net = self.imported()
+        beams = api.add_beams(net)
+        path = tools.SCRATCH / "never.obj"
+        for wrong in ([], [net, net], [beams]):
+            self.assertFalse(open_file.export(wrong, str(path)))
+        with self.assertRaisesRegex(InputError, "unit"):
+            api.export_net(net, path, unit="yard")
+        self.assertFalse(path.exists())
 
     def test_a_bad_file_leaves_no_document_behind(self):
         before = set(FreeCAD.listDocuments())

@@ -201,6 +201,14 @@ class Sequence:
             return False
         self.allowed_to_fail(api.export_fabrication, chosen, tools.SCRATCH / "random-files")
 
+    def export_net(self):
+        net = self.any_net()
+        if net is None:
+            return False
+        path = tools.SCRATCH / self.dice.choice(["random.ply", "random.off", "random.json"])
+        api.export_net(net, path)
+        np.testing.assert_array_equal(api.read_mesh(path).mesh.faces.ravel(), net.Faces)
+
     def change_a_size(self):
         if not self.structures():
             return False

@@ -201,6 +201,41 @@ class TestLongOnes(StructureCase):
         self.assertLess(self.beams.Proxy.seconds, time.perf_counter() - start)
 
 
+class TestStock(StructureCase):
+    def test_lamellas_and_the_list_of_stock_have_one_length(self):
+        lamellas = api.add_structure(
+            self.net, "lamellas", family="u", lines=[0, 1], width=60.0, stock="6 m"
+        )
+        folder, whole = tools.SCRATCH / "stock", lamellas.PartNames
+
+        def listed(**workshop):
+            api.export_fabrication(lamellas, folder, **workshop)
+            return json.loads((folder / "report.json").read_text(encoding="utf-8"))["stock"]
+
+        steps = self.document.UndoCount
+        self.assertEqual(listed()["length_mm"], 6000.0)
+        self.assertEqual(self.document.UndoCount, steps)
+        self.assertEqual(listed(stock="3 m")["length_mm"], 3000.0)
+        self.assertEqual((lamellas.Stock.Value, lamellas.Outdated), (3000.0, False))
+        self.assertGreater(len(lamellas.PartNames), len(whole))
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        text = (folder / "parts.csv").read_text(encoding="utf-8")
+        self.assertTrue(all(name in text for name in lamellas.PartNames))
+        self.document.undo()
+        self.assertEqual((lamellas.Stock.Value, lamellas.PartNames), (6000.0, whole))
+        listed(stock=0)
+        self.assertEqual(lamellas.Stock.Value, 0.0)
+        self.assertLess(len(lamellas.PartNames), len(whole))
+        for mode in (1, 0):
+            self.document.UndoMode = mode
+            before = list(lamellas.PartNames), self.document.UndoCount
+            with self.assertRaisesRegex(InputError, "stock"):
+                listed(stock="100 mm")
+            self.assertEqual(lamellas.Stock.Value, 0.0)
+            self.document.recompute()
+            self.assertEqual((list(lamellas.PartNames), self.document.UndoCount), before)
+
+
 class TestBaking(StructureCase):
     def test_a_structure_becomes_one_feature_a_part(self):
         beams = api.add_beams(self.net)

@@ -1863,8 +1863,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Length of bars and strips; 0: automatic</source>
-   <translation>Länge von Stäben und Streifen; 0: automatisch</translation>
+   <source>Length of bars and strips, also of lamellas; 0: as long as it takes</source>
+   <translation>Länge von Stangen und Streifen, auch von Lamellen; 0: so lang wie nötig</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2572,7 +2572,7 @@
    <translation>Lagerlänge</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../freecad_ortho/documents/structures.py" />
    <source>Stock length</source>
    <translation>Lagerlänge</translation>
   </message>
@@ -4242,8 +4242,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/import_net.py" />
-   <source>Read an OBJ file and keep its quads as a net</source>
-   <translation>Eine OBJ-Datei lesen und ihre Vierecke als Netz behalten</translation>
+   <source>Read an OBJ, PLY, OFF or JSON file and keep its quads as a net</source>
+   <translation>Eine OBJ-, PLY-, OFF- oder JSON-Datei lesen und ihre Vierecke als Netz behalten</translation>
   </message>
  </context>
  <context>

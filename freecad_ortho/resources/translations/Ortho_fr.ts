@@ -1863,8 +1863,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Length of bars and strips; 0: automatic</source>
-   <translation>Longueur des barres et bandes ; 0 : automatique</translation>
+   <source>Length of bars and strips, also of lamellas; 0: as long as it takes</source>
+   <translation>Longueur des barres et des bandes, lamelles comprises ; 0 : aussi longue qu'il faut</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2572,7 +2572,7 @@
    <translation>Longueur en stock</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../freecad_ortho/documents/structures.py" />
    <source>Stock length</source>
    <translation>Longueur de barre</translation>
   </message>
@@ -4242,8 +4242,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/import_net.py" />
-   <source>Read an OBJ file and keep its quads as a net</source>
-   <translation>Lire un fichier OBJ et garder ses quadrilatères comme réseau</translation>
+   <source>Read an OBJ, PLY, OFF or JSON file and keep its quads as a net</source>
+   <translation>Lire un fichier OBJ, PLY, OFF ou JSON et garder ses quadrilatères comme réseau</translation>
   </message>
  </context>
  <context>
