@@ -171,6 +171,6 @@ def _shared_volumes(pairs: Sequence[tuple[Part, Part]]) -> list[float | None]:
     result: list[float | None] = []
     for one, other in pairs:
         common = BRepAlgoAPI_Common(one.solid().wrapped, other.solid().wrapped)
-        good = common.IsDone() and not common.HasErrors()
+        good = common.IsDone()
         result.append(cadquery.Shape.cast(common.Shape()).Volume() if good else None)
     return result
