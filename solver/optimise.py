@@ -113,13 +113,11 @@ def start_optimisation(
     wanted = settled(mesh, fixed, wanted)
 
     plan = Plan(net, fixed, options or NetOptions(), wanted, weights)
-    _refuse_contradictions(plan.single(mesh))
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
-    if fairness is not None:
-        return Optimisation(plan.single(mesh), tolerance, max_steps, backend, accept_start=False)
-    stay = not wanted.handles and wanted.close_to is None
-    problems = plan.problems(mesh)
+    problems = plan.problems(mesh) if fairness is None else [plan.single(mesh)]
     original = next(problem for problem in problems if problem.mesh is mesh)
+    _refuse_contradictions(original)
+    stay = fairness is None and not wanted.handles and wanted.close_to is None
     return Optimisation(problems, tolerance, max_steps, backend, stay, original)
 
 

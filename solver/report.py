@@ -64,7 +64,8 @@ class Report:
         constraints: equations as the paper counts them.
         iterations: steps of all attempts.
         attempts: how many sets of guides were tried.
-        seconds: total; ``seconds_per_iteration`` and ``solve_seconds_per_iteration`` are medians.
+        seconds: of set-up and steps; ``seconds_per_iteration`` and ``solve_seconds_per_iteration``
+            are medians.
         residuals: largest and mean of each measure of the net, on the mesh that is returned.
         details: what the net found besides its shape, such as force densities, in model units.
         edge_ratio: shortest edge / mean edge.
@@ -72,6 +73,7 @@ class Report:
         flipped_faces: faces that lie against their neighbours or have a corner turned inside out.
         moved: mean and largest distance from the input, in mean edges of the input.
         seconds_setup: pattern, numbering and symbolic analysis.
+        solver: name of the sparse solver.
     """
 
     net: str
