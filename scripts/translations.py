@@ -12,6 +12,7 @@ needs Qt's lrelease, in Debian qttools5-dev-tools.
 from __future__ import annotations
 
 import ast
+import re
 import shutil
 import subprocess
 import sys
@@ -121,11 +122,15 @@ def problems(strings: dict[Key, str]) -> list[str]:
             done = words.get((context, text), "")
             if not done:
                 said.append(f"{language}: '{text}' ({context}, {file}) is not translated")
-            elif done.count("{") != text.count("{"):
+            elif _placeholders(done) != _placeholders(text):
                 said.append(f"{language}: '{done}' has other placeholders than '{text}'")
         gone = [key for key in words if key not in strings]
         said += [f"{language}: '{text}' ({context}) is no longer used" for context, text in gone]
     return said
+
+
+def _placeholders(text: str) -> list[str]:
+    return sorted(re.findall(r"\{[^{}]*\}", text))
 
 
 def lrelease() -> str | None:

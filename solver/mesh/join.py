@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from solver.io.intake import quad_mesh
 from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.merge import merged
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Vertices of two patches are one where they are mutually nearest within this part of an edge.
@@ -48,14 +47,9 @@ def joined(patches: Sequence[QuadMesh], sizes: Sequence[float]) -> tuple[QuadMes
             pairs.append(_mutual(points, one, two, reach, least))
             near |= _beside(points, one, two, reach)
     links = np.concatenate(pairs) if pairs else np.zeros((0, 2), dtype=np.int64)
-    graph = coo_array((np.ones(len(links)), links.T), shape=(len(points),) * 2)
-    label = connected_components(graph, directed=False)[1]
-    _, first, group = np.unique(label, return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    number = np.empty_like(order)
-    number[order] = np.arange(len(order))
+    kept, number = merged(links, len(points))
     faces = np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=False)])
-    mesh = quad_mesh(points[first[order]], number[group][faces].tolist())[0]
+    mesh = quad_mesh(points[kept], number[faces].tolist())[0]
     met = np.zeros(len(points), dtype=bool)
     met[links.ravel()] = True
     return mesh, int((near & ~met).sum())

@@ -6,13 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.io.intake import quad_mesh
 from solver.mesh.grid import grid_mesh, grid_of
+from solver.mesh.merge import merged
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Vertices closer than this part of the mesh's size are one vertex.
@@ -99,14 +98,8 @@ def welded(patches: Sequence[QuadMesh], tolerance: float = SAME_PLACE) -> QuadMe
     offsets = np.cumsum([0] + [len(patch.vertices) for patch in patches[:-1]])
     faces = np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=True)])
     pairs = cKDTree(vertices).query_pairs(tolerance * size_of(vertices), output_type="ndarray")
-    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(vertices),) * 2)
-    label = connected_components(graph, directed=False)[1]
-    _, first, group = np.unique(label, return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    number = np.empty_like(order)
-    number[order] = np.arange(len(order))
-    merged = number[group][faces]
-    return quad_mesh(vertices[first[order]], merged.tolist())[0]
+    kept, number = merged(pairs, len(vertices))
+    return quad_mesh(vertices[kept], number[faces].tolist())[0]
 
 
 def reversed_orientation(mesh: QuadMesh) -> QuadMesh:

@@ -48,6 +48,18 @@ def test_a_file_keeps_what_is_done_and_marks_what_is_not(tool, tmp_path, monkeyp
     assert tool.problems(strings) == ["de: '{} <points>' (Ortho, a.py) is not translated"]
     tool.write("de", strings, {("Ortho", "Start"): "Anfang", ("Ortho", "{} <points>"): "Punkte"})
     assert tool.problems(strings) == ["de: 'Punkte' has other placeholders than '{} <points>'"]
+    strings = {("Ortho", "{count} points"): "a.py"}
+    tool.write("de", strings, {("Ortho", "{count} points"): "{zahl} Punkte"})
+    assert tool.problems(strings) == [
+        "de: '{zahl} Punkte' has other placeholders than '{count} points'"
+    ]
+
+
+def test_words_that_nothing_uses_are_named(tool, tmp_path, monkeypatch):
+    monkeypatch.setattr(tool, "FOLDER", tmp_path)
+    monkeypatch.setattr(tool, "LANGUAGES", ("de",))
+    words = {("Ortho", "Start"): "Anfang", ("Ortho", "{} <points>"): "Punkte"}
+    tool.write("de", dict.fromkeys(words, "a.py"), words)
     assert tool.problems({}) == [
         "de: 'Start' (Ortho) is no longer used",
         "de: '{} <points>' (Ortho) is no longer used",
