@@ -237,25 +237,6 @@ def test_files_read_back(minimal, tmp_path):
     assert {row["line"] for row in rows} == {"3", "7"}
 
 
-def test_closed_lines_are_cut_between_two_crossings():
-    angle = np.linspace(0, 2 * np.pi, 12, endpoint=False)
-    rings = [np.stack([np.cos(angle), np.sin(angle), 0 * angle + z], axis=1) for z in (0, 0.4, 0.8)]
-    number = np.arange(36).reshape(3, 12)
-    faces = [
-        [number[k, i], number[k, (i + 1) % 12], number[k + 1, (i + 1) % 12], number[k + 1, i]]
-        for k in range(2)
-        for i in range(12)
-    ]
-    mesh = QuadMesh.from_arrays(1000 * np.concatenate(rings), faces)
-    structure = build(mesh, [Lamellas(60, 4)])
-    rings = [part for part in structure.parts if len(part.vertices) == 12]
-    assert len(rings) == 3
-    check_solids(structure)
-    assert worst_clash(structure, 50) <= 1e-6
-    circumference = 12 * 2 * 1000 * math.sin(math.pi / 12)
-    assert rings[1].length == pytest.approx(circumference - 1.0, rel=1e-9)
-
-
 @pytest.mark.parametrize(
     ("settings", "words"),
     [

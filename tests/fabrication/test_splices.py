@@ -1,5 +1,6 @@
 """Lamellas longer than the stock: pieces that fit it, plates that fit them, names that stay."""
 
+import itertools
 import math
 
 import ezdxf
@@ -11,6 +12,7 @@ from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.test_lamellas import check_solids, flat_grid, minimal, rounded  # noqa: F401
 
 
@@ -61,12 +63,16 @@ def test_holes_of_plates_and_pieces_lie_on_one_another():
     plates = [part for part in structure.parts if part.kind == "splice"]
     for plate in plates:
         stem, number = plate.name[1:].rsplit("-", 1)
-        pieces = [by_name[f"L{stem}-{int(number) + k}"] for k in (0, 1)]
-        drills = [drill for piece in pieces for drill in in_place(piece)]
-        for centre, direction in in_place(plate):
-            off = [np.linalg.norm(np.cross(centre - other, direction)) for other, _ in drills]
-            assert min(off) <= 1e-9
-            assert sorted(off)[1] > 15
+        assert_bolted(plate, [by_name[f"L{stem}-{int(number) + k}"] for k in (0, 1)])
+
+
+def assert_bolted(plate, pieces, off=1e-9):
+    """Every hole of the plate lies on one hole of the pieces, of all of which it is the nearest."""
+    drills = [drill for piece in pieces for drill in in_place(piece)]
+    for centre, direction in in_place(plate):
+        away = [np.linalg.norm(np.cross(centre - other, direction)) for other, _ in drills]
+        assert min(away) <= off
+        assert sorted(away)[1] > 10
 
 
 def in_place(part):
@@ -137,3 +143,72 @@ def test_files_read_back(tmp_path):
         holes = drawing.blocks[part.name].query('CIRCLE[layer=="HOLE"]')
         assert len(holes) == len(part.pattern.holes)
     assert {8} == {len(part.pattern.holes) for part in structure.parts if part.kind == "splice"}
+
+
+def tube(rings=3, count=12, radius=1000.0, bulge=0.0):
+    """Rings of a cylinder or a barrel about z, closed."""
+    angle = np.arange(count) * 2 * np.pi / count
+    height = 400.0 * np.arange(rings)
+    reach = radius + bulge * np.sin(np.pi * np.arange(rings) / (rings - 1))
+    points = np.stack(
+        [
+            np.outer(reach, np.cos(angle)),
+            np.outer(reach, np.sin(angle)),
+            np.outer(height, np.ones(count)),
+        ],
+        axis=-1,
+    )
+    number = np.arange(rings * count).reshape(rings, count)
+    ahead = np.roll(number, -1, axis=1)
+    faces = np.stack([number[:-1], ahead[:-1], ahead[1:], number[1:]], axis=-1)
+    return QuadMesh.from_arrays(points.reshape(-1, 3), faces.reshape(-1, 4))
+
+
+def test_closed_lamellas_are_joined_by_a_splice_each():
+    structure = build(tube(), [Lamellas(60, 4)])
+    rings = [part for part in structure.parts if len(part.vertices) == 12]
+    plates = [part for part in structure.parts if part.kind == "splice"]
+    assert len(rings) == len(plates) == 3
+    circumference = 12 * 2 * 1000 * math.sin(math.pi / 12)
+    for ring, plate in zip(rings, plates, strict=True):
+        assert ring.length == pytest.approx(circumference - 1.0, rel=1e-9)
+        assert plate.name == f"S{ring.name[1:]}-1"
+        assert_bolted(plate, [ring])
+    # Neighbouring rings are cut on opposite sides.
+    for one, two in itertools.pairwise(plates):
+        assert one.origin[:2] @ two.origin[:2] < -(900.0**2)
+    check_solids(structure)
+    assert not check_clashes(structure.parts).clashes
+    assert structure.report()["lamellas"]["splices"] == 3
+    assert not [words for words in structure.report()["messages"] if "splice" in words]
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"strip": "twisted"},
+        {"strip": "twisted", "layers": 2},
+        {"position": "lying", "layers": 2, "hole": 6.0},
+        {"stock": 2000.0},
+    ],
+)
+def test_rings_of_a_barrel_are_closed(settings):
+    structure = build(tube(5, 20, 2000.0, 300.0), [Lamellas(50, 4, **settings)])
+    for line in range(5):
+        on_line = [p for p in structure.parts if (p.family, p.line) == ("u", line)]
+        pieces, plates = ([p for p in on_line if p.kind == k] for k in ("lamella", "splice"))
+        assert len(plates) == len(pieces) >= (6 if "stock" in settings else 1)
+        assert max(piece.length for piece in pieces) <= settings.get("stock", math.inf)
+        for plate in plates:
+            assert_bolted(plate, pieces, 1e-3)
+    check_solids_with_holes(structure)
+    clashes = check_clashes(structure.parts).clashes
+    assert not [clash for clash in clashes if "S-" in clash.first + clash.second]
+
+
+def test_a_ring_with_no_room_for_a_splice_says_so():
+    structure = build(tube(count=16), [Lamellas(100, 4, hole=40.0)])
+    assert not [part for part in structure.parts if part.kind == "splice"]
+    (words,) = [words for words in structure.report()["messages"] if "splice" in words]
+    assert "no splice closes L-U001, L-U002, L-U003: it would need a plane edge" in words
+    check_solids(structure)

@@ -9,6 +9,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import rounded_down
+from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge
 from freecad_ortho.fabrication.systems.lamellas.ends import lengthened
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
@@ -73,10 +74,12 @@ class Lamella:
         line: number in its family.
         vertices: of the line; ``stations`` has where the ribbon has them.
         stations: (N,) station of each vertex.
-        ribbon: with overhangs.
+        ribbon: with overhangs; of a closed line from the start of the edge on which it is cut to
+            the end of that edge.
         measures: of the strip between the line's ends.
         pattern: "straight", "arc" or "free": what its own pattern is.
         twisted: true where its faces may twist.
+        closed: true where the first face of the ribbon is the last one too, to be cut there.
         bolts: of its spliced ends: a face of the ribbon and (N, 2) places in the pattern.
     """
 
@@ -89,6 +92,7 @@ class Lamella:
     measures: StripMeasures
     pattern: str
     twisted: bool
+    closed: bool
     bolts: tuple[tuple[int, FloatArray], ...] = ()
 
 
@@ -144,16 +148,14 @@ def lamella_on(
     Raises:
         InputError: its rulings meet inside the width, or its edges have no length.
     """
-    vertices = line.vertices
+    vertices = _from_cut(site.mesh, line, settings) if line.closed else line.vertices
     points, directions = site.mesh.vertices[vertices], pattern.axes[vertices]
     if not settings.standing:
         points = points + settings.level_of(line.family) * directions
     path, upright = points, directions
     if line.closed:
-        seam = 0.5 * (points[:1] + points[-1:])
-        direction = unit_rows(directions[:1] + directions[-1:])
-        path = np.concatenate([seam, points, seam])
-        upright = np.concatenate([direction, directions, direction])
+        path = np.concatenate([points[-1:], points, points[:1]])
+        upright = np.concatenate([directions[-1:], directions, directions[:1]])
     if not settings.standing:
         upright = _lateral(path, upright)
     inner = slice(1, -1) if line.closed else slice(None)
@@ -172,8 +174,6 @@ def lamella_on(
     if not line.closed:
         strip = lengthened(strip, beyond, name)
         stations = stations if beyond[0] > 0 else stations - 1
-    else:
-        strip = lengthened(strip, (-settings.clearance / 2,) * 2, name)
     ribbon = Ribbon(strip, lower, upper, settings.thickness)
     return Lamella(
         name,
@@ -185,7 +185,22 @@ def lamella_on(
         measures,
         kind,
         twisted,
+        line.closed,
     )
+
+
+def _from_cut(mesh: QuadMesh, line: ParameterLine, settings: LamellaSettings) -> IntArray:
+    """Vertices of a closed line, from the end of the edge on which it is cut to its start.
+
+    Neighbouring lines are cut on opposite sides, on an edge that takes a splice where there is one.
+    """
+    points = mesh.vertices[line.vertices]
+    lengths = np.linalg.norm(np.roll(points, -1, axis=0) - points, axis=1)
+    count = len(lengths)
+    wanted = count // 2 - 1 if line.number % 2 else count - 1
+    away = np.abs(np.arange(count) - wanted)
+    away = np.minimum(away, count - away) + np.where(lengths < least_edge(settings), count, 0)
+    return np.roll(line.vertices, -int(away.argmin()) - 1)
 
 
 Made = tuple[Strip, bool, StripMeasures]

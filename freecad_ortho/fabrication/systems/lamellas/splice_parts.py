@@ -10,13 +10,9 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.lamellas.bolts import bolts, half_length
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
-from freecad_ortho.fabrication.systems.lamellas.splices import (
-    Splice,
-    bolts,
-    half_length,
-    square_end,
-)
+from freecad_ortho.fabrication.systems.lamellas.splices import Splice, square_end
 
 
 def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:

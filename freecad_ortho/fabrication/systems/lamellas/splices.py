@@ -1,4 +1,4 @@
-"""Lamellas longer than the stock: cut between crossings, their ends bolted to splice plates."""
+"""Lamellas that are longer than the stock, or closed: cut, their ends bolted to splice plates."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from itertools import pairwise
 import numpy as np
 
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
+from freecad_ortho.fabrication.systems.lamellas.bolts import (
+    bolts,
+    half_length,
+    least_edge,
+    least_width,
+)
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
-from freecad_ortho.fabrication.systems.lamellas.settings import EDGE_DISTANCE, LamellaSettings
+from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 from solver.unroll.strip import Strip
-
-# Distance between bolts, in diameters of their holes (EN 1993-1-8, table 3.3, asks for 2.2).
-_BOLT_DISTANCE = 2.4
-# Thicknesses that a plate keeps away from a crossing, as it stands out on one side.
-_ROOM = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,10 +30,12 @@ class Joint:
     Attributes:
         face: of its ribbon.
         place: along the face's edge, mm.
+        plated: whether a splice plate is bolted over it.
     """
 
     face: int
     place: float
+    plated: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +46,7 @@ class Splice:
         name: ``S-U003-1`` joins ``L-U003-1`` and ``L-U003-2``.
         lamella: the whole one, before it was cut.
         joint: that it covers.
-        pieces: names of the pieces.
+        pieces: names of the pieces; those of a ring in one piece are the same.
     """
 
     name: str
@@ -51,24 +54,14 @@ class Splice:
     joint: Joint
     pieces: tuple[str, str]
 
-
-def bolts(settings: LamellaSettings) -> FloatArray:
-    """(N, 2) bolts of one end of a lamella: distance from the end, and level from its middle."""
-    first = EDGE_DISTANCE * settings.hole
-    along = [first, first + _BOLT_DISTANCE * settings.hole]
-    two_rows = settings.width >= (2 * EDGE_DISTANCE + _BOLT_DISTANCE) * settings.hole
-    levels = (-settings.width / 4, settings.width / 4) if two_rows else (0.0,)
-    return np.array([(distance, level) for distance in along for level in levels])
-
-
-def half_length(settings: LamellaSettings) -> float:
-    """Half the length of a splice plate, mm."""
-    ends = 2 * EDGE_DISTANCE + _BOLT_DISTANCE
-    return settings.clearance / 2 + ends * settings.hole
+    @property
+    def closes(self) -> bool:
+        """Whether it joins the end of a closed lamella to its start."""
+        return self.lamella.closed and self.joint.face == 0
 
 
 def spliced(lamella: Lamella, settings: LamellaSettings) -> tuple[list[Lamella], list[Splice]]:
-    """Cut a lamella that is longer than the stock; others come back as they are.
+    """Cut a lamella that is longer than the stock or closed; others come back as they are.
 
     Pieces are of about one length; in every second line the joints lie in the middle between those
     of its neighbours.
@@ -76,31 +69,53 @@ def spliced(lamella: Lamella, settings: LamellaSettings) -> tuple[list[Lamella],
     Raises:
         InputError: no room for splices where they would be needed.
     """
-    strip = lamella.ribbon.strip
-    if settings.stock is None or strip.lengths.sum() <= settings.stock * (1 + 1e-9):
+    begin, end = _ends(lamella, settings)
+    joints = _joints(lamella, settings, begin, end)
+    if not (joints or lamella.closed):
         return [lamella], []
-    joints = _joints(lamella, settings)
-    bounds = [None, *joints, None]
+    bounds = [begin, *joints, end] if lamella.closed else [None, *joints, None]
     pieces = [
-        _piece(lamella, start, end, f"{lamella.name}-{number}", settings)
-        for number, (start, end) in enumerate(pairwise(bounds), start=1)
+        _piece(lamella, start, stop, f"{lamella.name}-{number}" if joints else "", settings)
+        for number, (start, stop) in enumerate(pairwise(bounds), start=1)
     ]
+    pairs = [*zip(joints, pairwise(pieces), strict=True)]
+    if lamella.closed and begin.plated:
+        pairs.append((begin, (pieces[-1], pieces[0])))
     stem = lamella.name.replace("L-", "S-", 1)
     splices = [
         Splice(f"{stem}-{number}", lamella, joint, (one.name, two.name))
-        for number, (joint, (one, two)) in enumerate(
-            zip(joints, pairwise(pieces), strict=True), start=1
-        )
+        for number, (joint, (one, two)) in enumerate(pairs, start=1)
     ]
     return pieces, splices
 
 
-def _joints(lamella: Lamella, settings: LamellaSettings) -> list[Joint]:
+def _ends(lamella: Lamella, settings: LamellaSettings) -> tuple[Joint, Joint]:
+    """Where a lamella begins and ends: a closed one in the middle of its first and last face."""
+    strip = lamella.ribbon.strip
+    last = len(strip.lengths) - 1
+    if not lamella.closed:
+        return Joint(0, 0.0, False), Joint(last, float(strip.lengths[last]), False)
+    begin, end = (Joint(face, float(strip.lengths[face]) / 2) for face in (0, last))
+    (_, first), (_, second) = square_end(strip, begin), square_end(strip, end)
+    ribbon = lamella.ribbon
+    askew = max(abs(ribbon.lower), abs(ribbon.upper)) * float(np.linalg.norm(first - second))
+    plated = askew <= settings.clearance / 2
+    plated &= all(_has_room(lamella, joint.face, settings) for joint in (begin, end))
+    return replace(begin, plated=plated), replace(end, plated=plated)
+
+
+def _joints(lamella: Lamella, settings: LamellaSettings, begin: Joint, end: Joint) -> list[Joint]:
     """Where to cut, in order: as few pieces as the stock and the room for splices allow."""
     strip = lamella.ribbon.strip
-    reached = np.concatenate([[0.0], np.cumsum(strip.lengths)])
-    total, stock = float(reached[-1]), settings.stock or math.inf
-    faces = [face for face in range(len(strip.lengths)) if _has_room(lamella, face, settings)]
+    reached = np.concatenate([[0.0], np.cumsum(strip.lengths)]) - begin.place
+    total, stock = float(reached[end.face]) + end.place, settings.stock or math.inf
+    if total <= stock * (1 + 1e-9):
+        return []
+    faces = [
+        face
+        for face in range(len(strip.lengths))
+        if {face, face + 1} <= set(lamella.stations) and _has_room(lamella, face, settings)
+    ]
     places = np.array([0.5 * (reached[face] + reached[face + 1]) for face in faces])
     shift = 0.5 * (lamella.line % 2)
     for count in range(math.ceil(total / stock), len(faces) + 2):
@@ -111,31 +126,20 @@ def _joints(lamella: Lamella, settings: LamellaSettings) -> list[Joint]:
         lengths = np.diff([0.0, *places[chosen], total])
         if lengths.min() > 0 and lengths.max() <= stock:
             return [Joint(faces[k], float(strip.lengths[faces[k]]) / 2) for k in chosen]
-    needed = 2 * (half_length(settings) + _room(settings))
     raise InputError(
         f"stock: {lamella.name} is {total:.1f} mm long, the stock {stock:g} mm, and it has no room "
         f"for splices {2 * half_length(settings):.3g} mm long often enough: they need plane edges "
-        f"of {needed:.3g} mm between crossings and a width of "
-        f"{2 * EDGE_DISTANCE * settings.hole:.3g} mm; take longer stock, smaller holes or coarser "
-        "lines"
+        f"of {least_edge(settings):.3g} mm between crossings, the middles of two of them no "
+        f"further apart than the stock ({np.diff([0.0, *places, total]).max():.0f} mm here), and a "
+        f"width of {least_width(settings):.3g} mm; take longer stock, smaller holes or other lines"
     )
-
-
-def _room(settings: LamellaSettings) -> float:
-    """Distance of a splice plate from a crossing."""
-    beside = max(_ROOM * settings.thickness, EDGE_DISTANCE * settings.hole)
-    return beside + settings.clearance
 
 
 def _has_room(lamella: Lamella, face: int, settings: LamellaSettings) -> bool:
     """Whether a splice plate fits between two crossings, clear of bend lines."""
     ribbon = lamella.ribbon
     strip = ribbon.strip
-    if not {face, face + 1} <= set(lamella.stations):
-        return False
-    if settings.width < 2 * EDGE_DISTANCE * settings.hole:
-        return False
-    if strip.lengths[face] / 2 < half_length(settings) + _room(settings):
+    if settings.width < least_width(settings) or strip.lengths[face] < least_edge(settings):
         return False
     corners = _plate_outline(ribbon, Joint(face, strip.lengths[face] / 2), settings)
     mitres = 2 * ribbon.thickness * np.abs(np.tan(strip.bends[[face, face + 1]] / 2))
@@ -168,7 +172,10 @@ def _piece(
     name: str,
     settings: LamellaSettings,
 ) -> Lamella:
-    """The part of a lamella between two joints, its ends square and half a clearance from them."""
+    """The part of a lamella between two joints, its ends square and half a clearance from them.
+
+    Without a ``name`` it has that of the whole.
+    """
     whole = lamella.ribbon.strip
     first = 0 if start is None else start.face + 1
     last = len(whole.points) if end is None else end.face + 1
@@ -188,15 +195,15 @@ def _piece(
         if first <= station < last
     ]
     drilled = []
-    if start is not None:
+    if start is not None and start.plated:
         drilled.append((0, _end_bolts(ribbon, Joint(0, 0.0), 1.0, settings)))
-    if end is not None:
+    if end is not None and end.plated:
         face = len(points) - 2
         place = Joint(face, float(ribbon.strip.lengths[face]))
         drilled.append((face, _end_bolts(ribbon, place, -1.0, settings)))
     return replace(
         lamella,
-        name=name,
+        name=name or lamella.name,
         vertices=tuple(vertex for vertex, _ in kept),
         stations=tuple(station for _, station in kept),
         ribbon=ribbon,

@@ -10,12 +10,13 @@ import numpy as np
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, Pattern, lamella_on, pattern_of
+from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing, crossings
 from freecad_ortho.fabrication.systems.lamellas.ends import reaches
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.splice_parts import splice_part
-from freecad_ortho.fabrication.systems.lamellas.splices import pieces_of
+from freecad_ortho.fabrication.systems.lamellas.splices import Splice, pieces_of
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.lines import ParameterLine
@@ -54,13 +55,7 @@ class Lamellas(LamellaSettings, System):
         parts += tuple(splice_part(splice, site, self) for splice in splices)
         report = self._report(lamellas, met, parts, pattern)
         report["splices"] = len(splices)
-        messages = self._messages(lamellas, pattern)
-        if splices:
-            long = len({splice.lamella.name for splice in splices})
-            messages.append(
-                f"lamellas: {long} of {len(whole)} are longer than the stock of {self.stock:g} mm; "
-                f"{len(splices)} splices join their pieces"
-            )
+        messages = self._messages(lamellas, pattern) + self._said(whole, splices)
         return SystemParts(parts, report, tuple(messages), lamellas)
 
     def _report(
@@ -94,6 +89,26 @@ class Lamellas(LamellaSettings, System):
             "admissible_width_mm": allowed if np.isfinite(allowed) else None,
             **sums(parts),
         }
+
+    def _said(self, whole: list[Lamella], splices: list[Splice]) -> list[str]:
+        """What a user should know about joints."""
+        messages = []
+        long = {splice.lamella.name for splice in splices if len(set(splice.pieces)) > 1}
+        if long:
+            messages.append(
+                f"lamellas: {len(long)} of {len(whole)} are longer than the stock of "
+                f"{self.stock:g} mm; {len(splices)} splices join their pieces"
+            )
+        joined = {splice.lamella.name for splice in splices if splice.closes}
+        rings = [each.name for each in whole if each.closed and each.name not in joined]
+        if rings:
+            messages.append(
+                f"lamellas: no splice closes {', '.join(rings[:4])}"
+                f"{' ...' if len(rings) > 4 else ''}: it would need a plane edge of "
+                f"{least_edge(self):.3g} mm between crossings and a width of "
+                f"{least_width(self):.3g} mm; take smaller holes, or weld the ends"
+            )
+        return messages
 
     def _messages(self, lamellas: list[Lamella], pattern: Pattern) -> list[str]:
         messages = []
