@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from solver.analysis import measures
-from solver.analysis.curvature import gauss_curvature, inner_vertices, mean_curvature
+from solver.analysis.curvature import gauss_curvature, mean_curvature
 from solver.analysis.forces import edge_forces
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
@@ -101,11 +101,6 @@ def _twist(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
     return Field(EDGES, np.degrees(np.arcsin(np.clip(twist, 0, 1))), unit="degrees")
 
 
-def _mean_curvature(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
-    values = np.where(inner_vertices(mesh), mean_curvature(mesh), np.nan)
-    return Field(VERTICES, values, dimension=-1, signed=True)
-
-
 RESIDUALS: dict[str, Compute] = {
     "Planarity": _residual(FACES, measures.planarity),
     "Orthogonality": _residual(FACES, measures.orthogonality),
@@ -120,7 +115,9 @@ FIELDS: dict[str, Compute] = {
     "Gauss curvature": lambda mesh, reference: Field(
         VERTICES, gauss_curvature(mesh), dimension=-2, signed=True
     ),
-    "Mean curvature": _mean_curvature,
+    "Mean curvature": lambda mesh, reference: Field(
+        VERTICES, mean_curvature(mesh), dimension=-1, signed=True
+    ),
     "Edge length": lambda mesh, reference: Field(EDGES, mesh.edge_lengths, dimension=1),
     "Bending radius": lambda mesh, reference: Field(VERTICES, turning_radii(mesh), dimension=1),
     "Twist": _twist,

@@ -10,7 +10,7 @@ import numpy as np
 from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.obj import ObjData
-from solver.io.points import read_text
+from solver.io.reading import read_text
 from solver.mesh.quadmesh import QuadMesh
 
 

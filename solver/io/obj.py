@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from solver.errors import InputError
 from solver.io.atomic import write_text
+from solver.io.reading import read_text
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 UNIT_COMMENT = "# unit: "
@@ -41,16 +41,10 @@ def read_obj(path: str | os.PathLike[str]) -> ObjData:
         InputError: no such file, not readable as text, or a line that cannot be understood.
     """
     name = os.fspath(path)
-    try:
-        text = Path(name).read_text(encoding="utf-8-sig", errors="replace")
-    except FileNotFoundError:
-        raise InputError(f"{name}: no such file; check the path") from None
-    except OSError as error:
-        raise InputError(f"{name}: cannot be read ({error.strerror}); check the path") from None
     vertices: list[list[float]] = []
     polygons: list[list[int]] = []
     unit = None
-    for number, line in enumerate(text.replace("\\\n", " ").splitlines(), start=1):
+    for number, line in enumerate(read_text(path).replace("\\\n", " ").splitlines(), start=1):
         words = line.split()
         if not words:
             continue

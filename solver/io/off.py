@@ -9,7 +9,7 @@ import numpy as np
 from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.obj import UNIT_COMMENT, ObjData
-from solver.io.points import read_text
+from solver.io.reading import read_text
 from solver.mesh.quadmesh import QuadMesh
 
 

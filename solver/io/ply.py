@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 
 from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.obj import ObjData
+from solver.io.reading import read_bytes
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 _TYPES = {
@@ -45,12 +45,7 @@ def read_ply(path: str | os.PathLike[str]) -> ObjData:
         InputError: no such file, or not a PLY file with vertices and faces.
     """
     name = os.fspath(path)
-    try:
-        content = Path(name).read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{name}: no such file; check the path") from None
-    except OSError as error:
-        raise InputError(f"{name}: cannot be read ({error.strerror}); check the path") from None
+    content = read_bytes(path)
     order, elements, unit, start = _header(content, name)
     try:
         if order == "":

@@ -3,27 +3,12 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 import numpy as np
 
 from solver.errors import InputError
+from solver.io.reading import read_text
 from solver.mesh.quadmesh import FloatArray
-
-
-def read_text(path: str | os.PathLike[str]) -> str:
-    """Text of a file.
-
-    Raises:
-        InputError: no such file, or it cannot be read.
-    """
-    name = os.fspath(path)
-    try:
-        return Path(name).read_text(encoding="utf-8", errors="replace")
-    except FileNotFoundError:
-        raise InputError(f"{name}: no such file; check the path") from None
-    except OSError as error:
-        raise InputError(f"{name}: cannot be read ({error.strerror}); check the path") from None
 
 
 def read_points(path: str | os.PathLike[str], columns: tuple[int, ...] = (3,)) -> FloatArray:

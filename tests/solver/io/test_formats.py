@@ -30,6 +30,16 @@ def test_written_and_read_back_every_digit(tmp_path, extension, unit):
     assert sorted(p.name for p in tmp_path.iterdir()) == [path.name]
 
 
+@pytest.mark.parametrize("extension", ["obj", "ply", "off", "json"])
+def test_marks_and_line_ends_of_other_systems_do_not_matter(tmp_path, extension):
+    path = tmp_path / f"net.{extension}"
+    api.write_mesh(path, MESH, "m")
+    path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes().replace(b"\n", b"\r\n"))
+    loaded = api.read_mesh(path)
+    assert loaded.unit == "m"
+    assert (loaded.mesh.vertices == MESH.vertices).all()
+
+
 def binary_ply(order: str, index: str = "vertex_indices", scalar: str = "double") -> bytes:
     name = {"<": "binary_little_endian", ">": "binary_big_endian"}[order]
     head = f"""ply
@@ -140,7 +150,7 @@ def test_json_is_plain(tmp_path):
 
 def test_lists_of_points(tmp_path):
     path = tmp_path / "points.csv"
-    path.write_text("# x, y, z\n1, 2, 3\n\n4;5;6 # last\n")
+    path.write_bytes(b"\xef\xbb\xbf1, 2, 3\r\n# x, y, z\r\n\r\n4;5;6 # last\r\n")
     np.testing.assert_array_equal(read_points(path), [[1, 2, 3], [4, 5, 6]])
     obj = tmp_path / "line.obj"
     obj.write_text("o line\nv 0 0 0\nv 1 0 0\nl 1 2\n")
