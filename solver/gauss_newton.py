@@ -44,6 +44,8 @@ _ENOUGH = 3
 # Handles are followed with the guides at this factor, where the mesh is nearly a net, until so many
 # steps in turn are this small: what follows depends on where the handles are, not on the way there.
 _HOLD, _CALM, _REST, _HOLD_STEPS, _HOLD_DAMPING = 3e-3, 2, 1e-10, 250, 1e-9
+# While a vertex is dragged no step is damped less: each refused one is a frame that comes late.
+_LIVE_DAMPING = 1e-5
 # Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
 _MARGIN = 1e-2
 
@@ -157,7 +159,8 @@ class Optimisation:
         """
         begin = time.perf_counter()
         state = self._state
-        used, damping = state.fade, state.damping
+        used = state.fade
+        damping = max(state.damping, _LIVE_DAMPING) if reuse else state.damping
         system = (self._terms, state.x, state.linearisations, self._weights(used), damping)
         with one_thread():
             if self.holding and state.held:

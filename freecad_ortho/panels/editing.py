@@ -19,7 +19,7 @@ from freecad_ortho.panels.watch import NetWatch
 from freecad_ortho.view import dragging
 from freecad_ortho.view.handles import CHOSEN, HANDLE, HELD, HOVERED
 from freecad_ortho.view.mouse import Mouse
-from freecad_ortho.view.screen import Ray
+from freecad_ortho.view.screen import Ray, redraw
 from solver.errors import OrthoError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray
@@ -266,6 +266,7 @@ class Editing:
 
     def _stepped(self, points: FloatArray) -> None:
         self._show(points)
+        redraw(self._net.Document.Name)
         self._told(None)
 
     def _settled(self, outcome: Any, error: str | None) -> None:

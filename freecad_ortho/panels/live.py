@@ -13,6 +13,9 @@ from solver.mesh.quadmesh import FloatArray
 
 # A shape that moves less than this in a step, in mean edges, rests; no steps are spent on it.
 _AT_REST = 1e-4
+# Milliseconds from a step that followed the mouse to one that only brings the net nearer to rest:
+# the next move of the mouse, and the redraw, come first.
+_PAUSE = 50
 
 
 class Live(QtCore.QObject):
@@ -37,7 +40,6 @@ class Live(QtCore.QObject):
         self._places: dict[int, FloatArray] = {}
         self._settling: Generator[Any, None, Any] | None = None
         self._timer = QtCore.QTimer(self)
-        self._timer.setInterval(0)
         self._timer.timeout.connect(self._tick)
 
     @property
@@ -49,7 +51,7 @@ class Live(QtCore.QObject):
         """Move handles and go on stepping towards them; ends settling."""
         self._settling = None
         self._places.update(places)
-        self._timer.start()
+        self._timer.start(0)
 
     def settle(self) -> None:
         """Find the exact net for the handles as they are."""
@@ -58,7 +60,7 @@ class Live(QtCore.QObject):
             self.session.drag(self._places)
             self._places = {}
         self._settling = self.session.settling()
-        self._timer.start()
+        self._timer.start(0)
 
     def stop(self) -> None:
         """Make no further step."""
@@ -82,6 +84,8 @@ class Live(QtCore.QObject):
         self.frames.append(time.perf_counter())
         if record.step_length < _AT_REST:
             self._timer.stop()
+        else:
+            self._timer.start(_PAUSE if places else 0)
         self._moved(self.session.vertices)
 
     def _settle_on(self) -> None:

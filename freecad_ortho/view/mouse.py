@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-import FreeCADGui
 import numpy as np
 from pivy import coin
 
 from freecad_ortho.view.handles import Handles
-from freecad_ortho.view.screen import Ray, Screen, mouse_of
+from freecad_ortho.view.screen import Ray, Screen, mouse_of, views
 from solver.mesh.quadmesh import FloatArray
 
 # Pixels within which a vertex is hit, and beyond which a press becomes a drag.
@@ -185,7 +184,7 @@ class Mouse:
 def _selection_off(document: str) -> list[Any]:
     """Let clicks in a document's 3D views select nothing; give the fields to set back."""
     fields = []
-    for view in FreeCADGui.getDocument(document).mdiViewsOfType("Gui::View3DInventor"):
+    for view in views(document):
         field = view.getSceneGraph().getField("selectionMode")
         if field is not None and field.getValue() == _SELECTION_ON:
             field.setValue(_SELECTION_OFF)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 from pivy import coin
 from PySide import QtGui
 
+from freecad_ortho.view.screen import views
 from solver.errors import InputError, OutputError
 
 # From the front right, 30 degrees above the horizon.
@@ -46,7 +46,7 @@ def three_d_view(document: FreeCAD.Document) -> Any:
     Raises:
         InputError: it has none.
     """
-    views = FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")
-    if not views:
+    found = views(document.Name)
+    if not found:
         raise InputError(f"{document.Label}: has no 3D view; open one in the View menu")
-    return views[0]
+    return found[0]

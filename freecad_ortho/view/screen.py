@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import FreeCADGui
 import numpy as np
 from pivy import coin
 
@@ -84,6 +85,21 @@ class Screen:
 def mouse_of(node: Any) -> FloatArray:
     """(2,) pixel at which the event of a SoEventCallback happened."""
     return _pair(node.getEvent().getPosition(node.getAction().getViewportRegion()))
+
+
+def views(document: str) -> list[Any]:
+    """The 3D views of the document with that name."""
+    found: list[Any] = FreeCADGui.getDocument(document).mdiViewsOfType("Gui::View3DInventor")
+    return found
+
+
+def redraw(document: str) -> None:
+    """Have the 3D views of a document drawn before the next timer goes off.
+
+    Left to themselves they are drawn when nothing else is to do, for several changes at once.
+    """
+    for view in views(document):
+        view.redraw()
 
 
 def _pair(pair: Any) -> FloatArray:

@@ -12,7 +12,7 @@ from ortho_mouse_tools import Hand
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import vertices, wait
 from pivy import coin
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from freecad_ortho import api, convert, preferences
 from freecad_ortho.objects import structure
@@ -350,26 +350,25 @@ class TestSpeed(EditingCase):
         middle = 48 * 24 + 24
         for corner in (0, 47, 48 * 47, 48 * 48 - 1):
             self.hand.click(self.pixels[corner], ctrl=True)
-        start, times, busy = self.pixels[middle], [], []
+        start, drawn = self.pixels[middle], self.hand.redraws()
         self.hand.press(start)
         self.hand.move(start + [0, 4])
         wait(seconds=1.0)
+        begin, begin_busy, count = time.perf_counter(), time.thread_time(), len(drawn)
+        steps = self.editing.live.frames
         for k in range(60):
-            count = len(self.editing.live.frames)
-            begin, begin_busy = time.perf_counter(), time.thread_time()
+            seen, done = len(drawn), len(steps)
             self.hand.move(start + [0, 5 + k])
-            while len(self.editing.live.frames) == count and time.perf_counter() - begin < 5:
+            while (len(drawn) == seen or len(steps) == done) and time.perf_counter() - begin < 60:
                 QtGui.QApplication.processEvents()
-            times.append(time.perf_counter() - begin)
-            busy.append(time.thread_time() - begin_busy)
-        rate, own = (len(each) / sum(each) for each in (times, busy))
-        words = f"{rate:.0f} by the clock, {own:.0f} by the work done"
+        clock, busy = time.perf_counter() - begin, time.thread_time() - begin_busy
+        shown = len(drawn) - count
+        words = f"{shown / clock:.0f} by the clock, {shown / busy:.0f} by the work done"
         FreeCAD.Console.PrintMessage(f"redraws a second at 2,304 vertices: {words}\n")
-        # Wanted are 20. Other processes take their share of the clock, and of the caches that the
-        # main thread's own work (events, solver, scene) needs; the rest is margin for them.
-        # Without a graphics card FreeCAD with Qt 6 draws in this thread too: half of that.
-        own_margin = 12 if QtCore.qVersion().startswith("5.") else 5
-        self.assertGreater(own, own_margin)
+        self.assertGreaterEqual(shown, 60)
+        # Wanted are 20, on a machine that does nothing else. By the work of this thread it is
+        # some 30; other processes take half of it through the caches that they share.
+        self.assertGreater(shown / busy, 12)
         end = start + [0, 64]
         self.settled(end)
         self.assertLessEqual(max(tools.faults(net)), 1e-10)

@@ -1,5 +1,7 @@
 """Mouse and keys in a 3D view without a mouse: Coin events, sent through the whole scene."""
 
+import time
+
 import FreeCADGui
 import numpy as np
 from ortho_suite_tools import wait
@@ -39,6 +41,20 @@ class Hand:
         event.setButton(which)
         event.setState(state)
         return self.send(event, pixel, **keys)
+
+    def redraws(self):
+        """A list that grows by the time of each redraw of the view, from now on."""
+        times = []
+        node = coin.SoCallback()
+        kind = coin.SoGLRenderAction.getClassTypeId()
+
+        def drawn(_, action):
+            if action.isOfType(kind):
+                times.append(time.perf_counter())
+
+        node.setCallback(drawn, None)
+        self.view.getSceneGraph().addChild(node)
+        return times
 
     def press(self, pixel, **keys):
         return self.button(coin.SoButtonEvent.DOWN, pixel, **keys)

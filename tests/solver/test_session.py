@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from solver import Constraints, InputError, Session, optimise
+from solver.linear.multifrontal import Multifrontal
 from tests.conftest import wavy_grid
 from tests.meshes import bent_sheet, scherk, unduloid
 
@@ -27,16 +28,18 @@ def dragged(start, net, handles, wobble):
 
 
 @pytest.mark.parametrize(
-    ("net", "build"),
+    ("net", "build", "same"),
     [
-        ("principal", lambda: wavy_grid(12, 11)),
-        ("isometric", bent_sheet),
-        ("geodesic", bent_sheet),
-        ("asymptotic", scherk),
-        ("cmc", unduloid),
+        ("principal", lambda: wavy_grid(12, 11), 1e-8),
+        ("isometric", bent_sheet, 1e-8),
+        # In the weak directions of a geodesic net rounding of its residuals moves vertices by 1e-8
+        # edges and more; of the mesh's size it is less.
+        ("geodesic", bent_sheet, 5e-8),
+        ("asymptotic", scherk, 1e-8),
+        ("cmc", unduloid, 1e-8),
     ],
 )
-def test_a_session_settles_where_a_cold_solve_does_and_without_a_jump(net, build):
+def test_a_session_settles_where_a_cold_solve_does_and_without_a_jump(net, build, same):
     start = solved(optimise(build(), net))
     edge = start.mean_edge
     middle = int(np.argmin(np.linalg.norm(start.vertices - start.vertices.mean(axis=0), axis=1)))
@@ -55,7 +58,7 @@ def test_a_session_settles_where_a_cold_solve_does_and_without_a_jump(net, build
     mesh = solved(settled)
     assert np.linalg.norm(mesh.vertices - before, axis=1).max() < 0.05 * edge
     cold = solved(optimise(start, net, constraints=Constraints(handles=ends)))
-    assert np.abs(mesh.vertices - cold.vertices).max() <= 1e-8 * edge
+    assert np.abs(mesh.vertices - cold.vertices).max() <= same * edge
     assert session.settle().mesh.vertices.tobytes() == mesh.vertices.tobytes()
     # A second drag goes on from the shape in sight, and its end forgets the first.
     session.drag({0: start.vertices[0]})
@@ -84,6 +87,23 @@ def test_settling_step_by_step_is_settling():
     next(session.settling())
     session.drag({0: start.vertices[0]})
     assert np.isfinite(session.vertices).all()
+
+
+def test_no_move_of_the_mouse_costs_many_factorisations(monkeypatch):
+    calls = []
+    factor = Multifrontal.factor
+    monkeypatch.setattr(Multifrontal, "factor", lambda *a: calls.append(1) or factor(*a))
+    start = solved(optimise(wavy_grid(20, 20), "principal"))
+    middle = 20 * 10 + 10
+    session = Session(start, [middle, 0, 19, 20 * 19, 20 * 20 - 1])
+    way = start.mean_edge * np.array([-1.6, 2.5, 5.2])
+    frames = []
+    for part in np.linspace(0, 1, 61)[1:]:
+        calls.clear()
+        session.drag({middle: start.vertices[middle] + part * way})
+        frames.append(len(calls))
+    assert max(frames) <= 2
+    assert sum(frames) <= 25
 
 
 def test_session_refuses_strangers():
