@@ -18,6 +18,8 @@ from solver.terms.orthogonality import Orthogonality
 
 # Supports that lie nearer to one line, in mean edges, do not hold a net.
 _LINE = 1e-3
+# A start whose heights differ by less, in mean edges, is level.
+_LEVEL = 1e-9
 _SIGNS = {"free": 0, "compression": -1, "tension": 1}
 
 
@@ -35,9 +37,14 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
     free = np.flatnonzero(~supports & net.referenced)
     if not len(free):
         raise InputError("supports: every vertex is supported; leave some free to carry load")
+    points = problem.start[: 3 * net.vertex_count].reshape(-1, 3)
+    if np.ptp(points[net.referenced, 2]) <= _LEVEL:
+        raise InputError(
+            "stress: the start lies level, where no force along its edges carries a vertical load; "
+            "raise its middle, or find its form first"
+        )
     sign = _SIGNS[options.forces]
     loads = _loads(problem, options, free)
-    points = problem.start[: 3 * net.vertex_count].reshape(-1, 3)
     density = start_densities(net, points, loads.at(problem.start), supports, sign)
     # Forces of the order of one are as easy to move as coordinates: count loads in that measure.
     unit = float(np.abs(density).mean())

@@ -118,6 +118,14 @@ def test_what_cannot_stand_is_refused_in_one_line(fix, options, words):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("forces", ["free", "compression"])
+def test_a_level_start_is_refused(forces):
+    level = hanging_net()
+    level = level.with_vertices(level.vertices * [1, 1, 0] + [0, 0, 7.3])
+    with pytest.raises(InputError, match="the start lies level"):
+        optimise(level, "stress", fix="boundary", options=NetOptions(forces=forces))
+
+
 def test_supports_on_one_line_are_a_mechanism():
     mesh = hanging_net()
     edge = np.flatnonzero(mesh.vertices[:, 0] == mesh.vertices[:, 0].min())
