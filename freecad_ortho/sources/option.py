@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Kinds of one number; an option that is a tuple has several of them.
 NUMBERS = ("length", "distance", "area", "angle", "number", "count")
@@ -113,7 +113,7 @@ class Source:
         values = {**self.defaults, **given}
         for option in self.options:
             if option.kind == "points":
-                values[option.name] = np.asarray(values[option.name], dtype=float).reshape(-1, 3)
+                values[option.name] = _points(option.name, values[option.name])
             elif option.kind == "placement":
                 rotation, origin = (np.asarray(x, dtype=float) for x in values[option.name])
                 values[option.name] = (rotation, origin)
@@ -124,6 +124,11 @@ class Source:
             raise InputError(
                 f"{option.name}: expected one of {', '.join(option.choices)}, got {value!r}"
             )
+        plain, words = {"flag": (bool, "True or False"), "text": (str, "a text")}.get(
+            option.kind, (object, "")
+        )
+        if not isinstance(value, plain):
+            raise InputError(f"{option.name}: expected {words}, got {value!r}")
         if option.kind not in NUMBERS:
             return
         several = isinstance(option.default, tuple)
@@ -132,7 +137,20 @@ class Source:
         if len(numbers) != count or not all(_is_number(item) for item in numbers):
             words = f"{count} numbers" if several else "a number"
             raise InputError(f"{option.name}: expected {words}, got {value!r}")
+        if option.kind == "count" and not all(item == int(item) >= 0 for item in numbers):
+            raise InputError(f"{option.name}: expected whole numbers from 0 on, got {value!r}")
+        if option.kind == "length" and min(numbers) < 0:
+            raise InputError(f"{option.name}: expected 0 mm or more, got {value!r}")
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and abs(value) < 1e300
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e300
+
+
+def _points(name: str, value: Any) -> FloatArray:
+    try:
+        return np.asarray(value, dtype=np.float64).reshape(-1, 3)
+    except (TypeError, ValueError) as error:
+        raise InputError(
+            f"{name}: expected points of three numbers, got {str(value)[:40]}"
+        ) from error

@@ -70,6 +70,14 @@ def test_every_option_is_explained(entry):
         ("trim", {"rings": 0}, "got none"),
         ("trim", {"rings": 9}, "no face is left"),
         ("subdivide", {"levels": 40}, "levels"),
+        ("subdivide", {"levels": 1.5}, "levels: expected whole numbers from 0 on, got 1.5"),
+        ("subdivide", {"levels": True}, "levels: expected a number, got True"),
+        ("sphere", {"sampling": (-2, 5)}, "sampling: expected whole numbers from 0 on"),
+        ("ellipsoid", {"sampling": (0, 0)}, "sampling: expected at least 2 x 2 vertices"),
+        ("weld", {"tolerance": -5.0}, "tolerance: expected 0 mm or more, got -5"),
+        ("multi-net", {"closed": "x"}, "closed: expected True or False, got 'x'"),
+        ("multi-net", {"points": "x"}, "points: expected points of three numbers, got x"),
+        ("form-finding", {"lift": 3}, "lift: expected a text, got 3"),
     ],
 )
 def test_bad_options_get_one_line(name, options, words):

@@ -138,10 +138,15 @@ def primitive(name: str, m: int, n: int, **parameters: Value) -> QuadMesh:
     """Build a primitive by name with m x n vertices.
 
     Raises:
-        InputError: no such primitive or parameter, or a value of the wrong kind.
+        InputError: no such primitive or parameter, a value of the wrong kind, or less than 2 x 2
+            vertices.
     """
     if name not in PRIMITIVES:
         raise InputError(f"primitive: expected one of {', '.join(PRIMITIVES)}, got '{name}'")
+    if not all(isinstance(count, (int, np.integer)) and count >= 2 for count in (m, n)):
+        raise InputError(
+            f"sampling: expected at least 2 x 2 vertices, got {m} x {n}; take more samples"
+        )
     entry = PRIMITIVES[name]
     known = {parameter.name: parameter for parameter in entry.parameters}
     for key, value in parameters.items():

@@ -179,5 +179,10 @@ def test_every_primitive_has_words_defaults_and_good_faces(name):
 def test_bad_parameters_get_one_line(name, parameters, words):
     with pytest.raises(InputError, match=words):
         primitive(name, 9, 9, **parameters)
-    with pytest.raises(InputError, match="sampling"):
-        primitive("sphere", 1, 9)
+
+
+@pytest.mark.parametrize("name", PRIMITIVES)
+@pytest.mark.parametrize("sampling", [(1, 9), (9, 1), (0, 0), (-2, 9), (2.5, 9)])
+def test_too_few_vertices_get_one_line(name, sampling):
+    with pytest.raises(InputError, match=r"sampling: expected at least \d x \d vertices"):
+        primitive(name, *sampling)
