@@ -14,7 +14,7 @@ from solver.errors import OutputError
 
 
 def write_text(path: str | os.PathLike[str], text: str) -> None:
-    """Write beside the target, then rename.
+    """Write beside the target, then rename; a file that was there gives its permissions.
 
     Raises:
         OutputError: the folder is missing or cannot be written.
@@ -27,15 +27,17 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
         handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
             stream.write(text)
-        os.chmod(temporary, 0o666 & ~_umask())
+        os.chmod(temporary, target.stat().st_mode if target.exists() else 0o666 & ~_umask())
         os.replace(temporary, target)
+        temporary = None
     except OSError as error:
-        if temporary is not None and os.path.exists(temporary):
-            os.unlink(temporary)
         raise OutputError(
             f"{target}: cannot be written ({error.strerror}); choose a folder that exists and "
             "that you may write to"
         ) from error
+    finally:
+        if temporary is not None:
+            Path(temporary).unlink(missing_ok=True)
 
 
 @contextmanager

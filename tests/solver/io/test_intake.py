@@ -136,6 +136,16 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path):
     assert target.read_text() == "old"
     with pytest.raises(OutputError, match="cannot be written"):
         write_text(tmp_path / "absent" / "mesh.obj", "text")
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_file_that_is_written_anew_keeps_its_permissions(tmp_path):
+    target = tmp_path / "mesh.obj"
+    target.write_text("old")
+    target.chmod(0o640)
+    write_text(target, "new")
+    assert target.read_text() == "new"
+    assert target.stat().st_mode & 0o777 == 0o640
 
 
 def test_a_failed_batch_of_files_changes_nothing(tmp_path):
