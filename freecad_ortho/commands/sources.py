@@ -85,7 +85,7 @@ class EllipticNet(SourceCommand):
 
     group = "elliptic multi-net"
     icon = "elliptic_net"
-    text = QT_TRANSLATE_NOOP("Ortho_EllipticNet", "Multi-net in elliptic coordinates")
+    text = QT_TRANSLATE_NOOP("Ortho_EllipticNet", "Elliptic multi-net")
     tip = QT_TRANSLATE_NOOP(
         "Ortho_EllipticNet", "An orthogonal multi-net from a curve in elliptic coordinates"
     )

@@ -7,7 +7,7 @@ from typing import Any
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from freecad_ortho.panels.fields import NumberField
+from freecad_ortho.panels.fields import NumberField, form_rows
 
 translate = FreeCAD.Qt.translate
 
@@ -68,7 +68,7 @@ class AdvancedBox:
         self.unfold.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
         self.unfold.toggled.connect(self._fold)
         self._inside = QtGui.QWidget()
-        form = QtGui.QFormLayout(self._inside)
+        form = form_rows(self._inside)
         for label, field, tip in rows:
             field.widget.setToolTip(tip)
             form.addRow(label, field.widget)

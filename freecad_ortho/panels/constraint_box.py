@@ -12,7 +12,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import messages
 from freecad_ortho.objects import guides
-from freecad_ortho.panels.fields import NARROW, ChoiceField
+from freecad_ortho.panels.fields import NARROW, ChoiceField, form_rows
 from freecad_ortho.panels.vertex_picker import VertexPicker
 from freecad_ortho.view.mouse import Mouse
 from solver.errors import OrthoError
@@ -225,7 +225,7 @@ class ConstraintBox:
         for letter, mark in zip("xyz", self.mirrors, strict=True):
             mark.setChecked(letter in stored["symmetry"])
         self.box = QtGui.QGroupBox(translate("Ortho", "Constraints"))
-        form = QtGui.QFormLayout(self.box)
+        form = form_rows(self.box)
         form.addRow(translate("Ortho", "Hold"), self.fix.widget)
         form.addRow(translate("Ortho", "Pick"), self._picker_buttons())
         form.addRow(self.list)
@@ -271,9 +271,7 @@ class ConstraintBox:
             button.clicked.connect(self._picking_with(what, button))
             self._pickers[what] = button
             grid.addWidget(button, number // 2, number % 2)
-        more = QtGui.QToolButton()
-        more.setText(translate("Ortho", "Glide on ..."))
-        more.setPopupMode(QtGui.QToolButton.InstantPopup)
+        more = QtGui.QPushButton(translate("Ortho", "Glide on ..."))
         menu = QtGui.QMenu(more)
         menu.addAction(translate("Ortho", "its own boundary")).triggered.connect(
             lambda: self._add_rule("boundary")

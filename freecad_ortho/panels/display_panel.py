@@ -10,7 +10,7 @@ from PySide import QtGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.net import COLOUR_MAPS
-from freecad_ortho.panels.fields import ChoiceField, NumberField
+from freecad_ortho.panels.fields import ChoiceField, NumberField, form_rows
 from freecad_ortho.resources import icon
 from freecad_ortho.view import look
 from solver.analysis.fields import RESIDUALS
@@ -28,7 +28,8 @@ class DisplayPanel:
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(translate("Ortho", "Display"))
         self.form.setWindowIcon(QtGui.QIcon(icon("display")))
-        rows = QtGui.QFormLayout(self.form)
+        rows = form_rows(self.form)
+        rows.setContentsMargins(0, 6, 0, 6)
         rows.addRow(translate("Ortho", "Net"), QtGui.QLabel(net.Label))
         words = {name: translate("Ortho", name) for name in COLOUR_MAPS}
         self.colour_map = ChoiceField(words, net.ColourMap)

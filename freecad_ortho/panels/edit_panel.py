@@ -13,7 +13,7 @@ from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.net_settings import NETS
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.editing import Editing
-from freecad_ortho.panels.fields import ChoiceField, LengthField
+from freecad_ortho.panels.fields import ChoiceField, LengthField, form_rows
 from freecad_ortho.panels.net_words import explain, net_words, outlook
 from freecad_ortho.panels.watch import cover, uncover
 from freecad_ortho.resources import icon
@@ -151,6 +151,7 @@ class EditPanel:
         self.form.setWindowTitle(translate("Ortho", "Edit net"))
         self.form.setWindowIcon(QtGui.QIcon(icon("net")))
         column = QtGui.QVBoxLayout(self.form)
+        column.setContentsMargins(0, 6, 0, 6)
         column.addWidget(self._net_box(net))
         column.addWidget(self._handle_box())
         column.addWidget(self._state_box())
@@ -169,7 +170,7 @@ class EditPanel:
         self.outlook.setWordWrap(True)
         self._explain(net)
         box = QtGui.QGroupBox(net.Label)
-        form = QtGui.QFormLayout(box)
+        form = form_rows(box)
         form.addRow(translate("Ortho", "Stays"), self.net_type.widget)
         form.addRow(self.isometric)
         form.addRow(self.outlook)
@@ -196,7 +197,7 @@ class EditPanel:
         self.move = QtGui.QPushButton(translate("Ortho", "Move there"))
         self.move.clicked.connect(self._move)
         box = QtGui.QGroupBox(translate("Ortho", "Handles"))
-        form = QtGui.QFormLayout(box)
+        form = form_rows(box)
         row = QtGui.QHBoxLayout()
         row.addWidget(self.handles, 1)
         row.addWidget(self.remove)
@@ -212,7 +213,7 @@ class EditPanel:
         self.rate, self.message = QtGui.QLabel(), QtGui.QLabel()
         self.message.setWordWrap(True)
         box = QtGui.QGroupBox(translate("Ortho", "State"))
-        form = QtGui.QFormLayout(box)
+        form = form_rows(box)
         form.addRow(translate("Ortho", "Redraws"), self.rate)
         form.addRow(self.message)
         return box

@@ -9,6 +9,21 @@ from PySide import QtGui
 from solver.errors import InputError
 
 NARROW = 100
+# The most that one line of a task panel holds, in the width that FreeCAD gives it at first.
+_BROAD = 190
+
+
+def form_rows(parent: QtGui.QWidget | None = None) -> QtGui.QFormLayout:
+    """Give a layout of labels and fields; a field that finds no room stands below its label."""
+    rows = QtGui.QFormLayout(parent)
+    rows.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+    rows.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+    return rows
+
+
+def leave_room(box: QtGui.QComboBox) -> None:
+    """Make a list of words as wide as its longest word, as far as the task panel allows."""
+    box.setMinimumWidth(min(max(box.sizeHint().width(), NARROW), _BROAD))
 
 
 class LengthField:
@@ -48,7 +63,7 @@ class ChoiceField:
         self._words = words
         self.widget.addItems(list(words.values()))
         self.widget.setCurrentText(words[chosen])
-        self.widget.setMinimumWidth(NARROW)
+        leave_room(self.widget)
 
     @property
     def word(self) -> str:

@@ -139,9 +139,10 @@ class MultiNetPanel(SourcePanel):
         self.add_button.clicked.connect(self.add_points)
         self.points_label = QtGui.QLabel()
         line = QtGui.QHBoxLayout()
-        for widget in (self.draw_button, self.add_button, self.points_label):
+        for widget in (self.draw_button, self.add_button):
             line.addWidget(widget)
         self.form.layout().insertLayout(2, line)
+        self.form.layout().insertWidget(3, self.points_label)
 
     def _clear(self, *_: Any) -> None:
         super()._clear()

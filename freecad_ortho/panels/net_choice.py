@@ -11,7 +11,14 @@ from PySide import QtGui
 from freecad_ortho import convert
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.net_settings import FORCES, NETS
-from freecad_ortho.panels.fields import NARROW, ChoiceField, LengthField, NumberField
+from freecad_ortho.panels.fields import (
+    NARROW,
+    ChoiceField,
+    LengthField,
+    NumberField,
+    form_rows,
+    leave_room,
+)
 from freecad_ortho.panels.net_words import explain, net_words
 from solver.analysis.advisor import Advice, advise
 
@@ -77,7 +84,7 @@ class NetChoice:
         }
 
     def _build_options(self, stored: dict[str, Any]) -> None:
-        self.diagonal = QtGui.QCheckBox(translate("Ortho", "on the diagonals of the faces"))
+        self.diagonal = QtGui.QCheckBox(translate("Ortho", "on the face diagonals"))
         self.diagonal.setChecked(stored["diagonal"])
         self.per_family = QtGui.QCheckBox(translate("Ortho", "a length for each direction"))
         self.per_family.setChecked(stored["per_family"])
@@ -93,6 +100,7 @@ class NetChoice:
         self.reference = QtGui.QComboBox()
         self.reference.addItem(translate("Ortho", "as it starts"))
         self.reference.addItems([twin.Label for twin in self._references[1:]])
+        leave_room(self.reference)
         if stored["reference"] in self._references:
             self.reference.setCurrentIndex(self._references.index(stored["reference"]))
         self.load = NumberField("load", stored["load"])
@@ -164,10 +172,9 @@ def _twins(net: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
 
 def _row(label: str, widget: QtGui.QWidget) -> QtGui.QWidget:
     row = QtGui.QWidget()
-    line = QtGui.QHBoxLayout(row)
+    line = form_rows(row)
     line.setContentsMargins(0, 0, 0, 0)
-    line.addWidget(QtGui.QLabel(label))
-    line.addWidget(widget, 1)
+    line.addRow(label, widget)
     return row
 
 

@@ -21,11 +21,11 @@ def net_words() -> dict[str, str]:
         "dog": translate("Ortho", "geodesic, four equal angles"),
         "chebyshev": translate("Ortho", "Chebyshev: equal edges"),
         "geodesic-chebyshev": translate("Ortho", "geodesic and Chebyshev"),
-        "asymptotic": translate("Ortho", "asymptotic: minimal surface"),
+        "asymptotic": translate("Ortho", "asymptotic: minimal"),
         "cmc": translate("Ortho", "constant mean curvature"),
         "snet": translate("Ortho", "spherical stars"),
         "stress": translate("Ortho", "principal stress: equilibrium"),
-        "isometric": translate("Ortho", "isometric: faces keep their shape"),
+        "isometric": translate("Ortho", "isometric: faces keep shape"),
     }
 
 

@@ -249,6 +249,7 @@ class OptimisePanel:
         self.form.setWindowTitle(translate("Ortho", "Optimise {}").format(net.Label))
         self.form.setWindowIcon(QtGui.QIcon(icon("optimise")))
         column = QtGui.QVBoxLayout(self.form)
+        column.setContentsMargins(0, 6, 0, 6)
         for widget in (self.choice.box, self.constraints.box, self.advanced.widget):
             column.addWidget(widget)
         column.addLayout(self._buttons())

@@ -73,12 +73,12 @@ class OptionField:
         if len(widgets) == 1:
             return widgets[0]
         group = QtGui.QWidget()
-        # What has a unit needs the room: one below the other.
-        box = QtGui.QVBoxLayout if self.option.kind in _UNITS else QtGui.QHBoxLayout
-        line = box(group)
-        line.setContentsMargins(0, 0, 0, 0)
-        for widget in widgets:
-            line.addWidget(widget)
+        # What has a unit needs the room: one below the other. Of plain numbers three go abreast.
+        abreast = 1 if self.option.kind in _UNITS else len(widgets) if len(widgets) < 4 else 2
+        grid = QtGui.QGridLayout(group)
+        grid.setContentsMargins(0, 0, 0, 0)
+        for number, widget in enumerate(widgets):
+            grid.addWidget(widget, number // abreast, number % abreast)
         return group
 
     def _part(self) -> Any:

@@ -10,7 +10,7 @@ from PySide import QtGui
 
 from freecad_ortho.commands import context
 from freecad_ortho.objects import cad_faces
-from freecad_ortho.panels.fields import LengthField
+from freecad_ortho.panels.fields import LengthField, form_rows
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 
@@ -38,7 +38,7 @@ class RemeshPanel(WorkPanel):
         self.layout.setRange(0, 999)
         self.time_limit.setRange(1, 3600)
         self.time_limit.setValue(60)
-        rows = QtGui.QFormLayout(self.form)
+        rows = form_rows(self.form)
         rows.addRow(translate("Ortho", "Triangles"), QtGui.QLabel(str(len(triangles))))
         rows.addRow(translate("Ortho", "Edge length"), self.edge.widget)
         rows.addRow(translate("Ortho", "Layout"), self.layout)

@@ -12,7 +12,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects import source_net
-from freecad_ortho.panels.fields import NARROW
+from freecad_ortho.panels.fields import form_rows, leave_room
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.resources import icon
 from freecad_ortho.sources import GROUPS, Made, Source, source
@@ -187,7 +187,7 @@ class SourcePanel:
         column = QtGui.QVBoxLayout(self.form)
         self.choice = QtGui.QComboBox()
         self.choice.addItems([translate("Ortho", name) for name in GROUPS[group]])
-        self.choice.setMinimumWidth(NARROW)
+        leave_room(self.choice)
         self.choice.setVisible(len(GROUPS[group]) > 1 and edited is None)
         self.choice.currentIndexChanged.connect(lambda k: self._choose(GROUPS[group][k]))
         self.explained = QtGui.QLabel()
@@ -210,7 +210,7 @@ class SourcePanel:
             self._table.hide()
             self._table.deleteLater()
         self._table = QtGui.QWidget()
-        rows = QtGui.QFormLayout(self._table)
+        rows = form_rows(self._table)
         rows.setContentsMargins(0, 0, 0, 0)
         values = {**self.source.defaults, **self._starting}
         self.fields = {}

@@ -13,12 +13,13 @@ from freecad_ortho.fabrication import MATERIALS, Option
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import choices, is_length, label, options_of
 from freecad_ortho.panels.fields import (
-    NARROW,
     ChoiceField,
     LengthField,
     NumberField,
     SwitchField,
     TextField,
+    form_rows,
+    leave_room,
 )
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
@@ -52,7 +53,7 @@ class StructurePanel(WorkPanel):
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title)
         self.form.setWindowIcon(QtGui.QIcon(icon(system)))
-        self._rows = QtGui.QFormLayout(self.form)
+        self._rows = form_rows(self.form)
         self._rows.addRow(translate("Ortho", "Net"), QtGui.QLabel(net.Label))
         self.fields = {option.name: _field(system, option) for option in options_of(system)}
         for option in options_of(system):
@@ -113,7 +114,7 @@ class StructurePanel(WorkPanel):
             self.on_beams = QtGui.QComboBox()
             self.on_beams.addItem(translate("Ortho", "nothing (on the net itself)"))
             self.on_beams.addItems([beams.Label for beams in self._beams])
-            self.on_beams.setMinimumWidth(NARROW)
+            leave_room(self.on_beams)
             self.on_beams.setCurrentIndex(min(1, len(self._beams)))
             self._rows.addRow(translate("Ortho", "Lie on"), self.on_beams)
         families = {

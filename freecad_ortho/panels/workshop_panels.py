@@ -9,7 +9,7 @@ from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.commands import context, dialogs, messages
-from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField
+from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 
@@ -29,7 +29,7 @@ class _WorkshopPanel(WorkPanel):
         self.form.setWindowIcon(QtGui.QIcon(icon(picture)))
         labels = QtGui.QLabel(", ".join(item.Label for item in structures))
         labels.setWordWrap(True)
-        self.rows = QtGui.QFormLayout(self.form)
+        self.rows = form_rows(self.form)
         self.rows.addRow(translate("Ortho", "Structures"), labels)
         self._add_sheet_fields(nested)
         self.kerf = LengthField(0.0)
@@ -85,7 +85,7 @@ class _WorkshopPanel(WorkPanel):
         for label, field in (
             (translate("Ortho", "Sheet width"), self.width),
             (translate("Ortho", "Sheet height"), self.height),
-            (translate("Ortho", "Spacing"), self.spacing),
+            (translate("Ortho", "Clear distance"), self.spacing),
             (translate("Ortho", "Grain"), self.grain),
             (translate("Ortho", "Packing"), self.nesting),
             (translate("Ortho", "Seed"), self.seed),

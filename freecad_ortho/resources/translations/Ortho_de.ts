@@ -1209,7 +1209,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>Chebyshev: equal edges</source>
-   <translation>Tschebyschow: gleiche Kanten</translation>
+   <translation>Tschebyschow: Rauten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -1245,6 +1245,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clear</source>
    <translation>Leeren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Clear distance</source>
+   <translation>Abstand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1484,7 +1489,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Export fabrication files</source>
-   <translation>Fertigungsdateien exportieren</translation>
+   <translation>Fertigungsdateien</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2512,7 +2517,7 @@
    <translation>Hülsentiefe</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Spacing</source>
    <translation>Teilung</translation>
   </message>
@@ -2897,7 +2902,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>a length for each direction</source>
-   <translation>eine Länge für jede Richtung</translation>
+   <translation>eine Länge je Richtung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2971,8 +2976,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
-   <source>asymptotic: minimal surface</source>
-   <translation>asymptotisch: Minimalfläche</translation>
+   <source>asymptotic: minimal</source>
+   <translation>asymptotisch: minimal</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3097,7 +3102,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>constant mean curvature</source>
-   <translation>konstante mittlere Krümmung</translation>
+   <translation>konst. mittlere Krümmung</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3212,12 +3217,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>geodesic and Chebyshev</source>
-   <translation>geodätisch und Tschebyschow</translation>
+   <translation>geodät. + Tschebyschow</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>geodesic, four equal angles</source>
-   <translation>geodätisch, vier gleiche Winkel</translation>
+   <translation>geodätisch, gleiche Winkel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3286,8 +3291,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
-   <source>isometric: faces keep their shape</source>
-   <translation>isometrisch: Maschen behalten ihre Form</translation>
+   <source>isometric: faces keep shape</source>
+   <translation>isometrisch: formtreu</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3441,8 +3446,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>on the diagonals of the faces</source>
-   <translation>auf den Diagonalen der Maschen</translation>
+   <source>on the face diagonals</source>
+   <translation>auf den Diagonalen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3507,12 +3512,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>principal stress: equilibrium</source>
-   <translation>Hauptspannung: Gleichgewicht</translation>
+   <translation>Spannung: Gleichgewicht</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>principal: flat panels</source>
-   <translation>Hauptkrümmung: ebene Platten</translation>
+   <translation>Hauptlinien: ebene Platten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4124,8 +4129,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>Multi-net in elliptic coordinates</source>
-   <translation>Multinetz in elliptischen Koordinaten</translation>
+   <source>Elliptic multi-net</source>
+   <translation>Elliptisches Multinetz</translation>
   </message>
  </context>
  <context>
@@ -4412,7 +4417,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
    <source>Subdivide, coarsen, trim</source>
-   <translation>Unterteilen, vergröbern, beschneiden</translation>
+   <translation>Teilen, vergröbern, kürzen</translation>
   </message>
  </context>
  <context>

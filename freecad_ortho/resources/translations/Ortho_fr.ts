@@ -1247,6 +1247,11 @@
    <translation>Effacer</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Clear distance</source>
+   <translation>Distance libre</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clearance</source>
    <translation>Jeu</translation>
@@ -1484,7 +1489,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Export fabrication files</source>
-   <translation>Exporter les fichiers de fabrication</translation>
+   <translation>Fichiers de fabrication</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2309,7 +2314,7 @@
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Quads from triangles</source>
-   <translation>Quadrilatères à partir de triangles</translation>
+   <translation>Quads de triangles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2512,7 +2517,7 @@
    <translation>Profondeur des douilles</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Spacing</source>
    <translation>Espacement</translation>
   </message>
@@ -2524,7 +2529,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Spheres of vertex stars</source>
-   <translation>Sphères des étoiles de sommets</translation>
+   <translation>Sphères des étoiles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2971,8 +2976,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
-   <source>asymptotic: minimal surface</source>
-   <translation>asymptotique : surface minimale</translation>
+   <source>asymptotic: minimal</source>
+   <translation>asymptotique : minimale</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3097,7 +3102,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>constant mean curvature</source>
-   <translation>courbure moyenne constante</translation>
+   <translation>courbure moy. constante</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3217,7 +3222,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>geodesic, four equal angles</source>
-   <translation>géodésique, quatre angles égaux</translation>
+   <translation>géodésique, angles égaux</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3286,8 +3291,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
-   <source>isometric: faces keep their shape</source>
-   <translation>isométrique : les faces gardent leur forme</translation>
+   <source>isometric: faces keep shape</source>
+   <translation>isométrique : mêmes faces</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3441,8 +3446,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>on the diagonals of the faces</source>
-   <translation>sur les diagonales des faces</translation>
+   <source>on the face diagonals</source>
+   <translation>sur les diagonales</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3507,7 +3512,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>principal stress: equilibrium</source>
-   <translation>contraintes principales : équilibre</translation>
+   <translation>contraintes principales</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -4124,8 +4129,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>Multi-net in elliptic coordinates</source>
-   <translation>Multi-réseau en coordonnées elliptiques</translation>
+   <source>Elliptic multi-net</source>
+   <translation>Multi-réseau elliptique</translation>
   </message>
  </context>
  <context>
@@ -4394,7 +4399,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../freecad_ortho/commands/remesh.py" />
    <source>Quads from triangles</source>
-   <translation>Quadrilatères à partir de triangles</translation>
+   <translation>Quads de triangles</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/remesh.py" />

@@ -1,0 +1,77 @@
+"""All task panels as FreeCAD shows them at first: nothing is cut off, in any language."""
+
+import FreeCAD
+import FreeCADGui
+import ortho_suite_tools as tools
+from ortho_panel_tools import PANELS, cut_off, document_for_panels, open_panel
+from ortho_suite_cases import WindowCase
+from ortho_suite_tools import press, wait
+from PySide import QtGui
+
+from freecad_ortho import api
+from freecad_ortho.commands import dialogs
+from freecad_ortho.panels import workshop_panels
+
+LANGUAGES = ("English", "German", "French")
+# Lists at the top of these panels choose what fields there are.
+CHANGING = ("Primitive", "Derived", "Refine", "Transform", "Optimise")
+
+
+class TestWidths(WindowCase):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(FreeCADGui.setLocale, "English")
+
+    def test_no_text_is_cut_off(self):
+        found, document = [], document_for_panels()
+        for language in LANGUAGES:
+            FreeCADGui.setLocale(language)
+            for command in PANELS:
+                panel = open_panel(document, command)
+                for state in self.states(command, panel):
+                    words = cut_off(panel)
+                    if words:
+                        found.append(f"{language}, {command} {state}: {'; '.join(words)}")
+                self.close()
+        self.assertFalse(found, "\n".join(found))
+
+    def states(self, command, panel):
+        """The panel with everything unfolded, and with each of its choices in turn."""
+        for each in panel.findChildren(QtGui.QToolButton):
+            if each.isVisible() and each.isCheckable() and not each.isChecked():
+                each.click()
+        wait(seconds=0.05)
+        yield ""
+        if command in CHANGING:
+            boxes = [box for box in panel.findChildren(QtGui.QComboBox) if box.isVisible()]
+            for k in range(boxes[0].count()):
+                boxes[0].setCurrentIndex(k)
+                QtGui.QApplication.processEvents()
+                yield boxes[0].itemText(k)
+
+    def close(self):
+        if FreeCADGui.ActiveDocument.getInEdit():
+            FreeCADGui.ActiveDocument.resetEdit()
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        wait(seconds=0.05)
+
+
+class TestStock(WindowCase):
+    def test_the_length_of_the_lamellas_is_the_one_of_the_panel(self):
+        net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(net)
+        lamellas = api.add_structure(
+            net, "lamellas", family="u", lines=[0], width=60.0, stock="6 m"
+        )
+        folder = str(tools.SCRATCH / "panel-stock")
+        self.replace(dialogs, "ask_folder", lambda: folder)
+        self.watch_panel(workshop_panels, "ExportPanel")
+        for shown, typed in ((6000.0, 3000.0), (3000.0, 0.0), (0.0, 0.0)):
+            FreeCADGui.runCommand("Ortho_ExportFabrication")
+            wait()
+            self.assertEqual(self.panel.stock.millimetres, shown)
+            self.panel.stock.millimetres = typed
+            press("Ok")
+            self.assertEqual((self.errors, lamellas.Stock.Value), ([], typed))
+        self.assertEqual(FreeCAD.ActiveDocument.UndoNames[:2], ["Stock length"] * 2)
