@@ -167,54 +167,86 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    "words",
+    ("words", "expected"),
     [
-        "multinet --axes 9,5 --moving mu --sampling 4x4",
-        "multinet --axes 5,9,2 --moving mu --sampling 4x4",
-        "multinet --axes 9,5,2 --moving rho --sampling 4x4",
-        "multinet --axes 9,5,2 --moving mu --sampling 4",
-        "multinet --axes 9,5,2 --moving mu --sampling 1x4",
-        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --range -6,-3",
-        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --range -3,-4",
-        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve nowhere.txt",
-        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve __import__('os');s",
-        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve 1/(s-0.5);-7",
-        "multinet --axes 9,5,2 --moving mu --sampling 4x4 --reflect w",
-        "multinet --axes 9,5,2 --quadric cube --sampling 4x4",
-        "multinet --axes 9,5,2 --quadric ellipsoid --sampling 4x4",
-        "multinet --axes 9,5,2 --sampling 4x4",
-        "primitive cube --sampling 4x4",
-        "primitive sphere --sampling 4x4 --set radius",
-        "primitive sphere --sampling 4x4 --set radius=x",
-        "primitive sphere --sampling 99999999x4",
-        "primitive rotational --sampling 4x4",
-        "diagonal WAVE --which 3",
-        "subdivide WAVE --levels 0",
-        "subdivide WAVE --rule bezier",
-        "coarsen WAVE --every 5",
-        "coarsen WAVE --every z",
-        "trim WAVE",
-        "trim WAVE --rows 9,9,9,9",
-        "mirror WAVE --normal 0,0,0",
-        "mirror WAVE --point 2,0,0",
-        "transform WAVE --scale 0",
-        "transform WAVE --move 1,2",
-        "transform WAVE --invert 0,0,0,-1",
-        "weld WAVE --tolerance 2",
-        "weld WAVE nowhere.obj",
-        "formfind WAVE --supports roof",
-        "formfind WAVE --kind soap",
-        "formfind WAVE --supports 1 --lift 2,1",
-        "formfind WAVE --density 0",
-        "formfind nowhere.ply",
-        "convert nowhere.stl",
-        "fit-multinet nowhere.obj",
-        "fit-multinet WAVE --sampling 3",
-        "quads nowhere.stl --faces 9",
-        "quads WAVE",
+        ("multinet --axes 9,5 --moving mu --sampling 4x4", "--axes: expected 3 finite numbers"),
+        ("multinet --axes 5,9,2 --moving mu --sampling 4x4", "axes: expected a > b > c > 0"),
+        (
+            "multinet --axes 9,5,2 --moving rho --sampling 4x4",
+            "--moving: expected lambda, mu or nu",
+        ),
+        ("multinet --axes 9,5,2 --moving mu --sampling 4", "--sampling: expected MxN"),
+        ("multinet --axes 9,5,2 --moving mu --sampling 1x4", "sampling: expected at least 2 x 2"),
+        (
+            "multinet --axes 9,5,2 --moving mu --sampling 4x4 --range -6,-3",
+            "t: expected -5 <= T0 < T1 <= -2 for this",
+        ),
+        (
+            "multinet --axes 9,5,2 --moving mu --sampling 4x4 --range -3,-4",
+            "t: expected -5 <= T0 < T1 <= -2 for this",
+        ),
+        (
+            "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve nowhere.txt",
+            "--curve: 'nowhere.txt' is neither a file nor",
+        ),
+        (
+            "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve __import__('os');s",
+            "formula: '__import__' in '__import__('os')'",
+        ),
+        (
+            "multinet --axes 9,5,2 --moving mu --sampling 4x4 --curve 1/(s-0.5);-7",
+            "formula: '1/(s-0.5)' is not a finite number",
+        ),
+        (
+            "multinet --axes 9,5,2 --moving mu --sampling 4x4 --reflect w",
+            "reflect: expected some of x, y, z, each once",
+        ),
+        (
+            "multinet --axes 9,5,2 --quadric cube --sampling 4x4",
+            "--quadric: expected one of ellipsoid",
+        ),
+        (
+            "multinet --axes 9,5,2 --quadric ellipsoid --sampling 4x4",
+            "--curve: expected a file of points on the",
+        ),
+        ("multinet --axes 9,5,2 --sampling 4x4", "one of the arguments --moving --quadric is"),
+        ("primitive cube --sampling 4x4", "NAME: expected one of catenoid, cone"),
+        ("primitive sphere --sampling 4x4 --set radius", "--set: expected PARAMETER=VALUE"),
+        (
+            "primitive sphere --sampling 4x4 --set radius=x",
+            "--set radius: expected a finite number",
+        ),
+        ("primitive sphere --sampling 99999999x4", "--sampling: expected MxN"),
+        ("primitive rotational --sampling 4x4", "profile: expected points (radius, height)"),
+        ("diagonal WAVE --which 3", "--which: expected 1 or 2"),
+        ("subdivide WAVE --levels 0", "levels: expected at least 1"),
+        ("subdivide WAVE --rule bezier", "--rule: expected plain or catmull-clark"),
+        ("coarsen WAVE --every 5", "coarsen: 48 faces do not divide into blocks"),
+        ("coarsen WAVE --every z", "--every: expected a finite number"),
+        ("trim WAVE", "trim: expected --rows or --rings"),
+        ("trim WAVE --rows 9,9,9,9", "u: expected to cut 0 to 7 of 8 rows"),
+        ("trim WAVE --rows 1.5,0,0,0", "--rows: expected whole numbers"),
+        ("coarsen WAVE --every 2.5", "--every: expected a whole number"),
+        ("mirror WAVE --normal 0,0,0", "plane: expected a normal and a point of three"),
+        ("mirror WAVE --point 2,0,0", "mirror: the mesh reaches across the plane,"),
+        ("transform WAVE --scale 0", "scale: expected a positive number"),
+        ("transform WAVE --move 1,2", "--move: expected 3 finite numbers"),
+        ("transform WAVE --invert 0,0,0,-1", "radius: expected a positive number"),
+        ("weld WAVE --tolerance 2", "--tolerance: expected 0 to 0.1"),
+        ("weld WAVE nowhere.obj", "nowhere.obj: no such file"),
+        ("formfind WAVE --supports roof", "supports: expected boundary, corners or vertex"),
+        ("formfind WAVE --kind soap", "--kind: expected cables or membrane"),
+        ("formfind WAVE --supports 1 --lift 2,1", "--lift: vertex 2 is no support"),
+        ("formfind WAVE --density 0", "supports: 35 vertices hang on no support"),
+        ("formfind nowhere.ply", "nowhere.ply: no such file"),
+        ("convert nowhere.stl", "nowhere.stl: .stl holds triangles only"),
+        ("fit-multinet nowhere.obj", "nowhere.obj: no such file"),
+        ("fit-multinet WAVE --sampling 3", "--sampling: expected MxN"),
+        ("quads nowhere.stl --faces 9", "nowhere.stl: no such file"),
+        ("quads WAVE", "remesh: expected either a number of faces"),
     ],
 )
-def test_bad_input_is_one_line_and_nothing_is_written(tmp_path, capsys, wave, words):
+def test_bad_input_is_one_line_and_nothing_is_written(tmp_path, capsys, wave, words, expected):
     out = tmp_path / "result.obj"
     arguments = [wave if word == "WAVE" else word for word in words.split(" ")]
     try:
@@ -223,7 +255,7 @@ def test_bad_input_is_one_line_and_nothing_is_written(tmp_path, capsys, wave, wo
         code = ended.code
     captured = capsys.readouterr()
     assert code == 2, captured
-    assert captured.err.startswith("error: ")
+    assert captured.err.startswith(f"error: {expected}")
     assert captured.err.strip().count("\n") == 0
     assert captured.out == ""
     assert sorted(path.name for path in tmp_path.iterdir()) == ["wave.obj"]

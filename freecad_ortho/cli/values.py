@@ -42,7 +42,8 @@ def whole_numbers(option: str, text: str, count: int | None = None) -> tuple[int
     """
     found = numbers(option, text, text.count(",") + 1 if count is None else count)
     if any(number != int(number) for number in found):
-        raise InputError(f"{option}: expected whole numbers separated by commas, got '{text[:40]}'")
+        wanted = "a whole number" if count == 1 else "whole numbers separated by commas"
+        raise InputError(f"{option}: expected {wanted}, got '{text[:40]}'")
     return tuple(int(number) for number in found)
 
 
