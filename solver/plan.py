@@ -71,8 +71,9 @@ class Plan:
         if self.net in DEVELOPABLE:
             return [*self._even(_SHEETS), first, *rest]
         if self.net in GUARDED:
-            ladder = [first, *rest]
-            return [replace(one, edge_guard=_GUARD, face_guard=_GUARD) for one in ladder]
+            guarded = [replace(one, edge_guard=_GUARD, face_guard=_GUARD) for one in (first, *rest)]
+            # Some differ by their guards only.
+            return list(dict.fromkeys(guarded))
         return [first, *self._even(_EVENNESS.get(self.net, (1.0,))), *rest]
 
     def _even(self, weights: Sequence[float]) -> list[Weights]:
@@ -82,10 +83,10 @@ class Plan:
         """The net from the mesh as it is and from the mesh bent in one direction only."""
         double = doubly_curved(mesh)
         rest = self.weights.ladder()
-        own = [*self._even(_DOMES if double else _SHEETS), *rest]
-        first = 1 if double else len(_SHEETS)
+        even = self._even(_DOMES if double else _SHEETS)
+        own, first = [*even, *rest], 1 if double else len(_SHEETS)
         if not double and self.net not in RIGID and _unevenness(mesh) < _SMOOTH:
-            own, first = [rest[0], *own], 1
+            own, first = [rest[0], *even, *rest[1:]], 1
         bent = []
         if not self.fixed.any() and self.constraints == Constraints():
             ladder = [*self._even(_BENT), *rest]

@@ -44,13 +44,13 @@ def run(options: argparse.Namespace) -> bool:
 
 def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepRecord], None]:
     """Turn step records into a bar that fills as the residual falls on a log scale."""
-    start: list[float] = []
+    whole = 0.0
 
     def follow(record: StepRecord) -> None:
-        worst = max(record.worst, 1e-300)
-        start.append(worst)
-        whole = math.log10(max(start[0], 10 * tolerance) / tolerance)
-        done = 1.0 - math.log10(max(worst, tolerance) / tolerance) / whole
+        nonlocal whole
+        left = math.log10(max(record.worst, tolerance) / tolerance)
+        whole = whole or max(left, 1.0)
+        done = 1.0 - left / whole
         residuals = ", ".join(f"{name} {value:.1e}" for name, value in record.residuals.items())
         progress(min(max(done, 0.0), 1.0), f"step {record.step}: {residuals}")
 
