@@ -157,12 +157,12 @@ class OptimisePanel:
     def _count(self) -> None:
         """The line of the paper's table 2: size of the problem and time of a step."""
         optimisation = self.run.optimisation
-        size = optimisation.original.size
+        problem = optimisation.original
         seconds = [record.seconds for record in optimisation.history]
         pace = f"{1000 * float(np.median(seconds)):.0f} ms" if seconds else "-"
         self.statistics.setText(
             translate("Ortho", "{:,} vertices, {:,} variables, {:,} constraints, {} a step").format(
-                len(self._mesh.vertices), size.auxiliary, size.equations, pace
+                len(self._mesh.vertices), problem.variables, problem.equations, pace
             )
         )
 

@@ -99,9 +99,9 @@ class TestSteps(OptimiseCase):
         self.assertEqual(set(panel.plot.series), {"orthogonality", "planarity"})
         # V vertices, 3 V + 3 F unknowns with the normals, F + 5 F equations of a principal net.
         self.assertIn("90 vertices", panel.statistics.text())
-        size = panel.run.optimisation.original.size
-        self.assertIn(f"{size.auxiliary:,} variables", panel.statistics.text())
-        self.assertIn(f"{size.equations:,} constraints", panel.statistics.text())
+        problem = panel.run.optimisation.original
+        self.assertIn(f"{problem.variables:,} variables", panel.statistics.text())
+        self.assertIn(f"{problem.equations:,} constraints", panel.statistics.text())
         self.assertIn("ms a step", panel.statistics.text())
         self.assertGreater(np.abs(self.shown(net) - start).max(), 1.0)
         panel.undo_button.click()
