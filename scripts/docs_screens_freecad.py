@@ -167,16 +167,84 @@ def others() -> None:
         FreeCAD.newDocument("Changes")
         nets = [api.add_primitive("translational")]
         if command == "Weld":
-            nets.append(api.change_net(nets[0], "transform", move=("24 m", 0, 0)))
+            nets.append(api.change_net(nets[0], "mirror"))
+            nets[0].Visibility = True
         for net in nets:
             FreeCADGui.Selection.addSelection(net)
         both(command)
     for command in ("Louvres", "Nodes", "BentPanels"):
         net = api.import_net(tools.wavy_mesh())
         api.optimise_net(net)
-        api.add_beams(net)
+        if command == "Nodes":
+            api.add_beams(net)
         FreeCADGui.Selection.addSelection(net)
         both(command)
+    FreeCADGui.Selection.addSelection(api.add_primitive("cylinder"))
+    both("Patches")
+
+
+def files_and_pages() -> None:
+    """What asks for a file or a size, and pages of paper; each dialog is seen as it is answered."""
+    import ortho_suite_tools as tools
+    from ortho_dialog_tools import Answers
+
+    from freecad_ortho import api
+
+    with Answers(tools.wavy_mesh(), look=shots("ImportNet-dialog")):
+        FreeCADGui.runCommand("Ortho_ImportNet")
+    stand()
+    look("ImportNet")
+    net = FreeCAD.ActiveDocument.Net
+    picture = FOLDER / "SavePicture.png"
+    with Answers(str(picture), "900 x 600", look=shots("SavePicture-dialog")):
+        FreeCADGui.runCommand("Ortho_SavePicture")
+    api.optimise_net(net)
+    beams = api.add_beams(net)
+    flat = api.add_flat_patterns(beams, sheet=("3 m", "1.5 m"))
+    FreeCADGui.Selection.addSelection(flat)
+    FreeCADGui.runCommand("Ortho_DrawingPage")
+    FreeCAD.ActiveDocument.Page.ViewObject.doubleClicked()
+    tools.wait(seconds=3.0)
+    FreeCADGui.getMainWindow().centralWidget().grab().save(str(FOLDER / "DrawingPage.png"))
+    bake_and_update(net, beams)
+    close()
+
+
+def bake_and_update(net, beams) -> None:
+    """What waits has a mark in the tree; plain copies stand there in groups."""
+    import ortho_suite_tools as tools
+
+    from freecad_ortho import api, preferences
+
+    preferences.group().SetFloat("AtOnceSeconds", 0.0)
+    place = net.Vertices[17]
+    api.drag_net(net, {17: (place.x, place.y, place.z + 500)})
+    preferences.group().RemFloat("AtOnceSeconds")
+    tools.wait(seconds=0.5)
+    tree("UpdateStructures-before")
+    FreeCADGui.runCommand("Ortho_UpdateStructures")
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(beams)
+    FreeCADGui.runCommand("Ortho_Bake")
+    tools.wait(seconds=0.5)
+    tree("Bake")
+
+
+def tree(name: str) -> None:
+    """Save what the tree shows."""
+    trees = FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget)
+    max(trees, key=lambda each: each.isVisible()).grab().save(str(FOLDER / f"{name}.png"))
+
+
+def shots(name: str):
+    """Save each dialog that comes up, numbered."""
+    count = []
+
+    def shot(dialog) -> None:
+        count.append(dialog)
+        dialog.grab().save(str(FOLDER / f"{name}-{len(count)}.png"))
+
+    return shot
 
 
 def both(command: str) -> None:
@@ -210,8 +278,9 @@ def run() -> None:
     """Take all pictures, then end FreeCAD whatever happens."""
     try:
         FreeCADGui.activateWorkbench("OrthoWorkbench")
-        tutorial()
-        others()
+        for part in (tutorial, others, files_and_pages):
+            if part.__name__ in os.environ.get("ORTHO_SCREENS", part.__name__):
+                part()
     finally:
         close()
         QtGui.QApplication.quit()

@@ -9,12 +9,12 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
+from ortho_dialog_tools import Answers
 from ortho_mouse_tools import Hand
 from ortho_suite_tools import click, press, vertices, wait
 from PySide import QtCore, QtGui
 
 from freecad_ortho import convert
-from freecad_ortho.commands import dialogs
 
 ROOF = tools.ROOT / "examples" / "data" / "demo_roof.obj"
 
@@ -36,9 +36,8 @@ class Tutorial:
     def open_mesh(self, path=ROOF):
         """File > Open, the file, and the module that FreeCAD asks for."""
         FreeCADGui.activateWorkbench("OrthoWorkbench")
-        answers = Answers(str(path))
-        FreeCADGui.runCommand("Std_Open")
-        answers.end()
+        with Answers(str(path)):
+            FreeCADGui.runCommand("Std_Open")
         wait(lambda: self.document is not None, 10)
         wait()
         self.look("open")
@@ -125,10 +124,12 @@ class Tutorial:
         wait()
 
     def export(self, folder):
-        with mock.patch.object(dialogs, "ask_folder", lambda: str(folder)):
-            FreeCADGui.runCommand("Ortho_ExportFabrication")
-            wait()
-            self.look("export")
+        """OK asks for a folder, in the dialog that a user sees; it is one that exists."""
+        folder.mkdir(parents=True, exist_ok=True)
+        FreeCADGui.runCommand("Ortho_ExportFabrication")
+        wait()
+        self.look("export")
+        with Answers(str(folder)):
             press("Ok")
 
     def open_gridshell(self):
@@ -148,33 +149,6 @@ class Tutorial:
         FreeCADGui.Selection.clearSelection()
         for item in items:
             FreeCADGui.Selection.addSelection(item)
-
-
-class Answers:
-    """Answers the dialogs of File > Open: the file, then the module that reads quads."""
-
-    def __init__(self, path):
-        self._path = path
-        self._timer = QtCore.QTimer()
-        self._timer.setInterval(100)
-        self._timer.timeout.connect(self._answer)
-        self._timer.start()
-
-    def end(self):
-        self._timer.stop()
-
-    def _answer(self):
-        dialog = QtGui.QApplication.activeModalWidget()
-        if isinstance(dialog, QtGui.QFileDialog):
-            dialog.findChild(QtGui.QLineEdit).setText(self._path)
-            box = dialog.findChild(QtGui.QDialogButtonBox)
-            box.button(QtGui.QDialogButtonBox.Open).click()
-        elif dialog is not None:
-            choices = dialog.findChildren(QtGui.QRadioButton)
-            for choice in [each for each in choices if "Quad mesh" in each.text()]:
-                choice.click()
-            # The one button of the question; anything else that is asked is answered with no.
-            (dialog.findChild(QtGui.QPushButton).click if choices else dialog.reject)()
 
 
 def corners(mesh):
