@@ -27,6 +27,22 @@ from solver.nets.constraints import (
 )
 
 _AXES = "xyz"
+_CHEBYSHEV = ("chebyshev", "geodesic-chebyshev")
+# Nets that have an option, and what it is where it was not given.
+_ONLY: dict[str, tuple[tuple[str, ...], object]] = {
+    "diagonal": (("geodesic", "dog", "asymptotic", "cmc", "snet", "geodesic-chebyshev"), False),
+    "radius": (("cmc",), None),
+    "length": (_CHEBYSHEV, None),
+    "per_family": (_CHEBYSHEV, False),
+    "angle": (("orthogonal",), 90.0),
+    "reference": (("isometric",), None),
+    "load": (("stress",), 0.0),
+    "load_area": (("stress",), 0.0),
+    "load_length": (("stress",), 0.0),
+    "supports": (("stress",), None),
+    "compression": (("stress",), False),
+    "tension": (("stress",), False),
+}
 # The end of a --glide that names vertices; a path may have an @ of its own.
 _VERTICES = re.compile(r"@([\d,]+)$")
 # Curves whose ends are nearer than this part of their size are closed.
@@ -67,16 +83,26 @@ def add(parser: argparse.ArgumentParser) -> None:
 
 
 def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, Any]:
-    """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh."""
+    """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh.
+
+    Raises:
+        InputError: an option that the net does not have, or one that cannot be used.
+    """
+    for name, (nets, default) in _ONLY.items():
+        if getattr(options, name) != default and options.net not in nets:
+            raise InputError(
+                f"--{name.replace('_', '-')}: only {', '.join(nets)} nets have it, not "
+                f"{options.net}; leave it out"
+            )
     forces = "compression" if options.compression else "tension" if options.tension else "free"
     reference = None
     if options.reference:
         reference = _reference(options.reference, loaded)
     fix = options.fix
+    if options.supports and fix != "none":
+        raise InputError("--supports: what does not move is supported; give --fix or --supports")
     if options.net == "stress":
         fix = options.supports or (fix if fix != "none" else "boundary")
-    elif options.supports:
-        raise InputError("supports: only stress nets have them; use --fix for other nets")
     return {
         "fix": fix,
         "multi": options.multi,

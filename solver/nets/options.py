@@ -58,10 +58,20 @@ class NetOptions:
         Raises:
             InputError: the mesh has no vertex with four faces around it.
         """
-        net = problem.mesh.connectivity
-        if not len(net.stars):
-            raise InputError(
-                f"{problem.net} net: needs inner vertices with four faces around them, the mesh "
-                "has none; give a mesh of at least 2 x 2 faces"
-            )
-        return net.diagonal_stars if self.diagonal else net.stars
+        stars = stars_of(problem)
+        return problem.mesh.connectivity.diagonal_stars if self.diagonal else stars
+
+
+def stars_of(problem: Problem) -> IntArray:
+    """(S, 5) stars of the mesh.
+
+    Raises:
+        InputError: the mesh has no vertex with four faces around it.
+    """
+    stars = problem.mesh.connectivity.stars
+    if not len(stars):
+        raise InputError(
+            f"{problem.net} net: needs inner vertices with four faces around them, the mesh "
+            "has none; give a mesh of at least 2 x 2 faces"
+        )
+    return stars

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from solver.analysis import measures
-from solver.nets.options import NetOptions
+from solver.nets.options import NetOptions, stars_of
 from solver.problem import Problem, of_mesh
 from solver.terms.face_angles import CircularFace
 from solver.terms.orthogonality import Orthogonality
@@ -36,6 +36,6 @@ def conical(problem: Problem, options: NetOptions) -> Problem:
 
     Source: Liu et al. (2006), Geometric modeling with conical meshes and developable surfaces.
     """
-    stars = options.stars(problem)
+    stars = stars_of(problem)
     problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
     return problem.require(ConicalStar(stars), of_mesh(measures.conical))

@@ -135,6 +135,13 @@ def test_a_given_radius_is_kept():
     assert abs(spheres.common_radius(outcome.mesh)) == pytest.approx(1.03, abs=1e-10)
 
 
+@pytest.mark.parametrize("net", ["principal", "circular", "conical"])
+def test_nets_of_planar_faces_have_no_diagonal_variant(net):
+    start = start_mesh("bent sheet")
+    outcome = optimise(start, net, options=NetOptions(diagonal=True))
+    assert outcome.mesh.vertices.tobytes() == solved(net, "bent sheet").mesh.vertices.tobytes()
+
+
 @pytest.mark.parametrize("net", ["geodesic", "asymptotic", "cmc", "conical"])
 def test_unit_and_place_do_not_matter(net):
     name = {"asymptotic": "scherk", "cmc": "unduloid"}.get(net, "bent sheet")
