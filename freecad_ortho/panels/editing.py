@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -26,6 +27,10 @@ from solver.mesh.quadmesh import FloatArray
 from solver.nets.settings import fixed_vertices
 
 translate = FreeCAD.Qt.translate
+
+# Seconds without a picture of the net after which the handles move on without it; a picture more
+# for each move of the mouse would hold up that of the net.
+_LATE = 0.1
 
 _SETTINGS = {item.name for item in ALL}
 
@@ -62,6 +67,7 @@ class Editing:
         self.live: Live | None = None
         self.committing = False
         self._hovered: int | None = None
+        self._shown = 0.0
         self._starts: dict[int, FloatArray] = {}
         self._normal = np.zeros(3)
         self._surface: TriangleSurface | None = None
@@ -203,7 +209,8 @@ class Editing:
                 place = self._surface.closest(place[None])[0][0]
             self.handles[vertex] = place
         self.live.aim({vertex: self.handles[vertex] for vertex in self.chosen})
-        self._mark()
+        if time.perf_counter() - self._shown > _LATE:
+            self._mark()
 
     def _read(self) -> None:
         """Take the net as it is stored; handles are where their vertices are."""
@@ -266,7 +273,7 @@ class Editing:
 
     def _stepped(self, points: FloatArray) -> None:
         self._show(points)
-        redraw(self._net.Document.Name)
+        redraw()
         self._told(None)
 
     def _settled(self, outcome: Any, error: str | None) -> None:
@@ -305,6 +312,7 @@ class Editing:
         self._mark()
 
     def _mark(self) -> None:
+        self._shown = time.perf_counter()
         vertices = list(self.handles)
         kinds = [CHOSEN if vertex in self.chosen else HANDLE for vertex in vertices]
         places = [self.handles[vertex] for vertex in vertices]

@@ -1,9 +1,10 @@
-"""A dragged net that follows: solver steps from a timer while it is held, the exact net after."""
+"""A dragged net that follows: solver steps while FreeCAD draws, the exact net in the end."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Generator
+from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any
 
 from PySide import QtCore
@@ -13,13 +14,22 @@ from solver.mesh.quadmesh import FloatArray
 
 # A shape that moves less than this in a step, in mean edges, rests; no steps are spent on it.
 _AT_REST = 1e-4
-# Milliseconds from a step that followed the mouse to one that only brings the net nearer to rest:
-# the next move of the mouse, and the redraw, come first.
-_PAUSE = 50
+# Seconds from a step that followed the mouse to one that only brings the net nearer to rest: the
+# next move of the mouse comes first.
+_PAUSE = 0.05
+# Milliseconds between looks at whether a step is done.
+_LOOK = 1
+
+# Makes the steps, one after the other in the order in which they are asked for. They touch nothing
+# of FreeCAD's.
+_worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="ortho-live")
 
 
 class Live(QtCore.QObject):
     """Steps a session: while held towards the handles, when let go until the net is exact.
+
+    From the first :meth:`aim` on the session belongs to a thread of its own. What comes of its
+    steps is told in the thread of the window; once stopped, nothing more is told.
 
     Args:
         session: a :class:`solver.Session`.
@@ -39,37 +49,52 @@ class Live(QtCore.QObject):
         self._moved, self._ended = moved, ended
         self._places: dict[int, FloatArray] = {}
         self._settling: Generator[Any, None, Any] | None = None
+        self._step: Future[Callable[[], None]] | None = None
+        self._resting, self._rest_after = False, 0.0
         self._timer = QtCore.QTimer(self)
-        self._timer.timeout.connect(self._tick)
+        self._timer.setInterval(_LOOK)
+        self._timer.timeout.connect(self._look)
 
     @property
     def settling(self) -> bool:
         """Tell whether the handles have been let go and the exact net is not found yet."""
         return self._settling is not None
 
+    @property
+    def busy(self) -> bool:
+        """Tell whether a step is under way."""
+        return self._step is not None
+
     def aim(self, places: dict[int, FloatArray]) -> None:
         """Move handles and go on stepping towards them; ends settling."""
         self._settling = None
         self._places.update(places)
-        self._timer.start(0)
+        self._timer.start()
 
     def settle(self) -> None:
         """Find the exact net for the handles as they are."""
-        if self._places:
-            # The mouse moved on since the last step.
-            self.session.drag(self._places)
-            self._places = {}
-        self._settling = self.session.settling()
-        self._timer.start(0)
+        self._settling = self._settled(self._places)
+        self._places = {}
+        self._timer.start()
 
     def stop(self) -> None:
-        """Make no further step."""
+        """Make no further step, and tell nothing of one that is under way."""
         self._timer.stop()
-        self._settling = None
+        self._settling = self._step = None
+        self._places = {}
 
-    def _tick(self) -> None:
+    def _look(self) -> None:
+        """Tell what has come of a step, and begin the next."""
         try:
-            self._settle_on() if self._settling is not None else self._follow()
+            tell = None
+            if self._step is not None:
+                if not self._step.done():
+                    return
+                tell, self._step = self._step.result(), None
+            # The next step is made while the picture of this one is drawn.
+            self._begin()
+            if tell is not None:
+                tell()
         except OrthoError as error:
             self.stop()
             self._ended(None, str(error))
@@ -78,19 +103,47 @@ class Live(QtCore.QObject):
             self.stop()
             raise
 
-    def _follow(self) -> None:
-        places, self._places = self._places, {}
-        record = self.session.drag(places)
-        self.frames.append(time.perf_counter())
-        if record.step_length < _AT_REST:
+    def _begin(self) -> None:
+        if self._settling is not None:
+            self._step = _worker.submit(self._settle, self._settling)
+        elif self._places:
+            places, self._places = self._places, {}
+            self._resting, self._rest_after = False, time.perf_counter() + _PAUSE
+            self._step = _worker.submit(self._follow, places)
+        elif self._resting:
             self._timer.stop()
-        else:
-            self._timer.start(_PAUSE if places else 0)
-        self._moved(self.session.vertices)
+        elif time.perf_counter() > self._rest_after:
+            self._step = _worker.submit(self._follow, {})
 
-    def _settle_on(self) -> None:
-        try:
-            next(self._settling)
-        except StopIteration as end:
+    def _follow(self, places: dict[int, FloatArray]) -> Callable[[], None]:
+        """One step, in the worker; what it returns is called in the window's thread."""
+        record = self.session.drag(places)
+        points = self.session.vertices
+
+        def tell() -> None:
+            self.frames.append(time.perf_counter())
+            self._resting = record.step_length < _AT_REST
+            self._moved(points)
+
+        return tell
+
+    def _settle(self, settling: Generator[Any, None, Any]) -> Callable[[], None]:
+        """Steps of settling, in the worker, until the net is exact or no longer wanted."""
+        while settling is self._settling:
+            try:
+                next(settling)
+            except StopIteration as end:
+                outcome = end.value
+                return lambda: self._end(settling, outcome)
+        return lambda: None
+
+    def _settled(self, places: dict[int, FloatArray]) -> Generator[Any, None, Any]:
+        if places:
+            # The mouse moved on since the last step.
+            yield self.session.drag(places)
+        return (yield from self.session.settling())
+
+    def _end(self, settling: Generator[Any, None, Any], outcome: Any) -> None:
+        if settling is self._settling:
             self.stop()
-            self._ended(end.value, None)
+            self._ended(outcome, None)

@@ -14,8 +14,9 @@ from solver.mesh.quadmesh import FloatArray
 # Pixels within which a vertex is hit, and beyond which a press becomes a drag.
 _REACH = 10.0
 _STILL = 3.0
-# Values of a field of FreeCAD's selection node: unlike other enumerations it has no names for them.
-_SELECTION_ON, _SELECTION_OFF = 1, 2
+# Fields of FreeCAD's selection node: what a click selects, and what lights up under the mouse; the
+# latter has another name in FreeCAD 0.20.
+_SELECTING = ("selectionMode", "preselectionMode", "highlightMode")
 
 _KEYS = {
     coin.SoKeyboardEvent.X: "x",
@@ -92,8 +93,8 @@ class Mouse:
             return
         if self._root.findChild(self._separator) >= 0:
             self._root.removeChild(self._separator)
-        for field in self._selecting:
-            field.setValue(_SELECTION_ON)
+        for field, value in self._selecting:
+            field.set(value)
         self._separator = None
         self._selecting = []
 
@@ -181,12 +182,17 @@ class Mouse:
             node.setHandled()
 
 
-def _selection_off(document: str) -> list[Any]:
-    """Let clicks in a document's 3D views select nothing; give the fields to set back."""
-    fields = []
+def _selection_off(document: str) -> list[tuple[Any, str]]:
+    """Let the mouse select nothing in a document's 3D views; give the fields and what they were.
+
+    Nor does anything light up under it: FreeCAD would look through all faces at each move.
+    """
+    before = []
     for view in views(document):
-        field = view.getSceneGraph().getField("selectionMode")
-        if field is not None and field.getValue() == _SELECTION_ON:
-            field.setValue(_SELECTION_OFF)
-            fields.append(field)
-    return fields
+        root = view.getSceneGraph()
+        for name in _SELECTING:
+            field = root.getField(name)
+            if field is not None:
+                before.append((field, field.get().getString()))
+                field.set("OFF")
+    return before

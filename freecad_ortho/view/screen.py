@@ -93,13 +93,12 @@ def views(document: str) -> list[Any]:
     return found
 
 
-def redraw(document: str) -> None:
-    """Have the 3D views of a document drawn before the next timer goes off.
+def redraw() -> None:
+    """Have changed 3D views drawn before the next timer goes off.
 
-    Left to themselves they are drawn when nothing else is to do, for several changes at once.
+    Left to itself Coin tells FreeCAD of changes when nothing else is to do.
     """
-    for view in views(document):
-        view.redraw()
+    coin.SoDB.getSensorManager().processDelayQueue(True)
 
 
 def _pair(pair: Any) -> FloatArray:

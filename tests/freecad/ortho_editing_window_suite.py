@@ -12,7 +12,7 @@ from ortho_mouse_tools import Hand
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import vertices, wait
 from pivy import coin
-from PySide import QtGui
+from PySide import QtCore
 
 from freecad_ortho import api, convert, preferences
 from freecad_ortho.objects import structure
@@ -354,21 +354,23 @@ class TestSpeed(EditingCase):
         self.hand.press(start)
         self.hand.move(start + [0, 4])
         wait(seconds=1.0)
-        begin, begin_busy, count = time.perf_counter(), time.thread_time(), len(drawn)
-        steps = self.editing.live.frames
-        for k in range(60):
-            seen, done = len(drawn), len(steps)
-            self.hand.move(start + [0, 5 + k])
-            while (len(drawn) == seen or len(steps) == done) and time.perf_counter() - begin < 60:
-                QtGui.QApplication.processEvents()
-        clock, busy = time.perf_counter() - begin, time.thread_time() - begin_busy
-        shown = len(drawn) - count
-        words = f"{shown / clock:.0f} by the clock, {shown / busy:.0f} by the work done"
-        FreeCAD.Console.PrintMessage(f"redraws a second at 2,304 vertices: {words}\n")
-        self.assertGreaterEqual(shown, 60)
-        # Wanted are 20, on a machine that does nothing else. By the work of this thread it is
-        # some 30; other processes take half of it through the caches that they share.
-        self.assertGreater(shown / busy, 12)
+        # A mouse tells where it is some 100 times a second, whatever the program is doing.
+        moves = iter(range(300))
+        mouse = QtCore.QTimer()
+        mouse.timeout.connect(lambda: self.hand.move(start + [0, 5 + 60 * next(moves) / 300]))
+        begin, shown, steps = time.perf_counter(), len(drawn), len(self.editing.live.frames)
+        mouse.start(10)
+        wait(seconds=3.0)
+        mouse.stop()
+        seconds = time.perf_counter() - begin
+        shown = (len(drawn) - shown) / seconds
+        steps = (len(self.editing.live.frames) - steps) / seconds
+        words = f"{shown:.0f} redraws a second at 2,304 vertices, {steps:.0f} of them of a new step"
+        FreeCAD.Console.PrintMessage(words + "\n")
+        # Wanted are 20 redraws, and they are had where this machine does nothing else. Less is
+        # asked for, because of what other processes and an emulated graphics card take.
+        self.assertGreater(shown, 8, words)
+        self.assertGreater(steps, 5, words)
         end = start + [0, 64]
         self.settled(end)
         self.assertLessEqual(max(tools.faults(net)), 1e-10)
