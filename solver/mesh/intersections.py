@@ -36,12 +36,23 @@ def crossing_faces(mesh: QuadMesh) -> IntArray:
 
 
 def _near(centres: FloatArray, radii: FloatArray) -> IntArray:
-    """(K, 2) pairs whose bounding balls may meet."""
-    if len(centres) < 2:
-        return np.zeros((0, 2), dtype=np.int64)
-    pairs = cKDTree(centres).query_pairs(2 * float(radii.max()), output_type="ndarray")
-    apart = np.linalg.norm(centres[pairs[:, 0]] - centres[pairs[:, 1]], axis=1)
-    return np.asarray(pairs[apart < radii[pairs].sum(axis=1)], dtype=np.int64)
+    """(K, 2) pairs whose bounding balls may meet.
+
+    Balls are sorted into sizes, each within a factor of two, and every size is held against itself
+    and all smaller ones: a few large faces among many small ones do not make all of these near.
+    """
+    size = np.frexp(radii)[1]
+    found = [np.zeros((0, 2), dtype=np.int64)]
+    for level in np.unique(size):
+        large, all_up_to = np.flatnonzero(size == level), np.flatnonzero(size <= level)
+        met = cKDTree(centres[large]).sparse_distance_matrix(
+            cKDTree(centres[all_up_to]), 2 * float(radii[large].max()), output_type="ndarray"
+        )
+        one, two = large[met["i"]], all_up_to[met["j"]]
+        near = (met["v"] < radii[one] + radii[two]) & ((size[two] < level) | (one < two))
+        found.append(np.sort(np.stack([one[near], two[near]], axis=1), axis=1))
+    pairs = np.concatenate(found)
+    return pairs[np.lexsort(pairs.T[::-1])]
 
 
 def _pierces(start: FloatArray, end: FloatArray, triangle: FloatArray) -> np.ndarray:

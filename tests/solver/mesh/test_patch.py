@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from solver import QuadMesh
 from solver.analysis import measures
 from solver.errors import InputError
 from solver.mesh.border import straight_corners
-from solver.mesh.grid import grid_of
+from solver.mesh.grid import grid_mesh, grid_of
 from solver.mesh.intersections import crossing_faces
 from solver.mesh.patch import SurfacePatch, sampled
 from solver.mesh.primitives import rectangle
@@ -221,3 +223,31 @@ def test_crossing_faces():
     pairs = crossing_faces(both)
     assert len(pairs)
     assert ((pairs < 9).sum(axis=1) == 1).all()
+
+
+def test_crossing_faces_of_a_grid_with_large_and_small_faces_take_little_memory():
+    step = np.linspace(0, 1, 100) ** 4
+    x, y = np.meshgrid(step, step, indexing="ij")
+    mesh = grid_mesh(np.stack([x, y, 0 * x], axis=2))
+    tracemalloc.start()
+    assert len(crossing_faces(mesh)) == 0
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 40e6
+
+
+def test_faces_of_all_sizes_that_cross_are_found():
+    numbers = np.random.default_rng(5)
+    corners = numbers.normal(size=(60, 1, 3)) + 10 ** numbers.uniform(
+        -2, 0.5, (60, 1, 1)
+    ) * numbers.normal(size=(60, 4, 3))
+    mesh = QuadMesh.from_arrays(corners.reshape(-1, 3), np.arange(240).reshape(-1, 4))
+    found = crossing_faces(mesh)
+    alone = [
+        [one, two]
+        for one in range(60)
+        for two in range(one + 1, 60)
+        if len(crossing_faces(QuadMesh.from_arrays(mesh.vertices, mesh.faces[[one, two]])))
+    ]
+    assert len(alone) > 10
+    assert found.tolist() == alone
