@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     import cadquery
     import Part
 
-    from freecad_ortho.sources import Option, Source
+    from freecad_ortho.option import Option
+    from freecad_ortho.sources import Source
 
 
 def vectors(points: FloatArray) -> list[FreeCAD.Vector]:

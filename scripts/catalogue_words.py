@@ -13,6 +13,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS
+from freecad_ortho.option import Option
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis.fields import FIELDS
 from solver.nets import RECIPES
@@ -27,17 +28,15 @@ def words() -> Iterator[tuple[str, str]]:
     for source in SOURCES.values():
         yield _PANELS, source.meaning
         for option in source.options:
-            yield from _option(option.label, option.meaning, option.choices)
+            yield from _option(option)
             yield _PROPERTIES, option.meaning
     for system in SYSTEMS.values():
         for entry in system.options:
-            label = entry.name.replace("_", " ").capitalize()
-            metavar = tuple(entry.metavar.split("|"))
-            yield from _option(label, entry.help, metavar if len(metavar) > 1 else ())
-            yield _PROPERTIES, f"{label}: {entry.help}"
+            yield from _option(entry)
+            yield _PROPERTIES, f"{entry.label}: {entry.meaning}"
 
 
-def _option(label: str, meaning: str, choices: tuple[str, ...]) -> Iterator[tuple[str, str]]:
-    yield _PANELS, label
-    yield _PANELS, meaning
-    yield from ((_PANELS, word) for word in choices)
+def _option(option: Option) -> Iterator[tuple[str, str]]:
+    yield _PANELS, option.label
+    yield _PANELS, option.meaning
+    yield from ((_PANELS, word) for word in option.choices)

@@ -15,9 +15,19 @@ from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
-from freecad_ortho.fabrication.systems import SYSTEMS, Option
+from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.option import Option
 
+# What a value is read as, and what stands for it in the help.
+_KINDS: dict[str, tuple[type, str]] = {
+    "length": (float, "MM"),
+    "angle": (float, "DEG"),
+    "percent": (float, "PERCENT"),
+    "count": (int, "N"),
+    "choice": (str, ""),
+    "text": (str, "TEXT"),
+}
 _LIMITS = {field.name: field.default for field in fields(Limits)}
 
 
@@ -126,10 +136,12 @@ def _add_option(
     group: argparse._ArgumentGroup, option: Option, before: str = "", default: str | None = None
 ) -> None:
     flag = "--" + option.name.replace("_", "-")
-    words = before + option.help
-    if option.kind is bool:
+    words = before + option.meaning
+    if option.kind == "flag":
         group.add_argument(flag, action="store_true", default=None, help=words)
         return
     if shown := _shown(option.default) if default is None else default:
         words += f" (default: {shown})"
-    group.add_argument(flag, type=option.kind, metavar=option.metavar, help=words)
+    kind, metavar = _KINDS[option.kind]
+    metavar = option.written or "|".join(option.choices) or metavar
+    group.add_argument(flag, type=kind, metavar=metavar, help=words)

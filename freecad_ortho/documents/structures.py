@@ -23,7 +23,7 @@ from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, flat_patterns, outdated
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.objects.system_properties import choices, is_length, options_of, property_name
+from freecad_ortho.objects.system_properties import options_of
 from solver.errors import InputError
 
 if TYPE_CHECKING:
@@ -235,12 +235,12 @@ def _option_properties(system: str, sizes: dict[str, Any]) -> dict[str, Any]:
                 f"{name}: {system} have no such setting; there are {', '.join(options)}"
             )
     given = {
-        name: convert.millimetres(value, name) if is_length(options[name]) else value
+        name: convert.millimetres(value, name) if options[name].kind == "length" else value
         for name, value in sizes.items()
     }
     defaults = {option.name: option.default for option in SYSTEMS[system].options}
     SYSTEMS[system].of(defaults | given)
     return {
-        property_name(options[name]): value.capitalize() if choices(options[name]) else value
+        options[name].parts[0]: value.capitalize() if options[name].choices else value
         for name, value in given.items()
     }

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.sizes import positive
-from freecad_ortho.fabrication.systems.system import Option
+from freecad_ortho.option import Option
 from solver.errors import InputError
 
 GRAINS = ("none", "along")
@@ -45,14 +45,14 @@ class Workshop:
     kerf: float = 0.0
 
     options: ClassVar[tuple[Option, ...]] = (
-        Option("sheet", None, "size of the sheets to nest on", str, "WxH"),
-        Option("spacing", 10.0, "between parts on a sheet and from its rim"),
-        Option("grain", "none", "may parts turn on the sheet", str, "|".join(GRAINS)),
-        Option("nesting", "boxes", "what is packed: fast or dense", str, "|".join(NESTINGS)),
-        Option("seed", 0, "of the search for a dense nesting", int, "N"),
-        Option("stock", None, "length of bars and strips; longer lamellas are spliced"),
-        Option("saw", 3.0, "width of a saw cut between parts of a bar"),
-        Option("kerf", 0.0, "width of the cut to compensate flat patterns for"),
+        Option("sheet", None, "text", "size of the sheets to nest on", written="WxH"),
+        Option("spacing", 10.0, "length", "between parts on a sheet and from its rim"),
+        Option("grain", "none", "choice", "may parts turn on the sheet", GRAINS),
+        Option("nesting", "boxes", "choice", "what is packed: fast or dense", NESTINGS),
+        Option("seed", 0, "count", "of the search for a dense nesting"),
+        Option("stock", None, "length", "length of bars and strips; longer lamellas are spliced"),
+        Option("saw", 3.0, "length", "width of a saw cut between parts of a bar"),
+        Option("kerf", 0.0, "length", "width of the cut to compensate flat patterns for"),
     )
 
     def __post_init__(self) -> None:

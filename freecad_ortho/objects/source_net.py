@@ -16,7 +16,8 @@ from freecad_ortho.objects.properties import (
     Property,
     ensure,
 )
-from freecad_ortho.sources import Made, Option, Source, source
+from freecad_ortho.option import Option
+from freecad_ortho.sources import Made, Source, source
 from solver.errors import InputError, OrthoError
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -28,6 +29,7 @@ _KINDS = {
     "area": "App::PropertyFloat",
     "angle": "App::PropertyAngle",
     "number": "App::PropertyFloat",
+    "percent": "App::PropertyFloat",
     "count": "App::PropertyInteger",
     "choice": "App::PropertyEnumeration",
     "flag": "App::PropertyBool",

@@ -8,12 +8,13 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
+from freecad_ortho.option import Option
 from freecad_ortho.panels.fields import NARROW, ChoiceField
-from freecad_ortho.sources import Option
 
 translate = FreeCAD.Qt.translate
 
 _UNITS = {"length": "mm", "distance": "mm", "area": "mm^2", "angle": "deg"}
+_PLAIN = ("number", "percent")
 _MOST = 1e12
 
 
@@ -88,7 +89,7 @@ class OptionField:
             widget.setProperty("unit", _UNITS[kind])
             widget.setProperty("minimum", 0.0 if kind == "length" else -_MOST)
             widget.setProperty("maximum", _MOST)
-        elif kind == "number":
+        elif kind in _PLAIN:
             widget = _NumberBox()
             if isinstance(self.option.default, tuple):
                 widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
@@ -109,7 +110,7 @@ class OptionField:
         kind = self.option.kind
         if kind in _UNITS:
             return float(part.property("rawValue"))
-        if kind in ("number", "count"):
+        if kind in (*_PLAIN, "count"):
             return part.value()
         if kind == "choice":
             return part.word
@@ -119,7 +120,7 @@ class OptionField:
         kind = self.option.kind
         if kind in _UNITS:
             part.setProperty("rawValue", float(value))
-        elif kind == "number":
+        elif kind in _PLAIN:
             part.setValue(float(value))
         elif kind == "count":
             part.setValue(int(value))

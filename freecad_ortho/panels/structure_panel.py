@@ -9,9 +9,10 @@ from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.commands import context
-from freecad_ortho.fabrication import MATERIALS, Option
+from freecad_ortho.fabrication import MATERIALS
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.objects.system_properties import choices, is_length, label, options_of
+from freecad_ortho.objects.system_properties import options_of
+from freecad_ortho.option import NUMBERS, Option
 from freecad_ortho.panels.fields import (
     ChoiceField,
     LengthField,
@@ -36,7 +37,7 @@ _PREFERRED = {
 }
 
 # Units that a field does not show by itself.
-_UNITS = {"DEG": "°", "PERCENT": "%"}
+_UNITS = {"angle": "°", "percent": "%"}
 
 Field = LengthField | ChoiceField | NumberField | SwitchField | TextField
 
@@ -98,13 +99,13 @@ class StructurePanel(WorkPanel):
         return settings
 
     def _add_row(self, option: Option) -> None:
-        field, words = self.fields[option.name], translate("Ortho", label(option))
-        field.widget.setToolTip(translate("Ortho", option.help))
+        field, words = self.fields[option.name], translate("Ortho", option.label)
+        field.widget.setToolTip(translate("Ortho", option.meaning))
         if isinstance(field, SwitchField):
             field.widget.setText(words)
             self._rows.addRow(field.widget)
         else:
-            unit = _UNITS.get(option.metavar)
+            unit = _UNITS.get(option.kind)
             self._rows.addRow(f"{words} ({unit})" if unit else words, field.widget)
 
     def _add_common_fields(self, net: FreeCAD.DocumentObject) -> None:
@@ -133,17 +134,17 @@ class StructurePanel(WorkPanel):
 
 
 def _field(system: str, option: Option) -> Field:
-    words = choices(option)
-    if words:
-        return ChoiceField({word: translate("Ortho", word) for word in words}, option.default)
-    if is_length(option):
+    if option.kind == "choice":
+        words = {word: translate("Ortho", word) for word in option.choices}
+        return ChoiceField(words, option.default)
+    if option.kind == "length":
         preferred = _PREFERRED.get((system, option.name))
         first = preferences.length(preferred) if preferred else option.default or 0.0
         return LengthField(first, optional=option.default is None)
-    if option.kind is bool:
+    if option.kind == "flag":
         return SwitchField(option.default)
-    if option.kind in (int, float):
-        return NumberField(label(option), option.default, whole=option.kind is int)
+    if option.kind in NUMBERS:
+        return NumberField(option.label, option.default, whole=option.kind == "count")
     return TextField(option.default or "")
 
 

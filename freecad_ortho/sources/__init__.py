@@ -5,6 +5,6 @@ All lengths are in mm, angles in degrees.
 """
 
 from freecad_ortho.sources.catalogue import GROUPS, SOURCES, source
-from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.sources.source import Made, Source
 
-__all__ = ["GROUPS", "SOURCES", "Made", "Option", "Source", "source"]
+__all__ = ["GROUPS", "SOURCES", "Made", "Source", "source"]

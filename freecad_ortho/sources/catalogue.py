@@ -6,8 +6,8 @@ from freecad_ortho.sources.changes import CHANGES
 from freecad_ortho.sources.faces import FACES
 from freecad_ortho.sources.forming import FORM
 from freecad_ortho.sources.multinets import ELLIPTIC_NET, MULTI_NET
-from freecad_ortho.sources.option import Source
 from freecad_ortho.sources.primitives import primitive_sources
+from freecad_ortho.sources.source import Source
 from solver.errors import InputError
 
 _PRIMITIVES = primitive_sources()

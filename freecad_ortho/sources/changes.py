@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.option import Option
+from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
 from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.quadmesh import QuadMesh

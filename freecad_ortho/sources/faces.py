@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.option import Option
 from freecad_ortho.sources.primitives import sampling as sampling_option
+from freecad_ortho.sources.source import Made, Source
 from solver.mesh.patch import SurfacePatch, sampled
 
 

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.option import Option
+from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
 from solver.formfinding import (
     CableNet,

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.option import Option
 from freecad_ortho.sources.placing import PLACEMENT, Placing, placed
 from freecad_ortho.sources.primitives import sampling
+from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 from solver.multinet import MultiNet, Quadric, elliptic_net, multi_net, reflected

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.sources.option import Option
+from freecad_ortho.option import Option
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 Placing = tuple[FloatArray, FloatArray]

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_ortho.sources.option import Made, Option, Source
+from freecad_ortho.option import Option
 from freecad_ortho.sources.placing import PLACEMENT, placed
+from freecad_ortho.sources.source import Made, Source
 from solver.mesh.primitives import PRIMITIVES, Parameter, primitive
 
 _METRE = 1000.0

@@ -11,7 +11,7 @@ from ortho_suite_cases import DocumentCase
 from freecad_ortho import api, preferences
 from freecad_ortho.fabrication import SYSTEMS
 from freecad_ortho.objects import flat_patterns, outdated, structure
-from freecad_ortho.objects.system_properties import options_of, property_name
+from freecad_ortho.objects.system_properties import options_of
 from solver.errors import InputError
 
 
@@ -32,7 +32,7 @@ class TestSettings(StructureCase):
                 self.assertIn("optimise", str(error), system)
                 continue
             for option in options_of(system):
-                self.assertIn(property_name(option), feature.PropertiesList)
+                self.assertIn(option.parts[0], feature.PropertiesList)
             self.assertEqual(len(feature.PartNames), len(feature.Shape.Solids), system)
             self.assertTrue(feature.Shape.isValid(), system)
 

@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from freecad_ortho.fabrication.systems.panels import Panels
 from freecad_ortho.fabrication.systems.patches import Patches
-from freecad_ortho.fabrication.systems.system import Option, System, SystemParts
+from freecad_ortho.fabrication.systems.system import System, SystemParts
 from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
@@ -27,7 +27,6 @@ __all__ = [
     "Lamellas",
     "Louvres",
     "Nodes",
-    "Option",
     "Panels",
     "Patches",
     "System",

@@ -9,25 +9,7 @@ from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-
-
-@dataclass(frozen=True)
-class Option:
-    """A setting as the command line, macros and panels offer it.
-
-    Attributes:
-        name: in Python, ``panel_thickness``; on the command line ``--panel-thickness``.
-        default: taken when nothing is given; systems may share an option and differ in this.
-        help: a few words for ``--help``.
-        kind: float, int, str, or bool for a switch.
-        metavar: placeholder of the value.
-    """
-
-    name: str
-    default: Any
-    help: str
-    kind: type = float
-    metavar: str = "MM"
+from freecad_ortho.option import Option
 
 
 @dataclass(frozen=True, eq=False)

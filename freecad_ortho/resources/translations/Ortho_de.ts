@@ -1008,18 +1008,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>1</source>
-   <translation>1</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>1 with slots, 2 with bolt holes</source>
    <translation>1 mit Schlitzen, 2 mit Schraubenlöchern</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>2</source>
-   <translation>2</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />

@@ -24,7 +24,8 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
-from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 
@@ -74,16 +75,16 @@ class Beams(System):
 
     name: ClassVar[str] = "beams"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("height", 200.0, "of the beams"),
-        Option("thickness", 12.0, "of the plates"),
-        Option("offset", "centre", "where the plates lie", str, "|".join(OFFSETS)),
-        Option("section", "plate", "cross section", str, "|".join(SECTIONS)),
-        Option("section_width", 60.0, "of hollow sections and flanges"),
-        Option("flange_thickness", None, "of the flanges where it differs"),
-        Option("ends", "mitred", "how beams meet", str, "|".join(ENDS)),
-        Option("hub_diameter", 100.0, "across the faces of hubs"),
-        Option("clearance", 1.0, "in slots and at hubs"),
-        Option("no_boundary_beams", False, "leave the edges of the boundary out", bool),
+        Option("height", 200.0, "length", "of the beams"),
+        Option("thickness", 12.0, "length", "of the plates"),
+        Option("offset", "centre", "choice", "where the plates lie", OFFSETS),
+        Option("section", "plate", "choice", "cross section", SECTIONS),
+        Option("section_width", 60.0, "length", "of hollow sections and flanges"),
+        Option("flange_thickness", None, "length", "of the flanges where it differs"),
+        Option("ends", "mitred", "choice", "how beams meet", ENDS),
+        Option("hub_diameter", 100.0, "length", "across the faces of hubs"),
+        Option("clearance", 1.0, "length", "in slots and at hubs"),
+        Option("no_boundary_beams", False, "flag", "leave the edges of the boundary out"),
     )
 
     def __post_init__(self) -> None:

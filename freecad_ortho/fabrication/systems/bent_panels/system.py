@@ -22,7 +22,8 @@ from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
 from freecad_ortho.fabrication.systems.panels.geometry import (
     half_angle_tangents,
 )
-from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.option import Option
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
@@ -50,8 +51,8 @@ class BentPanels(System):
 
     name: ClassVar[str] = "bent-panels"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 3.0, "of the plates"),
-        Option("gap", 10.0, "joint between panels"),
+        Option("thickness", 3.0, "length", "of the plates"),
+        Option("gap", 10.0, "length", "joint between panels"),
     )
 
     def __post_init__(self) -> None:

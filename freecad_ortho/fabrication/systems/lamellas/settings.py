@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from freecad_ortho.fabrication.sizes import check_size
-from freecad_ortho.fabrication.systems.system import Option
+from freecad_ortho.option import Option
 from solver.errors import InputError
 
 STRIPS = ("auto", "developable", "twisted")
@@ -53,17 +53,17 @@ class LamellaSettings:
     stock: float | None = None
 
     options: ClassVar[tuple[Option, ...]] = (
-        Option("width", 80.0, "of the strips"),
-        Option("thickness", 5.0, "of the plates"),
-        Option("clearance", 1.0, "of slots"),
-        Option("position", "standing", "to the surface", str, "|".join(POSITIONS)),
-        Option("layers", 1, "1 with slots, 2 with bolt holes", int, "1|2"),
-        Option("hole", 9.0, "diameter of bolt holes"),
-        Option("overhang", None, "beyond the last vertex; half the width unless given"),
-        Option("strip", "auto", "of plane faces or twisted", str, "|".join(STRIPS)),
-        Option("pattern", "auto", "what the axes unroll to", str, "|".join(PATTERNS)),
-        Option("smooth", False, "smooth solids instead of faceted ones", bool),
-        Option("stock", None, "length that they are cut from; longer ones are spliced"),
+        Option("width", 80.0, "length", "of the strips"),
+        Option("thickness", 5.0, "length", "of the plates"),
+        Option("clearance", 1.0, "length", "of slots"),
+        Option("position", "standing", "choice", "to the surface", POSITIONS),
+        Option("layers", 1, "count", "1 with slots, 2 with bolt holes", written="1|2"),
+        Option("hole", 9.0, "length", "diameter of bolt holes"),
+        Option("overhang", None, "length", "beyond the last vertex; half the width unless given"),
+        Option("strip", "auto", "choice", "of plane faces or twisted", STRIPS),
+        Option("pattern", "auto", "choice", "what the axes unroll to", PATTERNS),
+        Option("smooth", False, "flag", "smooth solids instead of faceted ones"),
+        Option("stock", None, "length", "length that they are cut from; longer ones are spliced"),
     )
 
     def __post_init__(self) -> None:

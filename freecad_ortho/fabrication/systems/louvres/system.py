@@ -21,7 +21,8 @@ from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_size, rounded_down
 from freecad_ortho.fabrication.systems.panels.geometry import half_angle_tangents, inset
-from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.lines import FAMILIES
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -49,11 +50,11 @@ class Louvres(System):
 
     name: ClassVar[str] = "louvres"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 12.0, "of the plates"),
-        Option("panel_thickness", None, "of the panels where it differs"),
-        Option("gap", 10.0, "joint between panels"),
-        Option("louvre_axis", "u", "family of lines that louvres turn about", str, "u|v"),
-        Option("tilt", 0.0, "of louvres about that axis", float, "DEG"),
+        Option("thickness", 12.0, "length", "of the plates"),
+        Option("panel_thickness", None, "length", "of the panels where it differs"),
+        Option("gap", 10.0, "length", "joint between panels"),
+        Option("louvre_axis", "u", "choice", "family of lines that louvres turn about", FAMILIES),
+        Option("tilt", 0.0, "angle", "of louvres about that axis"),
     )
 
     def __post_init__(self) -> None:

@@ -20,7 +20,8 @@ from freecad_ortho.fabrication.systems.beams.frames import (
 )
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, gaps_after, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
-from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
@@ -61,15 +62,15 @@ class Nodes(System):
 
     name: ClassVar[str] = "nodes"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("node", "hub", "what joins the beams", str, "|".join(KINDS)),
-        Option("hub_diameter", 100.0, "across the faces of hubs, or of sockets"),
-        Option("bore", 0.0, "hole along the axis of hubs, 0 for none"),
-        Option("socket_depth", 30.0, "how far plates stand in sockets"),
-        Option("height", 200.0, "of the beams"),
-        Option("thickness", 12.0, "of the plates"),
-        Option("offset", "centre", "where the plates lie", str, "|".join(OFFSETS)),
-        Option("clearance", 1.0, "in slots and at hubs"),
-        Option("no_boundary_beams", False, "leave the edges of the boundary out", bool),
+        Option("node", "hub", "choice", "what joins the beams", KINDS),
+        Option("hub_diameter", 100.0, "length", "across the faces of hubs, or of sockets"),
+        Option("bore", 0.0, "length", "hole along the axis of hubs, 0 for none"),
+        Option("socket_depth", 30.0, "length", "how far plates stand in sockets"),
+        Option("height", 200.0, "length", "of the beams"),
+        Option("thickness", 12.0, "length", "of the plates"),
+        Option("offset", "centre", "choice", "where the plates lie", OFFSETS),
+        Option("clearance", 1.0, "length", "in slots and at hubs"),
+        Option("no_boundary_beams", False, "flag", "leave the edges of the boundary out"),
     )
 
     def __post_init__(self) -> None:

@@ -17,7 +17,8 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
     panel_geometry,
 )
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
-from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.option import Option
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
@@ -50,11 +51,11 @@ class Panels(System):
 
     name: ClassVar[str] = "panels"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 12.0, "of the plates"),
-        Option("panel_thickness", None, "of the panels where it differs"),
-        Option("gap", 10.0, "joint between panels"),
-        Option("offset", "centre", "where the plates lie", str, "|".join(OFFSETS)),
-        Option("panel_edge", "square", "sides of the panels", str, "|".join(EDGES)),
+        Option("thickness", 12.0, "length", "of the plates"),
+        Option("panel_thickness", None, "length", "of the panels where it differs"),
+        Option("gap", 10.0, "length", "joint between panels"),
+        Option("offset", "centre", "choice", "where the plates lie", OFFSETS),
+        Option("panel_edge", "square", "choice", "sides of the panels", EDGES),
     )
 
     def __post_init__(self) -> None:

@@ -25,7 +25,8 @@ from freecad_ortho.fabrication.systems.patches.sheet import (
     sheet_body,
     smallest_radius,
 )
-from freecad_ortho.fabrication.systems.system import Option, System, SystemParts, Table, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
+from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 from solver.unroll.patch import FlatPatch, flattened
@@ -53,8 +54,8 @@ class Patches(System):
 
     name: ClassVar[str] = "patches"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 3.0, "of the plates"),
-        Option("distortion", 1.0, "largest that is built, of an edge", float, "PERCENT"),
+        Option("thickness", 3.0, "length", "of the plates"),
+        Option("distortion", 1.0, "percent", "largest that is built, of an edge"),
     )
 
     def __post_init__(self) -> None:

@@ -8,50 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from freecad_ortho.option import NUMBERS, Option
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-
-# Kinds of one number; an option that is a tuple has several of them.
-NUMBERS = ("length", "distance", "area", "angle", "number", "count")
-KINDS = (*NUMBERS, "choice", "flag", "text", "points", "placement")
-_SUFFIXES = {2: ("Start", "End"), 3: ("X", "Y", "Z"), 4: ("First", "Second", "Third", "Fourth")}
-
-
-@dataclass(frozen=True)
-class Option:
-    """One thing that a source asks for.
-
-    Attributes:
-        name: keyword of the source's function.
-        default: value, a tuple where there are several numbers.
-        kind: ``length`` (mm, not negative), ``distance`` (mm), ``area`` (mm2), ``angle`` (degrees),
-            ``number``, ``count`` (whole), ``choice``, ``flag``, ``text``, ``points`` ((n, 3) mm) or
-            ``placement`` (rotation (3, 3), origin (3,)).
-        meaning: one sentence without a full stop.
-        choices: words of a choice.
-        suffixes: of the parts of a tuple, in property names.
-    """
-
-    name: str
-    default: Any
-    kind: str
-    meaning: str
-    choices: tuple[str, ...] = ()
-    suffixes: tuple[str, ...] = ()
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Names of the properties that hold it."""
-        stem = "".join(word.capitalize() for word in self.name.split("_"))
-        if self.kind in NUMBERS and isinstance(self.default, tuple):
-            ends = self.suffixes or _SUFFIXES[len(self.default)]
-            return tuple(stem + end for end in ends)
-        return (stem,)
-
-    @property
-    def label(self) -> str:
-        """The name in plain words."""
-        return self.name.replace("_", " ").capitalize()
 
 
 @dataclass(frozen=True, eq=False)
