@@ -175,12 +175,14 @@ def test_names_and_neighbours_are_on_the_pattern_and_depend_on_connectivity_only
 
 
 @pytest.mark.parametrize(("strip", "layers"), [("developable", 1), ("twisted", 1), ("twisted", 2)])
-def test_names_of_neighbours_lie_on_the_plate(strip, layers):
-    settings = Lamellas(40.0, 3.0, strip=strip, pattern="free", layers=layers)
+def test_names_and_ticks_lie_on_the_plate(strip, layers):
+    settings = Lamellas(40.0, 3.0, 14.0, strip=strip, pattern="free", layers=layers)
     for part in build(rounded(), [settings]).parts:
         plate = shapely.Polygon(part.pattern.outline)
         for mark in part.pattern.marks:
-            if mark.text:
+            if not mark.text:
+                assert plate.buffer(1e-6).covers(shapely.LineString(mark.points))
+            else:
                 half = mark.size * np.array([len(mark.text), 1.0]) / 2
                 box = shapely.affinity.rotate(shapely.box(*-half, *half), mark.angle)
                 assert plate.contains(shapely.affinity.translate(box, *mark.points[0]))

@@ -66,12 +66,12 @@ def test_holes_of_plates_and_pieces_lie_on_one_another():
         assert_bolted(plate, [by_name[f"L{stem}-{int(number) + k}"] for k in (0, 1)])
 
 
-def assert_bolted(plate, pieces, off=1e-9):
+def assert_bolted(plate, pieces):
     """Every hole of the plate lies on one hole of the pieces, of all of which it is the nearest."""
     drills = [drill for piece in pieces for drill in in_place(piece)]
     for centre, direction in in_place(plate):
         away = [np.linalg.norm(np.cross(centre - other, direction)) for other, _ in drills]
-        assert min(away) <= off
+        assert min(away) <= 1e-9
         assert sorted(away)[1] > 10
 
 
@@ -200,7 +200,7 @@ def test_rings_of_a_barrel_are_closed(settings):
         assert len(plates) == len(pieces) >= (6 if "stock" in settings else 1)
         assert max(piece.length for piece in pieces) <= settings.get("stock", math.inf)
         for plate in plates:
-            assert_bolted(plate, pieces, 1e-3)
+            assert_bolted(plate, pieces)
     check_solids_with_holes(structure)
     clashes = check_clashes(structure.parts).clashes
     assert not [clash for clash in clashes if "S-" in clash.first + clash.second]

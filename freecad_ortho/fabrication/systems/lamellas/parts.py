@@ -196,18 +196,23 @@ def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArr
     marks = []
     for crossing in made.crossings:
         station = crossing.station
-        side = -1.0 if crossing.slot is None or crossing.slot.upward else 1.0
-        ruling = ribbon.stretch[station] * strip.flat_rulings[station]
-        middle = strip.flat_points[station] + level * ruling
-        # Where a hole is in the middle the tick ends before it.
-        reach = (0.5, 0.3) if crossing.slot is None else (0.0, 0.1)
-        tick = middle + side * ribbon.width * np.array(reach)[:, None] * ruling
+        slot = crossing.slot
+        if slot is None:
+            # From the edge to before the hole in the middle.
+            side, open_width = -1.0, made.holes[0].diameter
+            ruling = ribbon.stretch[station] * strip.flat_rulings[station]
+            middle = strip.flat_points[station] + level * ruling
+            tick = middle - np.array([[0.5], [0.3]]) * ribbon.width * ruling
+        else:
+            side, open_width = (-1.0 if slot.upward else 1.0), slot.width
+            floor = slot.sides(ribbon).mean(axis=0)
+            tick = floor - np.array([[0.0], [0.1]]) * ribbon.width * slot.direction
         # The text lies along the edge that follows, in its face.
         across = ribbon.flat_across[station]
         ahead = np.array([across[1], -across[0]])
         room = 0.4 * float(strip.lengths[station])
         size = fitted_text_size(crossing.other, room, 0.3 * ribbon.width, 12.0)
-        text_room = 0.5 * size * len(crossing.other) + 0.5 * size
+        text_room = 0.5 * (open_width + size * (len(crossing.other) + 1))
         up = level + side * 0.25 * ribbon.width
         place = strip.flat_points[station] + text_room * ahead + up * across
         angle = float(np.degrees(np.arctan2(*(ahead @ turn)[::-1])))
