@@ -6,11 +6,18 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import lsq_linear
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, eye_array
+from scipy.sparse.linalg import splu
 
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray
+
+# Least force density, in mean loads by mean edge, of an edge whose force must have a sign.
+_LEAST = 1e-3
+# Damping of normal equations relative to their diagonal, and how often they are repeated at most,
+# until the solution changes by less than the last part.
+_DAMPING, _REPEATS, _SETTLED = 1e-10, 30, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,9 +91,36 @@ def start_densities(
         sign: 0 for any force, -1 for compression only, 1 for tension only.
     """
     matrix, right = equilibrium_system(net, points, load, supports)
-    bounds = {0: (-np.inf, np.inf), -1: (-np.inf, -1e-3), 1: (1e-3, np.inf)}[sign]
-    densities = np.asarray(lsq_linear(matrix, right, bounds=bounds, lsmr_tol="auto").x)
-    return np.where(supports[net.edges].all(axis=1), 0.0, densities)
+    idle = supports[net.edges].all(axis=1)
+    densities = smallest_solution(matrix, right)
+    if sign and not (sign * densities[~idle] >= _LEAST).all():
+        bounds = (_LEAST, np.inf) if sign > 0 else (-np.inf, -_LEAST)
+        densities = np.asarray(lsq_linear(matrix, right, bounds=bounds, lsmr_tol="auto").x)
+    return np.where(idle, 0.0, densities)
+
+
+def smallest_solution(matrix: csr_array, right: FloatArray) -> FloatArray:
+    """Smallest of the least-squares solutions of a sparse system, rows or columns redundant or not.
+
+    By damped normal equations, repeated for what they leave.
+    """
+    if not matrix.nnz:
+        return np.zeros(matrix.shape[1])
+    normal = (matrix.T @ matrix).tocsc()
+    damping = _DAMPING * float(normal.diagonal().mean())
+    factors = splu(
+        (normal + damping * eye_array(normal.shape[0])).tocsc(),
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    solution = np.zeros(normal.shape[0])
+    for _ in range(_REPEATS):
+        step = factors.solve(matrix.T @ (right - matrix @ solution))
+        solution += step
+        if np.abs(step).max() <= _SETTLED * np.abs(solution).max():
+            break
+    return solution
 
 
 def equilibrium_system(

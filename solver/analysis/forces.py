@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse.linalg import lsmr
 
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.statics import equilibrium_system, refuse_mechanisms
-
-_EXACT = 1e-13
-_PASSES = 4000
+from solver.statics import equilibrium_system, refuse_mechanisms, smallest_solution
 
 
 def force_densities(mesh: QuadMesh, supports: BoolArray | None = None) -> FloatArray:
@@ -31,8 +27,7 @@ def force_densities(mesh: QuadMesh, supports: BoolArray | None = None) -> FloatA
     # At edges of length one, so that a model in mm and in m are solved alike.
     points = mesh.vertices / mesh.mean_edge
     matrix, right = equilibrium_system(net, points, np.ones(len(points)), held)
-    densities = lsmr(matrix, right, atol=_EXACT, btol=_EXACT, conlim=0.0, maxiter=_PASSES)[0]
-    return np.asarray(densities / mesh.mean_edge)
+    return smallest_solution(matrix, right) / mesh.mean_edge
 
 
 def edge_forces(mesh: QuadMesh, supports: BoolArray | None = None) -> FloatArray:

@@ -9,7 +9,7 @@ import pytest
 
 from solver import InputError, NetOptions, QuadMesh, optimise
 from solver.analysis import measures
-from solver.statics import Loads, unbalanced
+from solver.statics import Loads, start_densities, unbalanced
 from tests.conftest import grid_faces, shared_mesh
 from tests.meshes import hanging_net
 
@@ -89,6 +89,19 @@ def test_forces_of_one_sign(forces, sign):
     between = net.boundary_vertices[net.edges].all(axis=1)
     assert (densities[between] == 0).all()
     assert (densities[~between] > 0).all()
+
+
+@pytest.mark.parametrize("sign", [0, 1])
+def test_the_forces_of_a_start_that_hangs_are_found_exactly(sign):
+    x, y = np.meshgrid(*[np.linspace(-30, 30, 61)] * 2, indexing="ij")
+    points = np.stack([x, y, 0.01 * (x**2 + y**2)], axis=2).reshape(-1, 3)
+    net = QuadMesh.from_arrays(points, grid_faces(61, 61)).connectivity
+    load, rim = np.ones(len(points)), net.boundary_vertices
+    densities = start_densities(net, points, load, rim, sign)
+    assert unbalanced(net, points, densities, load, np.flatnonzero(~rim)).max() <= 1e-10
+    between = rim[net.edges].all(axis=1)
+    assert (densities[between] == 0).all()
+    assert densities[~between].min() > 0.1
 
 
 def test_forces_scale_with_the_load_and_the_unit():
