@@ -21,11 +21,13 @@ if TYPE_CHECKING:
 _TEMPLATES = ("A3_LandscapeTD.svg", "A3_Landscape_TD.svg", "ISO/A3_Landscape_TD.svg")
 _PAGE = (420.0, 297.0)
 # Around the patterns, mm; below them stands the title block.
-_MARGIN, _TITLE = 25.0, 35.0
+_MARGIN, _TITLE = 25.0, 48.0
 # TechDraw looks for hidden lines; with more parts than this, minutes go by and the page is drawn
 # as a picture instead.
 _MOST_PARTS = 200
 _ARC_POINTS = 25
+# A millimetre of a picture, as TechDraw takes it.
+_PIXELS = 96 / 25.4
 
 
 def add_flat_patterns(
@@ -168,10 +170,13 @@ def _names(feature: FreeCAD.DocumentObject, scale: float) -> str:
 def _svg(feature: FreeCAD.DocumentObject, scale: float, content: str) -> str:
     """A picture as large as the scaled patterns."""
     box = feature.Shape.BoundBox
-    width, height = f"{box.XLength * scale:.3f}", f"{box.YLength * scale:.3f}"
+    size = box.XLength * scale, box.YLength * scale
+    width, height = (f"{length:.3f}" for length in size)
+    # Pixels and not mm, of which Qt and TechDraw have different ideas.
+    wide, high = (f"{length * _PIXELS:.3f}" for length in size)
     # Corners that cannot be seen keep the picture's middle where the patterns' is.
     corners = f'<rect x="0" y="0" width="{width}" height="{height}" fill="none"/>'
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" '
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" '
         f'viewBox="0 0 {width} {height}">{corners}{content}</svg>'
     )

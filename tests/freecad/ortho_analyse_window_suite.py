@@ -4,6 +4,7 @@ from unittest import mock
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 import ortho_suite_tools as tools
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
@@ -176,3 +177,23 @@ class TestPicture(AnalyseCase):
     def test_an_impossible_size_is_refused(self):
         with self.assertRaises(InputError):
             api.save_picture(str(tools.SCRATCH / "no.png"), width=0)
+
+
+class TestPages(AnalyseCase):
+    def test_names_stand_where_the_parts_are(self):
+        flat = api.add_flat_patterns(api.add_beams(self.net), sheet=("3 m", "1.5 m"))
+        page = api.add_drawing_page(flat)
+        parts, names = page.Views
+        box = flat.Shape.BoundBox
+        wide, high = box.XLength * parts.Scale, box.YLength * parts.Scale
+        # TechDraw draws ten units a millimetre, from the lower left corner of the page upwards.
+        self.assertGreater(names.Y.Value - high / 2, 70.0)
+        expected = np.array([wide, high, names.X.Value, -names.Y.Value]) * 10
+        self.document.removeObject(parts.Name)
+        page.ViewObject.doubleClicked()
+        wait(seconds=1.0)
+        views = FreeCADGui.getMainWindow().findChildren(QtGui.QGraphicsView)
+        boxes = [item.sceneBoundingRect() for view in views for item in view.items()]
+        found = [(box.width(), box.height(), box.center().x(), box.center().y()) for box in boxes]
+        off = np.abs(np.array(found) / expected - 1).max(axis=1)
+        self.assertLess(off.min(), 0.005)
