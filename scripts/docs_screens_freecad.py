@@ -69,7 +69,7 @@ def bottom(panel) -> int:
     return max(each.geometry().bottom() for each in boxes if each.isVisible()) + 8
 
 
-def stand(room: float = 1.2) -> None:
+def stand(room: float = 1.35) -> None:
     """Look at everything from the standard direction, with room for the colour scale."""
     from freecad_ortho.view import picture
 
@@ -87,7 +87,7 @@ def tutorial() -> None:
         if name == "drag":
             three_d_view().getCameraNode().scaleHeight(1.2)
         else:
-            stand(1.2 if story.net.Visibility else 0.75)
+            stand(1.35 if story.net.Visibility else 0.75)
         look(name)
 
     story = Tutorial(seen)
@@ -165,9 +165,9 @@ def others() -> None:
         both(command)
     for command in CHANGES:
         FreeCAD.newDocument("Changes")
-        nets = [api.add_primitive("translational")]
+        nets = [api.add_primitive("translational", length="24 m", width="16 m", rise="3 m")]
         if command == "Weld":
-            nets.append(api.change_net(nets[0], "mirror"))
+            nets.append(api.change_net(nets[0], "transform", move=("24 m", 0, 0)))
             nets[0].Visibility = True
         for net in nets:
             FreeCADGui.Selection.addSelection(net)

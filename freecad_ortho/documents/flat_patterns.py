@@ -26,8 +26,6 @@ _MARGIN, _TITLE = 25.0, 48.0
 # as a picture instead.
 _MOST_PARTS = 200
 _ARC_POINTS = 25
-# A millimetre of a picture, as TechDraw takes it.
-_PIXELS = 96 / 25.4
 
 
 def add_flat_patterns(
@@ -167,13 +165,22 @@ def _names(feature: FreeCAD.DocumentObject, scale: float) -> str:
     )
 
 
+def _page_millimetre() -> float:
+    """What a picture has to say for a millimetre on the page.
+
+    TechDraw counts 96 pixels an inch, Qt 5 reads pictures with 90, Qt 6 with 96.
+    """
+    from PySide import QtCore
+
+    return 96 / 90 if QtCore.qVersion().startswith("5.") else 1.0
+
+
 def _svg(feature: FreeCAD.DocumentObject, scale: float, content: str) -> str:
     """A picture as large as the scaled patterns."""
     box = feature.Shape.BoundBox
     size = box.XLength * scale, box.YLength * scale
     width, height = (f"{length:.3f}" for length in size)
-    # Pixels and not mm, of which Qt and TechDraw have different ideas.
-    wide, high = (f"{length * _PIXELS:.3f}" for length in size)
+    wide, high = (f"{length * _page_millimetre():.3f}mm" for length in size)
     # Corners that cannot be seen keep the picture's middle where the patterns' is.
     corners = f'<rect x="0" y="0" width="{width}" height="{height}" fill="none"/>'
     return (

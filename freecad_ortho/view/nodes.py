@@ -26,6 +26,8 @@ def nearer() -> coin.SoDepthBuffer:
     """What follows is seen where it lies in the same surface as something else."""
     node = coin.SoDepthBuffer()
     node.range = (0.0, 1.0 - _NEARER)
+    # What is drawn later in the same place is seen, as without this node.
+    node.function = coin.SoDepthBuffer.LEQUAL
     return node
 
 

@@ -36,6 +36,8 @@ PANELS = {
     "FlatPatterns": ("Beams",),
     "ExportFabrication": ("Beams",),
 }
+# PySide forgets a widget that it was asked for when it forgets the widget around it.
+_alive = []
 # Widgets with texts of ours.
 KINDS = (QtGui.QComboBox, QtGui.QLabel, QtGui.QCheckBox, QtGui.QPushButton)
 
@@ -67,19 +69,26 @@ def open_panel(document, command):
 
 def form():
     """The task panel that is open, with its title."""
+    return scroll_area().widget()
+
+
+def scroll_area():
+    """What FreeCAD shows task panels in; up to 1.0 their buttons are inside, later beside it."""
     boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
     (buttons,) = [box for box in boxes if box.isVisible()]
-    for area in FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea):
-        if area.isVisible() and area.isAncestorOf(buttons):
-            return area.widget()
-    return buttons.parentWidget()
+    around = buttons.parentWidget()
+    while around is not None:
+        _alive.append(around)
+        for each in (around, *around.findChildren(QtGui.QScrollArea)):
+            if isinstance(each, QtGui.QScrollArea) and each.isVisible():
+                return each
+        around = around.parentWidget()
+    raise AssertionError("no task panel is open")
 
 
 def width():
     """The pixels across that FreeCAD shows of a task panel; there is no scroll bar for the rest."""
-    areas = FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea)
-    (area,) = [each for each in areas if each.isVisible() and each.widget() is form()]
-    return area.viewport().width()
+    return scroll_area().viewport().width()
 
 
 def cut_off(panel):
