@@ -178,8 +178,8 @@ def others() -> None:
         if command == "Nodes":
             api.add_beams(net)
         FreeCADGui.Selection.addSelection(net)
-        both(command)
-    FreeCADGui.Selection.addSelection(api.add_primitive("cylinder"))
+        both(command, room=0.3 if command == "Nodes" else 1.0)
+    FreeCADGui.Selection.addSelection(api.add_primitive("cylinder", angles=(0, 180)))
     both("Patches")
 
 
@@ -249,7 +249,7 @@ def shots(name: str):
     return shot
 
 
-def both(command: str) -> None:
+def both(command: str, room: float = 1.35) -> None:
     """Open a command's panel, look, press OK, look, close the document."""
     from ortho_suite_tools import press, wait
 
@@ -264,7 +264,7 @@ def both(command: str) -> None:
         wait(seconds=1.0)
     if FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.closeDialog()
-    stand()
+    stand(room)
     look(command)
     close()
 

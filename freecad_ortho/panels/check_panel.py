@@ -40,7 +40,7 @@ class CheckPanel:
         self.nets = _table(
             [
                 translate("Ortho", "Net"),
-                translate("Ortho", "Distance"),
+                translate("Ortho", "Off by"),
                 translate("Ortho", "Near?"),
             ],
             _advice(self.result),

@@ -16,6 +16,8 @@ translate = FreeCAD.Qt.translate
 _UNITS = {"length": "mm", "distance": "mm", "area": "mm^2", "angle": "deg"}
 _PLAIN = ("number", "percent")
 _MOST = 1e12
+# Room for a length of some metres with its unit, for a formula.
+_LEGIBLE = 120
 
 
 class _NumberBox(QtGui.QDoubleSpinBox):
@@ -103,7 +105,8 @@ class OptionField:
             return QtGui.QCheckBox()
         else:
             widget = QtGui.QLineEdit()
-        widget.setMinimumWidth(NARROW // 2)
+        words = kind in _UNITS or isinstance(widget, QtGui.QLineEdit)
+        widget.setMinimumWidth(_LEGIBLE if words else NARROW // 2)
         return widget
 
     def _read(self, part: Any) -> Any:

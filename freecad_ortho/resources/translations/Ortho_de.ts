@@ -1367,7 +1367,7 @@
    <translation>Anzeige</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Distance</source>
    <translation>Abstand</translation>
   </message>
@@ -2075,6 +2075,11 @@
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Numbers of parameter lines, such as 0, 3</source>
    <translation>Nummern von Parameterlinien, etwa 0, 3</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Off by</source>
+   <translation>Abstand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

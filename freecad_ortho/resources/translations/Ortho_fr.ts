@@ -1367,7 +1367,7 @@
    <translation>Affichage</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Distance</source>
    <translation>Distance</translation>
   </message>
@@ -2075,6 +2075,11 @@
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Numbers of parameter lines, such as 0, 3</source>
    <translation>Numéros de lignes paramétriques, par exemple 0, 3</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Off by</source>
+   <translation>Écart</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3377,7 +3382,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>nothing (on the net itself)</source>
-   <translation>rien (sur le réseau lui-même)</translation>
+   <translation>rien (le réseau)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
