@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Generator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from typing import Any
 
 from PySide import QtCore
 
+from freecad_ortho.panels.background import LOOK, worker
 from solver.errors import OrthoError
 from solver.mesh.quadmesh import FloatArray
 
@@ -17,12 +18,6 @@ _AT_REST = 1e-4
 # Seconds from a step that followed the mouse to one that only brings the net nearer to rest: the
 # next move of the mouse comes first.
 _PAUSE = 0.05
-# Milliseconds between looks at whether a step is done.
-_LOOK = 1
-
-# Makes the steps, one after the other in the order in which they are asked for. They touch nothing
-# of FreeCAD's.
-_worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="ortho-live")
 
 
 class Live(QtCore.QObject):
@@ -52,7 +47,7 @@ class Live(QtCore.QObject):
         self._step: Future[Callable[[], None]] | None = None
         self._resting, self._rest_after = False, 0.0
         self._timer = QtCore.QTimer(self)
-        self._timer.setInterval(_LOOK)
+        self._timer.setInterval(LOOK)
         self._timer.timeout.connect(self._look)
 
     @property
@@ -105,15 +100,15 @@ class Live(QtCore.QObject):
 
     def _begin(self) -> None:
         if self._settling is not None:
-            self._step = _worker.submit(self._settle, self._settling)
+            self._step = worker.submit(self._settle, self._settling)
         elif self._places:
             places, self._places = self._places, {}
             self._resting, self._rest_after = False, time.perf_counter() + _PAUSE
-            self._step = _worker.submit(self._follow, places)
+            self._step = worker.submit(self._follow, places)
         elif self._resting:
             self._timer.stop()
         elif time.perf_counter() > self._rest_after:
-            self._step = _worker.submit(self._follow, {})
+            self._step = worker.submit(self._follow, {})
 
     def _follow(self, places: dict[int, FloatArray]) -> Callable[[], None]:
         """One step, in the worker; what it returns is called in the window's thread."""

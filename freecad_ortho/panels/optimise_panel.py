@@ -60,8 +60,9 @@ class OptimisePanel:
     def stop(self) -> None:
         """Make no further step; what has been reached stays on the screen."""
         if self.run is not None and self.run.running:
-            self.run.stop()
             self._say(translate("Ortho", "Stopped. OK keeps this state, Start goes on."))
+            # The step under way may be the last one, and then it has more to say.
+            self.run.stop()
         self._show_state()
 
     def step(self) -> None:
@@ -76,7 +77,7 @@ class OptimisePanel:
     def undo(self) -> None:
         """Go back to the net as it was before Start."""
         if self.run is not None:
-            self.run.stop()
+            self.run.drop()
             self.run = None
         if self.net is not None:
             self.net.ViewObject.Proxy.show_stored()
@@ -101,6 +102,8 @@ class OptimisePanel:
 
     def accept(self) -> bool:
         """Keep what has been reached, as one undo step and one line of a macro."""
+        if self.run is not None:
+            self.run.stop()
         self._end()
         if self.net is not None and self.run is not None and self.run.steps:
             with messages.errors_shown():
@@ -137,7 +140,7 @@ class OptimisePanel:
             self._mesh, **net_settings.solver_settings(values, self._mesh), **passed
         )
         if self.run is not None:
-            self.run.stop()
+            self.run.drop()
         self._settings, self._shown_steps = settings, 0
         self.run = Run(optimisation, self._stepped, self._ended)
         self.plot.clear(values["tolerance"])
@@ -190,7 +193,7 @@ class OptimisePanel:
     def _changed(self, name: str) -> None:
         """Drop the run when something else moves the net, undo for one."""
         if name in ("Vertices", "Faces") and self.run is not None:
-            self.run.stop()
+            self.run.drop()
             self.run = None
             self._say(translate("Ortho", "The net has changed meanwhile. Start begins anew."))
             self._show_state()
@@ -210,7 +213,7 @@ class OptimisePanel:
 
     def _end(self) -> None:
         if self.run is not None:
-            self.run.stop()
+            self.run.drop()
         self.constraints.end()
         self._watch.end()
 

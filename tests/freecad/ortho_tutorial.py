@@ -55,7 +55,7 @@ class Tutorial:
         click("Start")
         if stop:
             # With one step at a time there are enough of them to be stopped between two.
-            with mock.patch("freecad_ortho.panels.run._SECONDS_PER_TICK", 0.0):
+            with mock.patch("freecad_ortho.panels.run._BUNDLE", 0.0):
                 QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 5)
                 click("Stop")
                 yield
