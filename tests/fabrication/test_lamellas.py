@@ -150,6 +150,18 @@ def test_slots_are_as_wide_as_the_angle_asks(angle):
     assert worst_clash(structure) == 0.0
 
 
+@pytest.mark.parametrize(("width", "thickness"), [(80.0, 3.0), (150.0, 3.0)])
+def test_slots_leave_room_where_the_plates_lean_from_each_other(width, thickness):
+    """On a dome over a square grid the rulings of both families differ by up to six degrees."""
+    x, y = np.meshgrid(np.arange(6.0), np.arange(6.0), indexing="ij")
+    z = -((x - 2.5) ** 2 + (y - 2.5) ** 2) / 20
+    points = 1000.0 * np.stack([x, y, z], axis=-1).reshape(-1, 3)
+    mesh = QuadMesh.from_arrays(points, grid_faces(6, 6))
+    structure = build(mesh, [Lamellas(width, thickness)])
+    assert structure.report()["lamellas"]["slot_width_max_mm"] > 3 * thickness
+    assert not check_clashes(structure.parts).clashes
+
+
 def test_slots_of_one_family_open_above_those_of_the_other_below():
     structure = build(flat_grid(), [Lamellas(80, 6)])
     for part in structure.parts:

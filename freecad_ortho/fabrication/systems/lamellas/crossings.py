@@ -9,6 +9,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot, notch
+from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
@@ -172,21 +173,34 @@ def _half_width(
     run = lamella.ribbon.thickness / 2 / np.sqrt(1 - slope**2)
     skew = other.ribbon.thickness / 2 * abs(slope) / np.sqrt(1 - slope**2)
     across = np.array([their_axis[1], -their_axis[0]])
-    offsets = np.array([-1, 0, 1]) * (run + skew)
     heights = np.array([0.0, 0.5, 1.0]) * reach
-    flat = (
-        theirs.flat_points[other_station]
-        + offsets[:, None, None] * across
-        + heights[None, :, None] * their_axis
-    ).reshape(-1, 2)
+    line = theirs.flat_points[other_station] + heights[:, None] * their_axis
+    # Where the other plate leans, its axis leaves this plane: start from where it meets it.
+    (middle, _), (ahead_of, _) = (
+        _placed(other.ribbon, other_station, points) for points in (line, line + run * across)
+    )
+    off = (middle - strip.points[station]) @ normal
+    met = -run * off / ((ahead_of - middle) @ normal)
+    offsets = np.array([-1, 0, 1])[:, None] * (run + skew) + met
+    flat = (line + offsets[..., None] * across).reshape(-1, 2)
+    middle, half = _placed(other.ribbon, other_station, flat)
     worst = 0.0
-    beyond = other.ribbon.ahead(other_station, flat)
-    for face, chosen in ((other_station - 1, beyond <= 0), (other_station, beyond >= 0)):
-        middle, half = other.ribbon.placed(face, flat[chosen])
-        for side in (-1, 1):
-            arms = middle + side * half - strip.points[station]
-            inside = np.abs(arms @ normal) <= run * 1.5 + skew
-            local = (arms @ ahead)[:, None] * flat_ahead + (arms @ up)[:, None] * ruling
-            if inside.any():
-                worst = max(worst, float(np.abs(local[inside] @ away).max()))
+    for side in (-1, 1):
+        arms = middle + side * half - strip.points[station]
+        inside = np.abs(arms @ normal) <= run * 1.5 + skew
+        local = (arms @ ahead)[:, None] * flat_ahead + (arms @ up)[:, None] * ruling
+        if inside.any():
+            worst = max(worst, float(np.abs(local[inside] @ away).max()))
     return worst
+
+
+def _placed(ribbon: Ribbon, station: int, flat: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Points of the pattern around a station in space, each with the face that it lies in.
+
+    Returns:
+        (N, 3) points in the middle of the plate and (N, 3) from there to its upper side.
+    """
+    middle, half = ribbon.placed(station, flat)
+    behind = ribbon.ahead(station, flat) < 0
+    middle[behind], half[behind] = ribbon.placed(station - 1, flat[behind])
+    return middle, half
