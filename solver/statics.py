@@ -5,19 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import lsq_linear
-from scipy.sparse import csr_array, eye_array
-from scipy.sparse.linalg import splu
+from scipy.sparse import csr_array
 
 from solver.errors import InputError
+from solver.linear.least_squares import smallest_solution, solution_above
 from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 # Least force density, in mean loads by mean edge, of an edge whose force must have a sign.
 _LEAST = 1e-3
-# Damping of normal equations relative to their diagonal, and how often they are repeated at most,
-# until the solution changes by less than the last part.
-_DAMPING, _REPEATS, _SETTLED = 1e-10, 30, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,37 +86,14 @@ def start_densities(
         supports: (V,) true where a vertex is supported.
         sign: 0 for any force, -1 for compression only, 1 for tension only.
     """
+    busy = ~supports[net.edges].all(axis=1)
     matrix, right = equilibrium_system(net, points, load, supports)
-    idle = supports[net.edges].all(axis=1)
-    densities = smallest_solution(matrix, right)
-    if sign and not (sign * densities[~idle] >= _LEAST).all():
-        bounds = (_LEAST, np.inf) if sign > 0 else (-np.inf, -_LEAST)
-        densities = np.asarray(lsq_linear(matrix, right, bounds=bounds, lsmr_tol="auto").x)
-    return np.where(idle, 0.0, densities)
-
-
-def smallest_solution(matrix: csr_array, right: FloatArray) -> FloatArray:
-    """Smallest of the least-squares solutions of a sparse system, rows or columns redundant or not.
-
-    By damped normal equations, repeated for what they leave.
-    """
-    if not matrix.nnz:
-        return np.zeros(matrix.shape[1])
-    normal = (matrix.T @ matrix).tocsc()
-    damping = _DAMPING * float(normal.diagonal().mean())
-    factors = splu(
-        (normal + damping * eye_array(normal.shape[0])).tocsc(),
-        permc_spec="MMD_AT_PLUS_A",
-        diag_pivot_thresh=0.0,
-        options={"SymmetricMode": True},
-    )
-    solution = np.zeros(normal.shape[0])
-    for _ in range(_REPEATS):
-        step = factors.solve(matrix.T @ (right - matrix @ solution))
-        solution += step
-        if np.abs(step).max() <= _SETTLED * np.abs(solution).max():
-            break
-    return solution
+    matrix = matrix[:, busy]
+    densities = np.zeros(len(net.edges))
+    densities[busy] = smallest_solution(matrix, right)
+    if sign and not (sign * densities[busy] >= _LEAST).all():
+        densities[busy] = sign * solution_above(sign * matrix, right, _LEAST)
+    return densities
 
 
 def equilibrium_system(

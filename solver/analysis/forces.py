@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from solver.linear.least_squares import smallest_solution
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.statics import equilibrium_system, refuse_mechanisms, smallest_solution
+from solver.statics import equilibrium_system, refuse_mechanisms
 
 
 def force_densities(mesh: QuadMesh, supports: BoolArray | None = None) -> FloatArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from itertools import pairwise
 
 import numpy as np
@@ -102,6 +103,22 @@ def test_the_forces_of_a_start_that_hangs_are_found_exactly(sign):
     between = rim[net.edges].all(axis=1)
     assert (densities[between] == 0).all()
     assert densities[~between].min() > 0.1
+
+
+def test_the_forces_of_a_start_that_one_sign_hardly_fits_are_found_soon():
+    x, y = np.meshgrid(*[np.linspace(-1, 1, 30)] * 2, indexing="ij")
+    height = 0.5 * (1 - x**2) * (1 - y**2) + 0.02 * x * y + 0.02 * np.sin(7.5 * x)
+    points = 14.5 * np.stack([x, y, height], axis=2).reshape(-1, 3)
+    net = QuadMesh.from_arrays(points, grid_faces(30, 30)).connectivity
+    load, rim = np.ones(len(points)), net.boundary_vertices
+    seconds = []
+    for sign in (0, -1):
+        begin = time.process_time()
+        densities = start_densities(net, points, load, rim, sign)
+        seconds.append(time.process_time() - begin)
+    assert unbalanced(net, points, densities, load, np.flatnonzero(~rim)).max() <= 1e-3
+    assert (densities[~rim[net.edges].all(axis=1)] <= -1e-3).all()
+    assert seconds[1] <= 100 * seconds[0]
 
 
 def test_forces_scale_with_the_load_and_the_unit():
