@@ -64,6 +64,9 @@ def _baked(feature: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject:
             part.Label = name
             part.Shape = solid
             group.addObject(part)
+    # They follow nothing, so there is nothing to recompute and no mark to bear.
+    for item in (*group.Group, group):
+        item.purgeTouched()
     return group
 
 

@@ -242,6 +242,8 @@ class TestBaking(StructureCase):
         (group,) = api.bake(beams)
         self.assertEqual([part.Label for part in group.Group], beams.PartNames)
         self.assertTrue(all(part.TypeId == "Part::Feature" for part in group.Group))
+        for item in (group, *group.Group):
+            self.assertIn("Up-to-date", item.State)
         total = sum(part.Shape.Volume for part in group.Group)
         self.assertAlmostEqual(total, beams.Shape.Volume, delta=1e-9 * total)
         self.document.undo()
