@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from freecad_ortho import convert
 from freecad_ortho.commands import context
 from freecad_ortho.panels.buttons import close_only
+from freecad_ortho.panels.net_words import short_word
 from freecad_ortho.resources import icon
 from solver.analysis.check import check
 from solver.analysis.fields import RESIDUALS
@@ -60,7 +61,7 @@ class CheckPanel:
         return True
 
     def _show(self, row: int, _: int) -> None:
-        name = self.measures.item(row, 0).text().capitalize()
+        name = list(self.result["measures"])[row].capitalize()
         if name in RESIDUALS and self._document in FreeCAD.listDocuments():
             net = FreeCAD.getDocument(self._document).getObject(self._name)
             if net is not None:
@@ -87,7 +88,9 @@ def _measures(result: dict[str, Any]) -> list[list[str]]:
     rows = []
     for name, entry in result["measures"].items():
         place = "" if entry["worst"] is None else f"{entry['where']} {entry['worst']}"
-        rows.append([name, f"{entry['max']:.1e}", place])
+        title = name.capitalize()
+        known = translate("Ortho", title) if title in RESIDUALS else name.upper()
+        rows.append([known, f"{entry['max']:.1e}", place])
     return rows
 
 
@@ -95,9 +98,9 @@ def _advice(result: dict[str, Any]) -> list[list[str]]:
     yes, no = translate("Ortho", "yes"), translate("Ortho", "no")
     rows = []
     for advice in result["advice"]["nets"]:
-        title = advice["net"]
+        title = short_word(advice["net"])
         if advice["diagonal"]:
-            title = translate("Ortho", "{}, diagonal").format(title)
+            title = translate("Ortho", "{}, diag.").format(title)
         rows.append([title, f"{advice['distance']:.1e}", yes if advice["possible"] else no])
     return rows
 

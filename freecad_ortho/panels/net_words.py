@@ -29,6 +29,11 @@ def net_words() -> dict[str, str]:
     }
 
 
+def short_word(net: str) -> str:
+    """What a net is called where there is little room."""
+    return "CMC" if net == "cmc" else net_words()[net].split(":")[0].strip()
+
+
 def explain(net: str) -> str:
     """One sentence on what a net gives its builder."""
     return {

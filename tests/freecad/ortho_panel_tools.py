@@ -39,7 +39,9 @@ PANELS = {
 # PySide forgets a widget that it was asked for when it forgets the widget around it.
 _alive = []
 # Widgets with texts of ours.
-KINDS = (QtGui.QComboBox, QtGui.QLabel, QtGui.QCheckBox, QtGui.QPushButton)
+KINDS = (QtGui.QComboBox, QtGui.QLabel, QtGui.QCheckBox, QtGui.QPushButton, QtGui.QTableWidget)
+# On each side of a text in a table.
+_MARGIN = 3
 
 
 def document_for_panels():
@@ -127,6 +129,11 @@ def sizes(widget):
     if isinstance(widget, QtGui.QLabel):
         needed = 0 if widget.wordWrap() else widget.sizeHint().width()
         return [(widget.text(), needed, widget.width())]
+    if isinstance(widget, QtGui.QTableWidget):
+        cells = [(i, j) for i in range(widget.rowCount()) for j in range(widget.columnCount())]
+        room = [widget.columnWidth(j) - 2 * _MARGIN for j in range(widget.columnCount())]
+        texts = [(widget.item(i, j).text(), room[j]) for i, j in cells]
+        return [(text, measure.boundingRect(text).width(), wide) for text, wide in texts]
     text = widget.text().replace("&", "")
     room = room_in(widget, QtGui.QStyleOptionButton())
     return [(text, measure.boundingRect(text).width(), room)]

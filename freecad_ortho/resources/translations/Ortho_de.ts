@@ -1934,7 +1934,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Measure</source>
-   <translation>Messen</translation>
+   <translation>Maß</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2882,7 +2882,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Worst</source>
-   <translation>Schlechteste</translation>
+   <translation>Max.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/structures.py" />
@@ -3816,8 +3816,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>{}, diagonal</source>
-   <translation>{}, diagonal</translation>
+   <source>{}, diag.</source>
+   <translation>{}, diag.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />

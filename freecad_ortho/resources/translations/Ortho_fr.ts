@@ -1934,7 +1934,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Measure</source>
-   <translation>Mesurer</translation>
+   <translation>Mesure</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2019,7 +2019,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Near?</source>
-   <translation>Proche ?</translation>
+   <translation>Près ?</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -3816,8 +3816,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>{}, diagonal</source>
-   <translation>{}, diagonal</translation>
+   <source>{}, diag.</source>
+   <translation>{} diag.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
