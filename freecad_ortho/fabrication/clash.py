@@ -12,15 +12,19 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Loops
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.solids import placed
 from freecad_ortho.fabrication.workers import in_chunks
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
+
+if TYPE_CHECKING:
+    import cadquery
 
 # Shared volume, as a part of the smaller part's volume, that counts as contact.
 CONTACT = 1e-6
@@ -164,13 +168,29 @@ def _normals(points: FloatArray, loops: Loops) -> FloatArray:
 
 
 def _shared_volumes(pairs: Sequence[tuple[Part, Part]]) -> list[float | None]:
-    """Volumes that the solids of pairs share, mm3; None where the CAD kernel fails."""
+    """Volumes that the solids of pairs share, mm3; None where the CAD kernel fails.
+
+    Parts that share nothing with their holes filled share nothing.
+    """
+    result = []
+    for one, other in pairs:
+        shared = _shared_volume(_filled(one), _filled(other))
+        drilled = any(part.body.filled() is not part.body for part in (one, other))
+        if drilled and (shared is None or shared > CONTACT * min(one.volume, other.volume)):
+            shared = _shared_volume(one.solid(), other.solid())
+        result.append(shared)
+    return result
+
+
+def _filled(part: Part) -> cadquery.Solid:
+    """The solid of a part, its holes filled, in its place."""
+    body = part.body.filled()
+    return part.solid() if body is part.body else placed(body.solid(), part.origin, part.frame)
+
+
+def _shared_volume(one: cadquery.Solid, other: cadquery.Solid) -> float | None:
     import cadquery
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
-    result: list[float | None] = []
-    for one, other in pairs:
-        common = BRepAlgoAPI_Common(one.solid().wrapped, other.solid().wrapped)
-        good = common.IsDone()
-        result.append(cadquery.Shape.cast(common.Shape()).Volume() if good else None)
-    return result
+    common = BRepAlgoAPI_Common(one.wrapped, other.wrapped)
+    return cadquery.Shape.cast(common.Shape()).Volume() if common.IsDone() else None

@@ -58,6 +58,10 @@ class DrilledBody(Body):
         bored = (np.pi / 4 * drill.diameter**2 * drill.thickness for drill in self.drills)
         return self.whole.volume - float(sum(bored))
 
+    def filled(self) -> Body:
+        """The whole body."""
+        return self.whole
+
     def pieces(self) -> tuple[Polyhedron, ...]:
         """Those of the whole body."""
         return self.whole.pieces()

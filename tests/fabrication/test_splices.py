@@ -14,6 +14,7 @@ from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.test_lamellas import check_solids, flat_grid, minimal, rounded  # noqa: F401
+from tests.meshes import helicoid
 
 
 def joints_along(structure, family, axis):
@@ -100,6 +101,16 @@ def check_solids_with_holes(structure):
     for part, solid in zip(structure.parts, structure.solids(), strict=True):
         assert solid.isValid(), part.name
         assert solid.Volume() == pytest.approx(part.volume, rel=1e-4), part.name
+
+
+def test_plates_on_twisted_lamellas_are_told_apart_without_the_kernel():
+    settings = Lamellas(40, 3, hole=6.0, strip="twisted", stock=2500.0)
+    parts = build(helicoid().scaled(3000.0), [settings]).parts
+    plates = sum(part.kind == "splice" for part in parts)
+    check = check_clashes(parts)
+    assert plates > 50 and check.near > 2 * plates and not check.clashes
+    # Two pairs a plate, and only along two lines of the boundary the kernel has to cut them.
+    assert check.cut <= plates / 5
 
 
 def test_lying_lamellas_are_spliced_on_their_outer_sides():

@@ -72,8 +72,15 @@ def _side(ribbon: Ribbon, slot: Slot, levels: FloatArray, sign: int) -> FloatArr
     return face + behind / (behind + ahead)
 
 
-def ruled_body(ribbon: Ribbon, grid: Grid, smooth: bool) -> RuledBody:
-    """Make the solid of a ribbon's cells; ``smooth``: its edges are cubic splines."""
+def ruled_body(ribbon: Ribbon, grid: Grid, smooth: bool, plated: float = 0.0) -> RuledBody:
+    """Make the solid of a ribbon's cells.
+
+    Args:
+        ribbon: that may twist.
+        grid: its cells.
+        smooth: its edges are cubic splines.
+        plated: length at the ends that splice plates lie on, mm.
+    """
     rails = _Rails(ribbon, grid.levels, smooth)
     lines, rows = grid.places.shape
     corners = np.stack(
@@ -109,7 +116,7 @@ def ruled_body(ribbon: Ribbon, grid: Grid, smooth: bool) -> RuledBody:
                     ends = number(line, row, side), number(line + 1, row, side)
                     span = grid.places[line : line + 2, row]
                     handles[ends] = rails.handles(span, row, side)
-    return _used(corners, quads, handles, _blocks(rails, grid, ribbon.width))
+    return _used(corners, quads, handles, _blocks(rails, grid, ribbon.width, plated))
 
 
 def _used(
@@ -136,24 +143,41 @@ def _used(
     return RuledBody(corners[kept], sides, curves, blocks)
 
 
-def _blocks(rails: _Rails, grid: Grid, width: float) -> tuple[FloatArray, ...]:
-    """Hulls of the cells, long ones in three so that they are nearly plane where others cross."""
+def _blocks(rails: _Rails, grid: Grid, width: float, plated: float) -> tuple[FloatArray, ...]:
+    """Hulls of the cells, long ones in three so that they are nearly plane where others cross.
+
+    Those at the ends are cut where splice plates end, so that a plate's sides part it from them.
+    """
     found = []
     for cell, row in np.argwhere(grid.full).tolist():
-        first, last = grid.places[cell], grid.places[cell + 1]
-        share = width / rails.length(first[row], last[row])
-        cuts = (0.0, share, 1 - share, 1.0) if share < 0.4 else (0.0, 1.0)
+        rows = slice(row, row + 2)
+        first, last = grid.places[cell : cell + 2, rows]
+        share = width / rails.length(first[0], last[0])
+        cuts = [np.full((2, 2), at) for at in ((0, share, 1 - share, 1) if share < 0.4 else (0, 1))]
+        ends = np.stack(
+            [
+                [rails.at(at[[k]], row + k, side)[0] for side in (0, 1)]
+                for at in (first, last)
+                for k in (0, 1)
+            ]
+        ).reshape(2, 2, 2, 3)
+        if plated and cell == 0:
+            cuts.append(plated / ((ends[1] - ends[0]) @ rails.along[0]))
+        if plated and cell == len(grid.full) - 1:
+            cuts.append(1 - plated / ((ends[1] - ends[0]) @ rails.along[1]))
+        cuts = sorted((cut for cut in cuts if 0 <= cut.min() and cut.max() <= 1), key=np.mean)
         for low, high in pairwise(cuts):
-            spans = np.stack([first + low * (last - first), first + high * (last - first)])
+            # (end, level, side)
+            spans = first[:, None] + np.stack([low, high]) * (last - first)[:, None]
             rings = [
-                rails.at(spans[:, level], level, side)[order]
-                for level in (row, row + 1)
+                rails.at(spans[:, k, side], row + k, side)[order]
+                for k in (0, 1)
                 for side, order in ((0, slice(None)), (1, slice(None, None, -1)))
             ]
             if rails.spline is not None:
                 rings += [
-                    rails.handles(spans[:, level], level, side)
-                    for level in (row, row + 1)
+                    rails.handles(spans[:, k, side], row + k, side)
+                    for k in (0, 1)
                     for side in (0, 1)
                 ]
             found.append(np.concatenate(rings))
@@ -172,6 +196,7 @@ class _Rails:
         self.corners = np.stack(
             [middle + sign * ribbon.mitres[:, None] for sign in (-1, 1)], axis=2
         )
+        self.along = strip.along[[0, -1]]
         self.lengths = np.concatenate([[0.0], np.cumsum(strip.lengths)])
         self.spline = CubicSpline(self.lengths, self.corners, axis=0) if smooth else None
 

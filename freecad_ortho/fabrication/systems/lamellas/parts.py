@@ -22,6 +22,7 @@ from freecad_ortho.fabrication.pattern import (
 from freecad_ortho.fabrication.ruled import RuledBody
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
+from freecad_ortho.fabrication.systems.lamellas.bolts import half_length
 from freecad_ortho.fabrication.systems.lamellas.cells import grid_of, ruled_body
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
 from freecad_ortho.fabrication.systems.lamellas.facets import folded_body
@@ -80,7 +81,8 @@ def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettin
     holes += tuple(Hole(place, settings.hole) for _, points in lamella.bolts for place in points)
     body: RuledBody
     if lamella.twisted:
-        body = ruled_body(ribbon, grid_of(ribbon, slots), settings.smooth)
+        plated = half_length(settings) - settings.clearance / 2 if lamella.bolts else 0.0
+        body = ruled_body(ribbon, grid_of(ribbon, slots), settings.smooth, plated)
     else:
         body = folded_body(ribbon, edge)
     return Cut(lamella, crossings, edge, holes, body)
