@@ -199,7 +199,7 @@ def test_closed_lamellas_are_joined_by_a_splice_each():
     [
         {"strip": "twisted"},
         {"strip": "twisted", "layers": 2},
-        {"position": "lying", "layers": 2, "hole": 6.0},
+        pytest.param({"position": "lying", "layers": 2, "hole": 6.0}, marks=pytest.mark.slow),
         {"stock": 2000.0},
     ],
 )
