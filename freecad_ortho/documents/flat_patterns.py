@@ -10,7 +10,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.documents.common import removed_on_failure, transaction
-from freecad_ortho.objects import flat_patterns
+from freecad_ortho.objects import drawings, flat_patterns
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
 
@@ -22,10 +22,9 @@ _TEMPLATES = ("A3_LandscapeTD.svg", "A3_Landscape_TD.svg", "ISO/A3_Landscape_TD.
 _PAGE = (420.0, 297.0)
 # Around the patterns, mm; below them stands the title block.
 _MARGIN, _TITLE = 25.0, 48.0
-# TechDraw looks for hidden lines; with more parts than this, minutes go by and the page is drawn
-# as a picture instead.
-_MOST_PARTS = 200
-_ARC_POINTS = 25
+# With more parts than this TechDraw, which looks for hidden lines, holds up every recompute for
+# more than a second; the page is drawn as a picture instead.
+_MOST_PARTS = 50
 
 
 def add_flat_patterns(
@@ -83,8 +82,8 @@ def add_flat_patterns(
 def add_drawing_page(feature: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject:
     """Add a TechDraw page that shows flat patterns at a scale that fits, with the parts' names.
 
-    With more than 200 parts the lines are a picture that does not follow the patterns; drawn by
-    TechDraw itself they would take minutes.
+    With more than 50 parts the lines are a picture too, in which nothing can be picked; drawn by
+    TechDraw itself they would take seconds at every recompute.
 
     Args:
         feature: flat patterns.
@@ -130,60 +129,7 @@ def _add_view(page: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject) -> 
         view.ScaleType = "Custom"
         view.Scale = scale
     else:
-        view = page.Document.addObject("TechDraw::DrawViewSymbol", "View")
-        page.addView(view)
-        view.Symbol = _svg(feature, scale, _lines(feature, scale))
-    names = page.Document.addObject("TechDraw::DrawViewSymbol", "Names")
-    page.addView(names)
-    names.Symbol = _svg(feature, scale, _names(feature, scale))
+        view = drawings.add_picture(page, feature, drawings.LINES, scale)
+    names = drawings.add_picture(page, feature, drawings.NAMES, scale)
     for item in (view, names):
         item.X, item.Y = _PAGE[0] / 2, (_PAGE[1] + _TITLE) / 2
-
-
-def _lines(feature: FreeCAD.DocumentObject, scale: float) -> str:
-    """All edges of the patterns as one group of SVG, mm on the page."""
-    box = feature.Shape.BoundBox
-    found = []
-    for edge in feature.Shape.Edges:
-        points = edge.discretize(2 if edge.Curve.TypeId == "Part::GeomLine" else _ARC_POINTS)
-        places = [((p.x - box.XMin) * scale, (box.YMax - p.y) * scale) for p in points]
-        found.append("M" + " L".join(f"{x:.3f},{y:.3f}" for x, y in places))
-    return f'<path d="{" ".join(found)}" fill="none" stroke="#22303c" stroke-width="0.1"/>'
-
-
-def _names(feature: FreeCAD.DocumentObject, scale: float) -> str:
-    """Each part's name in its place as one group of SVG, mm on the page."""
-    box = feature.Shape.BoundBox
-    size = max(1.0, min(4.0, 25.0 * scale))
-    texts = []
-    for name, place in zip(feature.PartNames, feature.LabelPlaces, strict=True):
-        x, y = (place.x - box.XMin) * scale, (box.YMax - place.y) * scale
-        texts.append(f'<text x="{x:.3f}" y="{y + size / 3:.3f}">{name}</text>')
-    return (
-        f'<g font-family="sans" font-size="{size:.2f}" text-anchor="middle" fill="#b03018">'
-        f"{''.join(texts)}</g>"
-    )
-
-
-def _page_millimetre() -> float:
-    """What a picture has to say for a millimetre on the page.
-
-    TechDraw counts 96 pixels an inch, Qt 5 reads pictures with 90, Qt 6 with 96.
-    """
-    from PySide import QtCore
-
-    return 96 / 90 if QtCore.qVersion().startswith("5.") else 1.0
-
-
-def _svg(feature: FreeCAD.DocumentObject, scale: float, content: str) -> str:
-    """A picture as large as the scaled patterns."""
-    box = feature.Shape.BoundBox
-    size = box.XLength * scale, box.YLength * scale
-    width, height = (f"{length:.3f}" for length in size)
-    wide, high = (f"{length * _page_millimetre():.3f}mm" for length in size)
-    # Corners that cannot be seen keep the picture's middle where the patterns' is.
-    corners = f'<rect x="0" y="0" width="{width}" height="{height}" fill="none"/>'
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" '
-        f'viewBox="0 0 {width} {height}">{corners}{content}</svg>'
-    )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 import numpy as np
 
-from freecad_ortho.objects import outdated
+from freecad_ortho.objects import drawings, outdated
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
@@ -169,6 +169,7 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
         _lay_out(feature, build.structure(feature.Structures), _workshop(feature))
     feature.Outdated = False
     feature.BuiltFrom = build.recipe(feature.Structures, _workshop(feature))
+    drawings.redraw(feature)
 
 
 def is_flat_patterns(feature: object) -> bool:

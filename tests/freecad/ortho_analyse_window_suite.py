@@ -185,7 +185,7 @@ class TestPages(AnalyseCase):
         page = api.add_drawing_page(flat)
         parts, names = page.Views
         box = flat.Shape.BoundBox
-        wide, high = box.XLength * parts.Scale, box.YLength * parts.Scale
+        wide, high = box.XLength * names.PatternScale, box.YLength * names.PatternScale
         # TechDraw draws ten units a millimetre, from the lower left corner of the page upwards.
         self.assertGreater(names.Y.Value - high / 2, 70.0)
         expected = np.array([wide, high, names.X.Value, -names.Y.Value]) * 10

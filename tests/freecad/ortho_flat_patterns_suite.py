@@ -109,6 +109,22 @@ class TestDrawing(FlatCase):
         with mock.patch.object(documents.flat_patterns, "_MOST_PARTS", 3):
             page = api.add_drawing_page(flat)
         lines, names = page.Views
+        lines_name = lines.Name
         self.assertEqual(lines.TypeId, "TechDraw::DrawViewSymbol")
         self.assertEqual(lines.Symbol.count("M"), len(flat.Shape.Edges))
         self.assertIn(f">{flat.PartNames[0]}<", names.Symbol)
+        before = lines.Symbol, names.Symbol
+        flat.Spacing = 37.0
+        self.document.recompute()
+        self.assertNotEqual(lines.Symbol, before[0])
+        self.assertNotEqual(names.Symbol, before[1])
+        flat.AutomaticUpdate = False
+        drawn = lines.Symbol
+        flat.Spacing = 53.0
+        self.document.recompute()
+        self.assertEqual(lines.Symbol, drawn)
+        path_names = {item.Name for item in page.Views}
+        again = self.reopened("page.FCStd")
+        self.assertEqual({item.Name for item in again.Page.Views}, path_names)
+        api.update_structures(again)
+        self.assertNotEqual(again.getObject(lines_name).Symbol, drawn)

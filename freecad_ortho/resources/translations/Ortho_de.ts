@@ -219,6 +219,11 @@
    <translation>Flanschdicke: der Flansche, wo sie abweicht</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>Flat patterns that the picture shows</source>
+   <translation>Abwicklungen, die das Bild zeigt</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Follow each change at once, if that does not take long; else only when asked to</source>
    <translation>Jeder Änderung sofort folgen, wenn das nicht lange dauert; sonst nur auf Verlangen</translation>
@@ -372,6 +377,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Length</source>
    <translation>Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>Length on the page of a length of one</source>
+   <translation>Länge auf dem Blatt für eine Länge von eins</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -937,6 +947,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What the net is made by</source>
    <translation>Wodurch das Netz gemacht ist</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>What the picture shows of them</source>
+   <translation>Was das Bild von ihnen zeigt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />

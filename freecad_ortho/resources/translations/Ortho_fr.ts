@@ -219,6 +219,11 @@
    <translation>Épaisseur des semelles : des semelles si elle diffère</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>Flat patterns that the picture shows</source>
+   <translation>Développés que l'image montre</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Follow each change at once, if that does not take long; else only when asked to</source>
    <translation>Suivre chaque changement aussitôt, si ce n'est pas long ; sinon seulement sur demande</translation>
@@ -372,6 +377,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Length</source>
    <translation>Longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>Length on the page of a length of one</source>
+   <translation>Longueur sur la page d'une longueur de un</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -937,6 +947,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What the net is made by</source>
    <translation>Ce par quoi le réseau est fait</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>What the picture shows of them</source>
+   <translation>Ce que l'image en montre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />

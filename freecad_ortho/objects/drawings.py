@@ -1,0 +1,113 @@
+"""Pictures of flat patterns on drawing pages; they follow the patterns.
+
+TechDraw looks for hidden lines between all parts, each time anything before it is recomputed; a
+picture costs nothing until the patterns change.
+"""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from freecad_ortho.objects.properties import HIDDEN, Property, ensure
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+LINES, NAMES = "Lines", "Names"
+_ARC_POINTS = 25
+_PROPERTIES = (
+    Property(
+        "App::PropertyLink",
+        "Patterns",
+        "Drawing",
+        QT_TRANSLATE_NOOP("App::Property", "Flat patterns that the picture shows"),
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "Content",
+        "Drawing",
+        QT_TRANSLATE_NOOP("App::Property", "What the picture shows of them"),
+        choices=(LINES, NAMES),
+    ),
+    Property(
+        "App::PropertyFloat",
+        "PatternScale",
+        "Drawing",
+        QT_TRANSLATE_NOOP("App::Property", "Length on the page of a length of one"),
+        default=1.0,
+        flags=HIDDEN,
+    ),
+)
+
+
+def add_picture(
+    page: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject, content: str, scale: float
+) -> FreeCAD.DocumentObject:
+    """Add a picture of the lines or the names of flat patterns to a page."""
+    picture = page.Document.addObject("TechDraw::DrawViewSymbol", content)
+    page.addView(picture)
+    ensure(picture, _PROPERTIES)
+    picture.Patterns, picture.Content, picture.PatternScale = feature, content, scale
+    _draw(picture)
+    return picture
+
+
+def redraw(feature: FreeCAD.DocumentObject) -> None:
+    """Draw all pictures of flat patterns anew."""
+    for item in feature.InList:
+        if getattr(item, "Patterns", None) is feature:
+            _draw(item)
+
+
+def _draw(picture: FreeCAD.DocumentObject) -> None:
+    content = _lines if picture.Content == LINES else _names
+    feature, scale = picture.Patterns, picture.PatternScale
+    picture.Symbol = _svg(feature, scale, content(feature, scale))
+
+
+def _lines(feature: FreeCAD.DocumentObject, scale: float) -> str:
+    """All edges of the patterns as one group of SVG, mm on the page."""
+    box = feature.Shape.BoundBox
+    found = []
+    for edge in feature.Shape.Edges:
+        points = edge.discretize(2 if edge.Curve.TypeId == "Part::GeomLine" else _ARC_POINTS)
+        places = [((p.x - box.XMin) * scale, (box.YMax - p.y) * scale) for p in points]
+        found.append("M" + " L".join(f"{x:.3f},{y:.3f}" for x, y in places))
+    return f'<path d="{" ".join(found)}" fill="none" stroke="#22303c" stroke-width="0.1"/>'
+
+
+def _names(feature: FreeCAD.DocumentObject, scale: float) -> str:
+    """Each part's name in its place as one group of SVG, mm on the page."""
+    box = feature.Shape.BoundBox
+    size = max(1.0, min(4.0, 25.0 * scale))
+    texts = []
+    for name, place in zip(feature.PartNames, feature.LabelPlaces, strict=True):
+        x, y = (place.x - box.XMin) * scale, (box.YMax - place.y) * scale
+        texts.append(f'<text x="{x:.3f}" y="{y + size / 3:.3f}">{name}</text>')
+    return (
+        f'<g font-family="sans" font-size="{size:.2f}" text-anchor="middle" fill="#b03018">'
+        f"{''.join(texts)}</g>"
+    )
+
+
+def _page_millimetre() -> float:
+    """What a picture has to say for a millimetre on the page.
+
+    TechDraw counts 96 pixels an inch, Qt 5 reads pictures with 90, Qt 6 with 96.
+    """
+    from PySide import QtCore
+
+    return 96 / 90 if QtCore.qVersion().startswith("5.") else 1.0
+
+
+def _svg(feature: FreeCAD.DocumentObject, scale: float, content: str) -> str:
+    """A picture as large as the scaled patterns."""
+    box = feature.Shape.BoundBox
+    size = box.XLength * scale, box.YLength * scale
+    width, height = (f"{length:.3f}" for length in size)
+    wide, high = (f"{length * _page_millimetre():.3f}mm" for length in size)
+    # Corners that cannot be seen keep the picture's middle where the patterns' is.
+    corners = f'<rect x="0" y="0" width="{width}" height="{height}" fill="none"/>'
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" '
+        f'viewBox="0 0 {width} {height}">{corners}{content}</svg>'
+    )
