@@ -13,6 +13,7 @@ from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.objects.net import COLOUR_MAPS, is_net
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
+from solver.io.polygons import read_polygons
 
 LENGTH = 10
 OFFSETS = ("above", "centre", "below")
@@ -181,7 +182,7 @@ class Sequence:
 
     def add_drawing_page(self):
         patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
-        if not patterns or self.dice.random() < 0.7:
+        if not patterns or self.dice.random() < 0.2:
             return False
         self.allowed_to_fail(api.add_drawing_page, self.dice.choice(patterns))
 
@@ -207,7 +208,8 @@ class Sequence:
             return False
         path = tools.SCRATCH / self.dice.choice(["random.ply", "random.off", "random.json"])
         api.export_net(net, path)
-        np.testing.assert_array_equal(api.read_mesh(path).mesh.faces.ravel(), net.Faces)
+        # Not as a mesh: in the middle of its optimisation a net may have faces without area.
+        np.testing.assert_array_equal(np.ravel(read_polygons(path).polygons), net.Faces)
 
     def change_a_size(self):
         if not self.structures():
