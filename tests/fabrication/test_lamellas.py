@@ -17,6 +17,7 @@ from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.step import read_step
 from solver import optimise
 from solver.errors import InputError
+from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import QuadMesh
 from tests.conftest import grid_faces, shared_mesh, surface_of_revolution
 from tests.meshes import helicoid, scherk, unduloid
@@ -323,6 +324,20 @@ def test_a_pattern_that_only_a_lamella_on_edge_has_is_refused():
         build(mesh, [settings])
     free = build(mesh, [dataclasses.replace(settings, pattern="free")]).results["lamellas"]
     assert free.report["lean_max_deg"] < 10
+
+
+def test_a_lamella_along_a_single_edge_has_no_radius(tmp_path):
+    mesh = net(shared_mesh("cmc1"), "cmc")
+    lines = ParameterLines(mesh.connectivity)
+    short = next(line for line in lines.all if len(line.vertices) == 2)
+    long = max(lines.of_family(short.family), key=lambda line: len(line.vertices))
+    chosen = Selection(short.family, (short.number, long.number))
+    structure = build(mesh, [Lamellas(50, 5)], selection=chosen)
+    radii = {len(part.vertices): part.measures.radius_mm for part in structure.parts}
+    assert radii.pop(2) is None
+    assert list(radii.values()) == [pytest.approx(structure.report()["lamellas"]["radius_mm"])]
+    write(structure, tmp_path)
+    assert "radius" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
 def test_a_helicoid_may_stand_in_two_layers():

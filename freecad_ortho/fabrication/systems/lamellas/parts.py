@@ -102,7 +102,9 @@ def lamella_part(made: Cut, site: Site) -> Part:
         body = DrilledBody(body, placed)
     pattern = _pattern(made)
     measures = lamella.measures
-    straight, arc = lamella.pattern == "straight", lamella.pattern == "arc"
+    straight = lamella.pattern == "straight"
+    # A single edge lies on arcs of every radius.
+    arc = lamella.pattern == "arc" and np.isfinite(measures.radius)
     bend = measures.smallest_bend_radius
     return Part(
         name=lamella.name,
