@@ -43,7 +43,7 @@ def quad_mesh(
     remarks: list[str] = []
     faces = _oriented(faces, remarks)
     mesh = QuadMesh(vertices, Connectivity(faces, len(vertices)))
-    _refuse_empty_faces(mesh)
+    refuse_empty_faces(mesh)
     unused = np.flatnonzero(~mesh.connectivity.referenced)
     if len(unused):
         remarks.append(
@@ -154,7 +154,12 @@ def _oriented(faces: IntArray, remarks: list[str]) -> IntArray:
     return np.where(keep[:, None], faces, faces[:, [0, 3, 2, 1]])
 
 
-def _refuse_empty_faces(mesh: QuadMesh) -> None:
+def refuse_empty_faces(mesh: QuadMesh) -> None:
+    """Refuse edges without length and faces without area.
+
+    Raises:
+        InputError: naming the first.
+    """
     short = np.flatnonzero(mesh.edge_lengths == 0.0)
     if len(short):
         start, end = mesh.connectivity.edges[short[0]].tolist()

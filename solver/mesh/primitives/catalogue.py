@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.errors import InputError
+from solver.io.intake import refuse_empty_faces
 from solver.mesh.primitives.developable import cone, cylinder, tangent_developable
 from solver.mesh.primitives.limits import positive
 from solver.mesh.primitives.minimal import catenoid, enneper, helicoid, scherk
@@ -138,8 +139,8 @@ def primitive(name: str, m: int, n: int, **parameters: Value) -> QuadMesh:
     """Build a primitive by name with m x n vertices.
 
     Raises:
-        InputError: no such primitive or parameter, a value of the wrong kind, or less than 2 x 2
-            vertices.
+        InputError: no such primitive or parameter, a value of the wrong kind, or fewer vertices
+            than it needs.
     """
     if name not in PRIMITIVES:
         raise InputError(f"primitive: expected one of {', '.join(PRIMITIVES)}, got '{name}'")
@@ -153,7 +154,14 @@ def primitive(name: str, m: int, n: int, **parameters: Value) -> QuadMesh:
         if key not in known:
             raise InputError(f"{name}: has {', '.join(known)}, not '{key}'; choose one of these")
         _check(name, known[key], value)
-    return entry.build(m, n, **parameters)
+    mesh = entry.build(m, n, **parameters)
+    try:
+        refuse_empty_faces(mesh)
+    except InputError:
+        raise InputError(
+            f"{name}: with {m} x {n} vertices some faces have no area; take more vertices"
+        ) from None
+    return mesh
 
 
 def _check(name: str, parameter: Parameter, value: Value) -> None:

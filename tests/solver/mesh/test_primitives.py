@@ -111,6 +111,12 @@ def test_unduloid_profile_solves_its_equation(modulus):
     assert r.min() == pytest.approx(modulus, abs=1e-9)
 
 
+def test_too_few_vertices_for_a_turn_are_refused():
+    with pytest.raises(InputError, match="3 x 3 vertices some faces have no area; take more"):
+        primitive("helicoid", 3, 3)
+    assert len(primitive("helicoid", 4, 3).faces) == 6
+
+
 def test_points_lie_on_their_surfaces():
     x, y, z = primitive("ellipsoid", 12, 9, semi_axes=(3.0, 2.0, 1.2)).vertices.T
     assert np.abs(x**2 / 9 + y**2 / 4 + z**2 / 1.44 - 1).max() < 1e-13
