@@ -5,11 +5,17 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+import numpy as np
+
 from solver.mesh.quadmesh import QuadMesh
 
 CONVERGED = "converged"
 STALLED = "stalled"
 STOPPED = "stopped"
+
+# A shape is another one where a vertex moved by more than so many mean edges, and by more than this
+# part of the bounding box's diagonal, or a side of the box changed by more than that part of it.
+_MOVED, _MOVED_OF_ALL, _RESIZED = 0.5, 0.05, 0.1
 
 
 @dataclass(frozen=True)
@@ -72,6 +78,9 @@ class Report:
         edge_ratio_start: the same of the input.
         flipped_faces: faces that lie against their neighbours or have a corner turned inside out.
         moved: mean and largest distance from the input, in mean edges of the input.
+        mean_edge: of the input, in model units.
+        size: lengths of the bounding box along x, y and z, in model units.
+        size_start: the same of the input.
         seconds_setup: pattern, numbering and symbolic analysis.
         solver: name of the sparse solver.
     """
@@ -95,8 +104,19 @@ class Report:
     edge_ratio_start: float
     flipped_faces: int
     moved: Spread
+    mean_edge: float
+    size: list[float]
+    size_start: list[float]
     solver: str = ""
     history: list[StepRecord] = field(default_factory=list, repr=False)
+
+    @property
+    def far(self) -> bool:
+        """Tell whether the shape is so far from the input that it should be said."""
+        before, after = np.array(self.size_start), np.array(self.size)
+        moved = self.moved.max * self.mean_edge > _MOVED_OF_ALL * np.linalg.norm(before)
+        resized = (np.abs(after - before) > _RESIZED * before).any()
+        return bool(self.moved.max > _MOVED and (moved or resized))
 
     def as_dict(self) -> dict[str, Any]:
         """Return plain numbers and strings for JSON, without the history."""
@@ -111,3 +131,8 @@ class Outcome:
 
     mesh: QuadMesh
     report: Report
+
+
+def with_article(net: str) -> str:
+    """Name of a net after "a" or "an"."""
+    return f"{'an' if net[0] in 'aeio' else 'a'} {net}"

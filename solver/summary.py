@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from solver.candidate import COLLAPSED, Candidate, spread_of
-from solver.report import CONVERGED, STALLED, STOPPED, Outcome, Report
+from solver.mesh.quadmesh import QuadMesh
+from solver.report import CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
 
 if TYPE_CHECKING:
     from solver.gauss_newton import Optimisation
@@ -44,6 +45,9 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         edge_ratio_start=best.edge_ratio_start,
         flipped_faces=best.flipped,
         moved=spread_of(moved),
+        mean_edge=start.mean_edge,
+        size=_size(best.mesh),
+        size_start=_size(start),
         solver=run.backend,
         history=list(history),
     )
@@ -52,6 +56,8 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
 
 def _message(run: Optimisation, best: Candidate, status: str) -> str:
     if status == CONVERGED:
+        if not run.history:
+            return f"the mesh is {with_article(run.original.net)} net already: worst {_worst(best)}"
         return (
             f"{run.original.net} net reached: worst {_worst(best)} after {len(run.history)} steps"
         )
@@ -83,6 +89,12 @@ def _worst(best: Candidate) -> str:
         return "residual 0"
     name = max(best.residuals, key=lambda key: best.residuals[key].max)
     return f"{name} {best.residuals[name].max:.1e}"
+
+
+def _size(mesh: QuadMesh) -> list[float]:
+    """Lengths of the bounding box of all faces."""
+    used = mesh.vertices[mesh.connectivity.referenced]
+    return cast(list[float], (used.max(axis=0) - used.min(axis=0)).tolist())
 
 
 def _median(values: list[float]) -> float:

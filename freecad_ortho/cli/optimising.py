@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> bool:
     api.write_mesh(options.output, outcome.mesh, loaded.unit)
     if options.report:
         write_text(options.report, json.dumps(outcome.report.as_dict(), indent=2) + "\n")
-    _tell(outcome, options.output)
+    _tell(outcome, options.output, loaded.unit)
     return outcome.report.status == CONVERGED
 
 
@@ -57,10 +57,24 @@ def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepR
     return follow
 
 
-def _tell(outcome: Outcome, path: str) -> None:
+def _tell(outcome: Outcome, path: str, unit: str) -> None:
     report = outcome.report
+    moved, edge = report.moved, report.mean_edge
+    most = f"{_digits(moved.max * edge)} {unit}"
     stream = sys.stdout if report.status == CONVERGED else sys.stderr
     stream.write(
-        f"{report.status}: {report.message}; moved {report.moved.mean:.3g} mean edges on average, "
-        f"{report.moved.max:.3g} at most; {report.seconds:.2f} s; {path}\n"
+        f"{report.status}: {report.message}; moved {moved.mean:.3g} mean edges on average, "
+        f"{moved.max:.3g} at most ({most}); {report.seconds:.2f} s; {path}\n"
     )
+    if report.far:
+        sizes = (report.size_start, report.size)
+        before, after = (" x ".join(map(_digits, size)) for size in sizes)
+        stream.write(
+            f"note: the shape moved by up to {most} ({moved.max:.1f} mean edges); its size was "
+            f"{before} {unit} and is {after} {unit}\n"
+        )
+
+
+def _digits(length: float) -> str:
+    """Four digits that count, without an exponent."""
+    return f"{float(f'{length:.4g}'):.12g}"

@@ -11,7 +11,7 @@ from PySide import QtCore, QtGui
 from freecad_ortho import convert
 from freecad_ortho.commands import context
 from freecad_ortho.panels.buttons import close_only
-from freecad_ortho.panels.net_words import short_word
+from freecad_ortho.panels.net_words import reason_words, short_word
 from freecad_ortho.resources import icon
 from solver.analysis.check import check
 from solver.analysis.fields import RESIDUALS
@@ -31,7 +31,7 @@ class CheckPanel:
         column = QtGui.QVBoxLayout(self.form)
         column.setContentsMargins(0, 6, 0, 6)
         self.summary = _wrapped(_summary(net.Label, self.result))
-        self.recommendation = _wrapped(self.result["advice"]["recommendation"])
+        self.recommendation = _wrapped(_recommendation(self.result["advice"]))
         self.measures = _table(
             [translate("Ortho", "Measure"), translate("Ortho", "Worst"), translate("Ortho", "At")],
             _measures(self.result),
@@ -46,6 +46,10 @@ class CheckPanel:
             ],
             _advice(self.result),
         )
+        for row, advice in enumerate(self.result["advice"]["nets"]):
+            reason = reason_words(advice["possible"], advice["reason"])
+            for column_ in range(3 if reason else 0):
+                self.nets.item(row, column_).setToolTip(reason)
         self.multi_net = _wrapped(_multi_net(self.result["multi_net"]))
         rows = (self.summary, self.recommendation, self.measures, self.nets, self.multi_net)
         for widget in rows:
@@ -85,9 +89,14 @@ def _multi_net(found: dict[str, Any] | None) -> str:
 
 
 def _measures(result: dict[str, Any]) -> list[list[str]]:
+    places = {
+        "face": translate("Ortho", "face"),
+        "edge": translate("Ortho", "edge"),
+        "vertex": translate("Ortho", "vertex"),
+    }
     rows = []
     for name, entry in result["measures"].items():
-        place = "" if entry["worst"] is None else f"{entry['where']} {entry['worst']}"
+        place = "" if entry["worst"] is None else f"{places[entry['where']]} {entry['worst']}"
         title = name.capitalize()
         known = translate("Ortho", title) if title in RESIDUALS else name.upper()
         rows.append([known, f"{entry['max']:.1e}", place])
@@ -96,13 +105,24 @@ def _measures(result: dict[str, Any]) -> list[list[str]]:
 
 def _advice(result: dict[str, Any]) -> list[list[str]]:
     yes, no = translate("Ortho", "yes"), translate("Ortho", "no")
-    rows = []
-    for advice in result["advice"]["nets"]:
-        title = short_word(advice["net"])
-        if advice["diagonal"]:
-            title = translate("Ortho", "{}, diag.").format(title)
-        rows.append([title, f"{advice['distance']:.1e}", yes if advice["possible"] else no])
-    return rows
+    return [
+        [_title(advice), f"{advice['distance']:.1e}", yes if advice["possible"] else no]
+        for advice in result["advice"]["nets"]
+    ]
+
+
+def _title(advice: dict[str, Any]) -> str:
+    name = short_word(advice["net"])
+    return translate("Ortho", "{}, diag.").format(name) if advice["diagonal"] else name
+
+
+def _recommendation(advice: dict[str, Any]) -> str:
+    best = advice["nets"][0]
+    if advice["already"]:
+        return translate("Ortho", "The net is this already: {}").format(_title(best))
+    words = translate("Ortho", "Optimise for: {} (off by {:.1e} on average)")
+    reason = reason_words(best["possible"], best["reason"])
+    return "; ".join([words.format(_title(best), best["distance"]), *([reason] if reason else [])])
 
 
 def _wrapped(text: str) -> QtGui.QLabel:

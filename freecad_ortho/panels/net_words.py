@@ -57,7 +57,23 @@ def outlook(net: FreeCAD.DocumentObject, kind: str) -> str:
     """One sentence on how the net's shape suits a kind of net; empty where all is well."""
     for advice in advise(convert.quad_mesh(net)):
         if advice.net == kind and advice.diagonal == net.DiagonalNet:
+            reason = reason_words(advice.possible, advice.reason)
             if not advice.possible:
-                return translate("Ortho", "Hardly possible: {}").format(advice.reason)
-            return advice.reason
+                return translate("Ortho", "Hardly possible: {}").format(reason)
+            return reason
     return ""
+
+
+def reason_words(possible: bool, reason: str) -> str:
+    """The advisor's reason in the user's language; empty where it has none."""
+    if not reason:
+        return ""
+    if possible:
+        return translate(
+            "Ortho", "the shape is doubly curved and will be bent towards a developable surface"
+        )
+    return translate(
+        "Ortho",
+        "most of the surface bulges (positive Gauss curvature), and there it has no asymptotic "
+        "lines",
+    )

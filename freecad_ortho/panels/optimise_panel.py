@@ -174,7 +174,7 @@ class OptimisePanel:
             outcome = self.run.optimisation.outcome()
             # The best shape of all attempts, not always the last one.
             self.net.ViewObject.Proxy.show_vertices(outcome.mesh.vertices)
-            self._say(outcome.report.message)
+            self._say("\n".join([outcome.report.message, *_how_far(outcome.report)]))
         else:
             self._say(error)
         self._show_state()
@@ -279,3 +279,20 @@ class OptimisePanel:
             button.setMinimumWidth(NARROW)
             grid.addWidget(button, number // 2, number % 2)
         return grid
+
+
+def _how_far(report: Any) -> list[str]:
+    """A sentence on how far the shape is from the start, where that is far; lengths in mm."""
+    if not report.far:
+        return []
+    before, after = (" x ".join(map(_length, size)) for size in (report.size_start, report.size))
+    words = translate(
+        "Ortho", "The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}."
+    )
+    most = _length(report.moved.max * report.mean_edge)
+    return [words.format(most, report.moved.max, before, after)]
+
+
+def _length(millimetres: float) -> str:
+    """A length in the user's units."""
+    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString

@@ -49,8 +49,10 @@ class Run(QtCore.QObject):
         return self._timer.isActive()
 
     def resume(self) -> None:
-        """Go on stepping."""
-        if not self.optimisation.finished:
+        """Go on stepping; say so where there is nothing to do."""
+        if self.optimisation.finished:
+            self._ended(None)
+        else:
             self._timer.start()
 
     def stop(self) -> None:
@@ -66,8 +68,10 @@ class Run(QtCore.QObject):
         self._bundle = None
 
     def once(self) -> None:
-        """Make one step."""
-        if not self.optimisation.finished:
+        """Make one step; say so where there is nothing to do."""
+        if self.optimisation.finished:
+            self._ended(None)
+        else:
             self._tell(worker.submit(self._steps, 0.0))
 
     def _look(self) -> None:

@@ -12,7 +12,10 @@ import numpy as np
 from solver.analysis import measures
 from solver.analysis.spheres import cmc
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.report import with_article
 
+# A mesh that is less than this from a net on average is that net.
+_IS = 1e-10
 # A variant of a net that starts this many times closer deserves a warning.
 CLOSER = 10.0
 # Angle defects below this, in radians, count as flat.
@@ -88,16 +91,24 @@ def advise(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> lis
 
 
 def advice_as_dict(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> dict[str, Any]:
-    """Return ``nets`` (all advice as plain data) and ``recommendation`` (one sentence)."""
+    """Return advice as plain data.
+
+    Returns:
+        ``nets`` (one each), ``recommendation`` (one sentence), and ``already``: whether the mesh is
+        the recommended net.
+    """
     found = advise(mesh, known)
     best = found[0]
-    return {
-        "nets": [asdict(advice) for advice in found],
-        "recommendation": (
+    already = best.distance < _IS
+    if already:
+        recommendation = f"the mesh is {with_article(best.title)} net already"
+    else:
+        recommendation = (
             f"optimise for {best.title}: the mesh is {best.distance:.1e} from it on average"
             + (f"; {best.reason}" if best.reason else "")
-        ),
-    }
+        )
+    nets = [asdict(advice) for advice in found]
+    return {"nets": nets, "recommendation": recommendation, "already": already}
 
 
 def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> str | None:

@@ -157,7 +157,11 @@ class TestCheck(AnalyseCase):
         names = [panel.measures.item(row, 0).text() for row in range(panel.measures.rowCount())]
         self.assertEqual([name.lower() for name in names], list(panel.result["measures"]))
         self.assertGreater(panel.nets.rowCount(), 5)
-        self.assertIn("optimise for", panel.recommendation.text())
+        best = panel.result["advice"]["nets"][0]
+        self.assertIn(f"{best['distance']:.1e}", panel.recommendation.text())
+        hard = [k for k, one in enumerate(panel.result["advice"]["nets"]) if not one["possible"]]
+        for k in hard:
+            self.assertIn("asymptotic lines", panel.nets.item(k, 2).toolTip())
         row = names.index("Orthogonality")
         panel.measures.cellDoubleClicked.emit(row, 0)
         self.assertEqual(self.net.ColourMap, "Orthogonality")

@@ -114,6 +114,29 @@ class TestSteps(OptimiseCase):
         self.assertFalse(np.array_equal(kept, start))
         self.assertEqual(again.tobytes(), kept.tobytes())
 
+    def test_net_that_is_there_already(self):
+        net = self.net()
+        api.optimise_net(net)
+        panel = self.opened(net)
+        for button in (panel.start_button, panel.start_button):
+            button.click()
+            self.assertIn("is a principal net already", panel.message.text())
+        self.assertFalse(panel.run.running)
+
+    def test_how_far_the_shape_moved_is_said_in_the_users_units(self):
+        u, v = np.meshgrid(np.linspace(-5e3, 5e3, 11), np.linspace(-4e3, 4e3, 9), indexing="ij")
+        net = self.net(rows=11, columns=9)
+        dome = np.stack([u, v, 3.7e3 - 9e-5 * (u**2 + v**2)], axis=-1).reshape(-1, 3)
+        net.Vertices = [FreeCAD.Vector(*point) for point in dome]
+        panel = self.opened(net)
+        panel.net_type.choose("asymptotic")
+        self.finished()
+        wait(lambda: not panel.run.running)
+        told = panel.message.text()
+        metres = FreeCAD.Units.Quantity(1e4, FreeCAD.Units.Length).UserString
+        self.assertIn("The shape moved by up to", told)
+        self.assertIn(f"Its size was {metres}", told)
+
     def test_the_plot_draws(self):
         panel = self.opened(self.net())
         before = panel.plot.grab().toImage()

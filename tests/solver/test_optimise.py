@@ -7,7 +7,9 @@ import pytest
 
 from solver import InputError, QuadMesh, optimise, start_optimisation
 from solver.analysis import measures
+from solver.analysis.advisor import advice_as_dict
 from tests.conftest import demo_roof, grid_faces, shared_mesh, wavy_grid
+from tests.meshes import grid, parameters
 
 # Name and largest mean move, in mean edges.
 REQUIRED = {
@@ -209,3 +211,23 @@ def test_far_from_the_origin_is_said():
 def test_grid_faces_helper_is_oriented():
     mesh = QuadMesh.from_arrays([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0]], grid_faces(2, 2))
     assert mesh.face_normals[0, 2] == 1.0
+
+
+def test_shape_that_was_given_up_is_told_in_numbers():
+    x, y = parameters(11, 9, 10.0, 8.0)
+    dome = grid(x, y, 3.7 - 0.09 * (x**2 + y**2))
+    report = optimise(dome, "asymptotic").report
+    assert report.status == "converged" and report.far
+    assert report.size_start[2] == np.ptp(dome.vertices[:, 2])
+    assert report.size[2] < 0.5 * report.size_start[2]
+    assert report.mean_edge == dome.mean_edge
+    near = optimise(dome, "principal").report
+    assert near.status == "converged" and not near.far
+
+
+def test_net_that_is_there_already_is_called_so():
+    found = optimise(grid(*parameters(5, 4, 4.0, 3.0), np.zeros((5, 4))), "principal")
+    assert found.report.iterations == 0 and not found.report.far
+    assert found.report.message.startswith("the mesh is a principal net already")
+    assert advice_as_dict(found.mesh)["already"]
+    assert advice_as_dict(found.mesh)["recommendation"].endswith("net already")

@@ -2112,6 +2112,11 @@
    <translation>Optimieren</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Optimise for: {} (off by {:.1e} on average)</source>
+   <translation>Optimieren für: {} (im Mittel um {:.1e} daneben)</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>Optimise {}</source>
    <translation>{} optimieren</translation>
@@ -2710,6 +2715,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Das Netz ist wie vorher.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>The net is this already: {}</source>
+   <translation>Das Netz ist dies schon: {}</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>The net keeps being its own mirror image in the plane through 0</source>
    <translation>Das Netz bleibt sein eigenes Spiegelbild in der Ebene durch 0</translation>
@@ -2723,6 +2733,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>The packages could not be installed:</source>
    <translation>Die Pakete konnten nicht installiert werden:</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}.</source>
+   <translation>Die Form hat sich um bis zu {} bewegt ({:.1f} mittlere Kanten). Ihre Größe war {} und ist {}.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3155,7 +3170,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>weglassen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>edge</source>
    <translation>Kante</translation>
   </message>
@@ -3180,7 +3195,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Enneper</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>face</source>
    <translation>Masche</translation>
   </message>
@@ -3373,6 +3388,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>mitred</source>
    <translation>auf Gehrung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>most of the surface bulges (positive Gauss curvature), and there it has no asymptotic lines</source>
+   <translation>der größte Teil der Fläche wölbt sich (positive Gauß-Krümmung), und dort gibt es keine Asymptotenlinien</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3655,6 +3675,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>die Höhe seiner tiefsten Ecke</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the shape is doubly curved and will be bent towards a developable surface</source>
+   <translation>die Form ist doppelt gekrümmt und wird zu einer abwickelbaren Fläche hin gebogen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>through-u</source>
    <translation>u durchlaufend</translation>
@@ -3725,7 +3750,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>v-Linien</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>vertex</source>
    <translation>Ecke</translation>
   </message>

@@ -2112,6 +2112,11 @@
    <translation>Optimiser</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Optimise for: {} (off by {:.1e} on average)</source>
+   <translation>Optimiser pour : {} (écart moyen {:.1e})</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>Optimise {}</source>
    <translation>Optimiser {}</translation>
@@ -2710,6 +2715,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Le réseau est comme avant.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>The net is this already: {}</source>
+   <translation>Le réseau l'est déjà : {}</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>The net keeps being its own mirror image in the plane through 0</source>
    <translation>Le réseau reste sa propre image miroir dans le plan par 0</translation>
@@ -2723,6 +2733,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>The packages could not be installed:</source>
    <translation>Les paquets n'ont pas pu être installés :</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}.</source>
+   <translation>La forme s'est déplacée jusqu'à {} ({:.1f} arêtes moyennes). Sa taille était {} et est {}.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3155,7 +3170,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>omettre</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>edge</source>
    <translation>arête</translation>
   </message>
@@ -3180,7 +3195,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Enneper</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>face</source>
    <translation>face</translation>
   </message>
@@ -3373,6 +3388,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>mitred</source>
    <translation>à onglet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>most of the surface bulges (positive Gauss curvature), and there it has no asymptotic lines</source>
+   <translation>la surface est presque partout bombée (courbure de Gauss positive) et n'y a pas de lignes asymptotiques</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3655,6 +3675,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>le niveau de son sommet le plus bas</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the shape is doubly curved and will be bent towards a developable surface</source>
+   <translation>la forme est à double courbure et sera pliée vers une surface développable</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>through-u</source>
    <translation>u traversant</translation>
@@ -3725,7 +3750,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>lignes v</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>vertex</source>
    <translation>sommet</translation>
   </message>
