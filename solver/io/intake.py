@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from solver.errors import InputError
+from solver.io.orientation import oriented
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
@@ -41,7 +40,7 @@ def quad_mesh(
     Connectivity.check_corners(faces, len(vertices))
     _refuse_double_faces(faces)
     remarks: list[str] = []
-    faces = _oriented(faces, remarks)
+    faces = oriented(vertices, faces, remarks)
     mesh = QuadMesh(vertices, Connectivity(faces, len(vertices)))
     refuse_empty_faces(mesh)
     unused = np.flatnonzero(~mesh.connectivity.referenced)
@@ -105,53 +104,6 @@ def _refuse_double_faces(faces: IntArray) -> None:
             f"faces: {int((counts > 1).sum())} have the same four corners as another, the first is "
             f"face {int(first[counts > 1].min())}; delete the doubles"
         )
-
-
-def _oriented(faces: IntArray, remarks: list[str]) -> IntArray:
-    """Reverse faces until every inner edge runs in both directions."""
-    half = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
-    pairs, inverse, counts = np.unique(
-        np.sort(half, axis=1), axis=0, return_inverse=True, return_counts=True
-    )
-    if (counts > 2).any():
-        edge = pairs[np.argmax(counts > 2)].tolist()
-        raise InputError(
-            f"edges: {int((counts > 2).sum())} have more than two faces, the first is edge "
-            f"{edge[0]} - {edge[1]}; split the mesh there or remove double faces"
-        )
-    order = np.argsort(inverse.ravel(), kind="stable")
-    shared = np.flatnonzero(np.diff(inverse.ravel()[order]) == 0)
-    one, two = order[shared], order[shared + 1]
-    agrees = half[one, 0] != half[two, 0]
-    first, second = one // 4, two // 4
-    # Two copies of each face, as given and reversed: a component of copies is one orientation.
-    count = len(faces)
-    rows = np.concatenate([first, first + count])
-    columns = np.concatenate(
-        [np.where(agrees, second, second + count), np.where(agrees, second + count, second)]
-    )
-    graph = coo_array((np.ones(len(rows)), (rows, columns)), shape=(2 * count, 2 * count))
-    label = connected_components(graph, directed=False)[1]
-    as_given, reversed_ = label[:count], label[count:]
-    if (as_given == reversed_).any():
-        face = int(np.argmax(as_given == reversed_))
-        raise InputError(
-            f"faces: the component of face {face} cannot be oriented (a Moebius band); "
-            "cut it along one row of edges"
-        )
-    # Of the two orientations of a component, take the one that more of its faces already have.
-    votes = np.bincount(as_given, minlength=label.max() + 1)
-    first_seen = np.full(label.max() + 1, count)
-    np.minimum.at(first_seen, as_given, np.arange(count))
-    keep = votes[as_given] > votes[reversed_]
-    tie = votes[as_given] == votes[reversed_]
-    keep |= tie & (first_seen[as_given] < first_seen[reversed_])
-    if not keep.all():
-        remarks.append(
-            f"{int((~keep).sum())} faces were oriented against their neighbours "
-            f"(first: face {int(np.argmin(keep))}); reversed"
-        )
-    return np.where(keep[:, None], faces, faces[:, [0, 3, 2, 1]])
 
 
 def refuse_empty_faces(mesh: QuadMesh) -> None:

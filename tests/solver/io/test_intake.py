@@ -78,8 +78,22 @@ def test_moebius_band_is_refused():
             points.append([out * np.cos(angle), out * np.sin(angle), side * np.sin(angle / 2)])
     faces = [[2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1] for k in range(count - 1)]
     faces.append([2 * count - 2, 1, 0, 2 * count - 1])
-    with pytest.raises(InputError, match="cannot be oriented"):
+    with pytest.raises(InputError, match="cannot be oriented: it closes with a twist between"):
         quad_mesh(np.array(points), faces)
+
+
+def test_face_with_crossed_corners_is_named():
+    points, faces = flat_grid(6, 7)
+    a, b, c, d = faces[13]
+    for crossed in ([a, c, b, d], [a, b, d, c], [b, a, c, d]):
+        with pytest.raises(InputError, match="face 13 has its corners in crossed order") as caught:
+            quad_mesh(points, [*faces[:13], crossed, *faces[14:]])
+        order = [int(word) for word in str(caught.value).split(": ")[-1].split()]
+        mended, _ = quad_mesh(points, [*faces[:13], order, *faces[14:]])
+        assert mended.connectivity.boundary_edges.sum() == 22
+    crossed = [*faces[:13], [a, c, b, d], *faces[14:20], faces[20][:2] + faces[20][:1:-1]]
+    with pytest.raises(InputError, match=r"face 13 \(and 1 more\)"):
+        quad_mesh(points, [*crossed, *faces[21:]])
 
 
 def test_obj_round_trip_keeps_every_bit(tmp_path):
