@@ -14,7 +14,7 @@ from ortho_suite_tools import vertices, wait
 from pivy import coin
 from PySide import QtCore
 
-from freecad_ortho import api, convert, preferences
+from freecad_ortho import api, convert
 from freecad_ortho.objects import structure
 from solver.analysis import measures
 
@@ -96,8 +96,7 @@ class TestDragging(EditingCase):
         net = api.import_net(tools.wavy_mesh(rows=SIDE, columns=SIDE))
         api.optimise_net(net)
         beams = api.add_beams(net)
-        preferences.group().SetFloat("AtOnceSeconds", 0.0)
-        self.addCleanup(preferences.group().RemFloat, "AtOnceSeconds")
+        tools.follow_at_once(self, 0.0)
         volume = beams.Shape.Volume
         self.enter(net)
         end = self.held(net)

@@ -90,6 +90,7 @@ class TestMetadata(FirstStepsCase):
 class TestPreferences(FirstStepsCase):
     def setUp(self):
         super().setUp()
+        self.forget()
         self.addCleanup(self.forget)
 
     def forget(self):

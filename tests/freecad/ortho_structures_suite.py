@@ -8,7 +8,7 @@ import FreeCAD
 import ortho_suite_tools as tools
 from ortho_suite_cases import DocumentCase
 
-from freecad_ortho import api, preferences
+from freecad_ortho import api
 from freecad_ortho.fabrication import SYSTEMS
 from freecad_ortho.objects import flat_patterns, outdated, structure
 from freecad_ortho.objects.system_properties import options_of
@@ -105,10 +105,9 @@ class TestLongOnes(StructureCase):
         self.panels = api.add_panels(self.net, beams=self.beams)
         self.flat = api.add_flat_patterns(self.panels)
         self.at_once(0.0)
-        self.addCleanup(preferences.group().RemFloat, "AtOnceSeconds")
 
     def at_once(self, seconds):
-        preferences.group().SetFloat("AtOnceSeconds", seconds)
+        tools.follow_at_once(self, seconds)
 
     def shapes(self):
         built = (self.beams, self.panels, self.flat)

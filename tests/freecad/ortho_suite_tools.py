@@ -44,6 +44,15 @@ def write(name, text):
     return str(path)
 
 
+def follow_at_once(case, seconds):
+    """Let shapes follow at once that take no longer than this, until the end of a test case."""
+    from freecad_ortho import preferences
+
+    before = preferences.at_once()
+    preferences.group().SetFloat("AtOnceSeconds", seconds)
+    case.addCleanup(preferences.group().SetFloat, "AtOnceSeconds", before)
+
+
 def close_all():
     for name in list(FreeCAD.listDocuments()):
         FreeCAD.closeDocument(name)

@@ -37,13 +37,16 @@ needs_window = pytest.mark.skipif(
 
 
 # FreeCAD 1.1 greets a new user with a page that waits for an answer, unless it has been seen.
-# Documents are saved for recovery every minute, as ortho_recovery_window_suite expects.
+# Documents are saved for recovery every minute, as ortho_recovery_window_suite expects. On a busy
+# machine too every shape follows at once, unless a test says otherwise.
 PREFERENCES = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
 <FCParamGroup Name="Preferences">
 <FCParamGroup Name="Document"><FCInt Name="AutoSaveTimeout" Value="1"/></FCParamGroup>
 <FCParamGroup Name="Mod"><FCParamGroup Name="Start">
 <FCBool Name="FirstStart2024" Value="0"/>
+</FCParamGroup><FCParamGroup Name="Ortho">
+<FCFloat Name="AtOnceSeconds" Value="1000"/>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
 
