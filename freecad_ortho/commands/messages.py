@@ -18,9 +18,20 @@ def show_error(text: str) -> None:
     QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), "Ortho", text)
 
 
-def show_status(text: str) -> None:
-    """Tell the user what was done, in the report view and the status bar."""
-    FreeCAD.Console.PrintMessage(text + "\n")
+def show_status(text: str, wrong: bool = False) -> None:
+    """Tell the user what was done, in the report view and the status bar.
+
+    Args:
+        text: one line.
+        wrong: it is done, but something about it is not as it should be.
+    """
+    say = FreeCAD.Console.PrintWarning if wrong else FreeCAD.Console.PrintMessage
+    say(text + "\n")
+    show_in_status_bar(text)
+
+
+def show_in_status_bar(text: str) -> None:
+    """Tell the user again what the report view says already."""
     FreeCADGui.getMainWindow().statusBar().showMessage(text, 10000)
 
 

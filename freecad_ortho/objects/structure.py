@@ -188,7 +188,32 @@ def rebuild(
     feature.BuiltFrom = build.recipe([feature])
     feature.PartNames = [part.name for part in structure.parts]
     feature.Verdicts = list(structure.verdicts)
-    feature.Report = json.dumps(structure.report())
+    report = structure.report()
+    feature.Report = json.dumps(report)
+    wrong = bool(report["verdict"]["failed"] or report["messages"])
+    say = FreeCAD.Console.PrintWarning if wrong else FreeCAD.Console.PrintMessage
+    say(summary(feature) + "\n")
+
+
+def summary(feature: FreeCAD.DocumentObject) -> str:
+    """One line on a structure that has been built: parts, mass, and what is wrong with them."""
+    translate = FreeCAD.Qt.translate
+    report = json.loads(feature.Report)
+    failed = report["verdict"]["failed"]
+    words = [
+        translate("Ortho", "{}: {:,} parts, {:,.1f} kg").format(
+            feature.Label, len(feature.PartNames), report["mass_kg"]
+        )
+    ]
+    if failed:
+        name, reason = next(iter(failed.items()))
+        words.append(
+            translate("Ortho", "{} of them exceed a limit, such as {}: {}").format(
+                len(failed), name, reason
+            )
+        )
+    words += report["messages"]
+    return "; ".join(words)
 
 
 def is_structure(feature: object) -> bool:

@@ -8,7 +8,7 @@ import FreeCAD
 from PySide import QtGui
 
 from freecad_ortho import preferences
-from freecad_ortho.commands import context
+from freecad_ortho.commands import context, messages
 from freecad_ortho.fabrication import MATERIALS
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of
@@ -75,6 +75,8 @@ class StructurePanel(WorkPanel):
     def work(self) -> bool:
         """Make the structure."""
         context.run("add_structure", self.net, self._system, **self.settings())
+        made = FreeCAD.getDocument(self._document).ActiveObject
+        messages.show_in_status_bar(structure_object.summary(made))
         return True
 
     def settings(self) -> dict[str, Any]:

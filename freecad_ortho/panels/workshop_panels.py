@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 import FreeCAD
@@ -9,6 +11,7 @@ from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.commands import context, dialogs, messages
+from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
@@ -115,6 +118,7 @@ class ExportPanel(_WorkshopPanel):
     def __init__(self, structures: list[FreeCAD.DocumentObject]) -> None:
         title = translate("Ortho", "Export fabrication files")
         super().__init__(structures, title, "export", nested=False)
+        self._take_over(structures)
         lengths = [item.Stock.Value for item in structures if "Stock" in item.PropertiesList]
         self._given = max(lengths, default=0.0)
         self.stock = LengthField(self._given)
@@ -127,6 +131,22 @@ class ExportPanel(_WorkshopPanel):
         self.workers.widget.setToolTip(translate("Ortho", "Processes that share the work"))
         self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
+
+    def _take_over(self, structures: list[FreeCAD.DocumentObject]) -> None:
+        """Begin with the sheets of the flat patterns that the same structures have already."""
+        wanted = set(self._names)
+        for item in structures[0].InList:
+            if not is_flat_patterns(item) or {each.Name for each in item.Structures} != wanted:
+                continue
+            self.kerf.millimetres = item.Kerf.Value
+            if item.SheetWidth.Value > 0.0:
+                self.on_sheets.setChecked(True)
+                self.width.millimetres = item.SheetWidth.Value
+                self.height.millimetres = item.SheetHeight.Value
+                self.spacing.millimetres = item.Spacing.Value
+                self.grain.choose(item.Grain.lower())
+                self.nesting.choose(item.Nesting.lower())
+                self.seed.widget.setText(str(item.Seed))
 
     def settings(self) -> dict[str, Any]:
         """What was chosen, as ``freecad_ortho.api.export_fabrication`` takes it.
@@ -149,5 +169,10 @@ class ExportPanel(_WorkshopPanel):
             return False
         context.run("export_fabrication", self.structures, folder, **settings)
         said = translate("Ortho", "Fabrication files written to {}").format(folder)
-        messages.show_status(said)
+        verdict = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))["verdict"]
+        failed = len(verdict["failed"])
+        if failed:
+            more = translate("Ortho", "{} of {} parts exceed a limit, see report.html")
+            said += "; " + more.format(failed, failed + verdict["passed"])
+        messages.show_status(said, wrong=bool(failed))
         return True

@@ -1,5 +1,7 @@
 """All task panels as FreeCAD shows them at first: nothing is cut off, in any language."""
 
+import json
+
 import FreeCAD
 import FreeCADGui
 import ortho_suite_tools as tools
@@ -75,3 +77,56 @@ class TestStock(WindowCase):
             press("Ok")
             self.assertEqual((self.errors, lamellas.Stock.Value), ([], typed))
         self.assertEqual(FreeCAD.ActiveDocument.UndoNames[:2], ["Stock length"] * 2)
+
+
+class TestVerdicts(WindowCase):
+    """Whoever builds with a mesh that is no net is told what fails, not only in a property."""
+
+    def built(self, net, command):
+        wrong = []
+        self.replace(FreeCAD.Console, "PrintWarning", wrong.append)
+        FreeCADGui.runCommand(command)
+        wait()
+        press("Ok")
+        wait()
+        self.assertEqual(self.errors, [])
+        return FreeCADGui.getMainWindow().statusBar().currentMessage(), "".join(wrong)
+
+    def test_parts_that_fail_are_counted_in_the_report_view_and_the_status_bar(self):
+        net = api.import_net(tools.wavy_mesh())
+        status, wrong = self.built(net, "Ortho_Panels")
+        self.assertIn("30 parts", status)
+        self.assertIn("exceed a limit", status)
+        self.assertIn(status, wrong)
+        folder = tools.SCRATCH / "panel-verdicts"
+        self.replace(dialogs, "ask_folder", lambda: str(folder))
+        self.built(net, "Ortho_ExportFabrication")
+        failed = len(json.loads((folder / "report.json").read_text())["verdict"]["failed"])
+        self.assertIn(f"{failed} of 30 parts exceed a limit", self.said[-1])
+
+    def test_what_is_right_is_counted_without_a_warning(self):
+        net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(net)
+        status, wrong = self.built(net, "Ortho_Beams")
+        self.assertIn("parts", status)
+        self.assertNotIn("exceed", status)
+        self.assertEqual(wrong, "")
+
+
+class TestSheets(WindowCase):
+    def test_files_are_nested_as_the_flat_patterns_are(self):
+        net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(net)
+        panels = api.add_structure(net, "panels")
+        api.add_flat_patterns(panels, sheet=(4000, 2100), spacing=20, grain="along", kerf=2)
+        folder = tools.SCRATCH / "panel-sheets"
+        self.replace(dialogs, "ask_folder", lambda: str(folder))
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(panels)
+        FreeCADGui.runCommand("Ortho_ExportFabrication")
+        wait()
+        press("Ok")
+        self.assertEqual(self.errors, [])
+        self.assertIn("sheet=(4000.0, 2100.0", self.lines[-1])
+        self.assertIn("grain='along'", self.lines[-1])
+        self.assertTrue(list((folder / "sheets").glob("*.dxf")))

@@ -66,7 +66,7 @@ class WindowCase(unittest.TestCase):
 
         self.replace(FreeCADGui, "doCommand", recorded)
         self.replace(messages, "show_error", self.errors.append)
-        self.replace(messages, "show_status", self.said.append)
+        self.replace(messages, "show_status", lambda text, wrong=False: self.said.append(text))
 
     def tearDown(self):
         import FreeCADGui

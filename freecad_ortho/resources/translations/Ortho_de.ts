@@ -3825,9 +3825,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} Netz</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>{} of them exceed a limit, such as {}: {}</source>
+   <translation>{} davon überschreiten eine Grenze, etwa {}: {}</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>{} of {} chosen</source>
    <translation>{} von {} gewählt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>{} of {} parts exceed a limit, see report.html</source>
+   <translation>{} von {} Teilen überschreiten eine Grenze, siehe report.html</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
@@ -3858,6 +3868,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>{}, diag.</source>
    <translation>{}, diag.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>{}: {:,} parts, {:,.1f} kg</source>
+   <translation>{}: {:,} Teile, {:,.1f} kg</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />

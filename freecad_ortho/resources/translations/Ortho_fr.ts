@@ -3825,9 +3825,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} maillage</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>{} of them exceed a limit, such as {}: {}</source>
+   <translation>{} d'entre elles dépassent une limite, par exemple {} : {}</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>{} of {} chosen</source>
    <translation>{} sur {} choisis</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>{} of {} parts exceed a limit, see report.html</source>
+   <translation>{} pièces sur {} dépassent une limite, voir report.html</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
@@ -3858,6 +3868,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>{}, diag.</source>
    <translation>{} diag.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>{}: {:,} parts, {:,.1f} kg</source>
+   <translation>{} : {:,} pièces, {:,.1f} kg</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
