@@ -8,10 +8,18 @@ import numpy as np
 import ortho_suite_tools as tools
 
 
+def follow_at_once():
+    """Let shapes follow their nets however long that takes: tests run on busy machines."""
+    from freecad_ortho import preferences
+
+    preferences.group().SetFloat("AtOnceSeconds", 600.0)
+
+
 class DocumentCase(unittest.TestCase):
     """Works in a new document."""
 
     def setUp(self):
+        follow_at_once()
         self.document = FreeCAD.newDocument("Test")
         # FreeCAD records no undo steps in console mode unless it is told to.
         self.document.UndoMode = 1
@@ -56,6 +64,7 @@ class WindowCase(unittest.TestCase):
 
         from freecad_ortho.commands import messages
 
+        follow_at_once()
         FreeCADGui.activateWorkbench("OrthoWorkbench")
         self.lines, self.errors, self.said, self.panel = [], [], [], None
         run = FreeCADGui.doCommand
