@@ -80,7 +80,7 @@ class Session:
         Raises:
             InputError: a vertex that is no handle, or a position that is not finite.
         """
-        moved = False
+        wanted = {}
         for vertex, place in targets.items():
             position = np.asarray(place, dtype=np.float64)
             if vertex not in self.targets:
@@ -90,8 +90,9 @@ class Session:
                 )
             if position.shape != (3,) or not np.isfinite(position).all():
                 raise InputError(f"handle: the target of vertex {vertex} is not a point; mend it")
-            moved = moved or not np.array_equal(self.targets[vertex], position)
-            self.targets[vertex] = position
+            wanted[vertex] = position
+        moved = any(not np.array_equal(self.targets[v], place) for v, place in wanted.items())
+        self.targets.update(wanted)
         if moved or self._run.finished:
             self._run.hold()
             self._aim(np.array(list(self.targets.values())))

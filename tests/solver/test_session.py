@@ -106,6 +106,18 @@ def test_no_move_of_the_mouse_costs_many_factorisations(monkeypatch):
     assert sum(frames) <= 25
 
 
+def test_a_refused_drag_changes_nothing():
+    start = optimise(wavy_grid(8, 7)).mesh
+    session = Session(start, [24, 0])
+    place = start.vertices[24] + [0, 0, 0.5]
+    with pytest.raises(InputError, match="vertex 99"):
+        session.drag({24: place, 99: place})
+    assert np.array_equal(session.targets[24], start.vertices[24])
+    for _ in range(20):
+        session.drag({24: place})
+    assert np.linalg.norm(session.vertices[24] - place) < 0.25
+
+
 def test_session_refuses_strangers():
     mesh = wavy_grid(6, 5)
     with pytest.raises(InputError, match="none given"):
