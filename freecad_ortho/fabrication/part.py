@@ -68,6 +68,7 @@ class Part:
         line: number of that line in its family, counted from 0, None for none.
         measures: how true it is.
         note: how to cut a part that has no flat pattern, in words.
+        height: of the section where the width is not that, as the flat pattern is curved, mm.
     """
 
     name: str
@@ -88,6 +89,12 @@ class Part:
     line: int | None = None
     measures: Measures = Measures()
     note: str = ""
+    height: float | None = None
+
+    @property
+    def section_height(self) -> float:
+        """Height of the section, mm: of a straight plate its width."""
+        return self.width if self.height is None else self.height
 
     @property
     def points(self) -> FloatArray:

@@ -25,6 +25,7 @@ def plate_part(
     family: str = "",
     line: int | None = None,
     measures: Measures = _UNMEASURED,
+    height: float | None = None,
 ) -> Part:
     """Return the part of a plate, its length and width those of its pattern's box.
 
@@ -42,6 +43,7 @@ def plate_part(
         family: of the parameter line.
         line: its number.
         measures: how true the part is.
+        height: of the section, where the pattern is curved.
     """
     length, width = pattern.size.tolist()
     volume = body.volume
@@ -64,4 +66,5 @@ def plate_part(
         family=family,
         line=line,
         measures=measures,
+        height=height,
     )

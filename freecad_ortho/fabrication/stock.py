@@ -11,6 +11,11 @@ from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 
 _USUAL = 6000.0
+# Tubes whose heights differ by no more, mm, are one tube: mills roll them no truer.
+SAME_TUBE = 0.1
+# A flat pattern whose box is more times as wide as its part is curved: cut from a sheet, not a
+# strip, of which a third and more would be lost.
+_CURVED = 1.5
 
 
 @dataclass(frozen=True)
@@ -20,7 +25,7 @@ class Bar:
     Attributes:
         name: ``S0001``.
         kind: of the parts that are sawn from it.
-        width: that the strip must have, that of its widest part, mm.
+        width: that the strip must have, that of its widest part, mm; of a tube, its height.
         thickness: mm.
         length: of the stock, mm.
         parts: names, from one end to the other.
@@ -39,33 +44,75 @@ class Bar:
 def stock_list(parts: Sequence[Part], workshop: Workshop) -> tuple[Bar, ...]:
     """Lay the parts that are longer than wide and stand on edges onto bars: first fit, long first.
 
+    Plates may be cut from a strip that is wider than they are; a tube cannot be made lower, so the
+    tubes on one bar are alike.
+
     Args:
-        parts: panels and parts without a length of their own are left out.
+        parts: panels, parts without a length of their own and those whose flat pattern is curved,
+            which are cut from sheets, are left out.
         workshop: length of the stock and width of the saw cut.
 
     Raises:
         InputError: a part is longer than the stock.
     """
-    linear = [part for part in parts if part.face is None and part.line is not None]
+    linear = [part for part in parts if _is_linear(part)]
     if not linear:
         return ()
     length = _stock_length(linear, workshop)
     bars: list[Bar] = []
-    for kind, thickness in dict.fromkeys((part.kind, part.thickness) for part in linear):
-        chosen = [part for part in linear if (part.kind, part.thickness) == (kind, thickness)]
-        for group in _first_fit(chosen, length, workshop.saw):
+    for alike in _alike(linear):
+        for group in _first_fit(alike, length, workshop.saw):
             bars.append(
                 Bar(
                     f"S{len(bars) + 1:04d}",
-                    kind,
-                    max(part.width for part in group),
-                    thickness,
+                    group[0].kind,
+                    max(_width(part) for part in group),
+                    group[0].thickness,
                     length,
                     tuple(part.name for part in group),
                     _needed(group, workshop.saw),
                 )
             )
     return tuple(bars)
+
+
+def different_tubes(parts: Sequence[Part]) -> tuple[tuple[Part, ...], ...]:
+    """Groups of the tubes among the parts that are as high as one another, the lowest first."""
+    tubes = [part for part in parts if part.pattern is None and part.line is not None]
+    groups: list[list[Part]] = []
+    for part in sorted(tubes, key=lambda part: (part.kind, part.thickness, part.width)):
+        first = groups[-1][0] if groups else None
+        if (
+            first is not None
+            and (first.kind, first.thickness) == (part.kind, part.thickness)
+            and part.width - first.width <= SAME_TUBE
+        ):
+            groups[-1].append(part)
+        else:
+            groups.append([part])
+    return tuple(tuple(group) for group in groups)
+
+
+def _alike(parts: Sequence[Part]) -> list[Sequence[Part]]:
+    """Parts that may share a bar: plates by kind and thickness, then tubes by their section."""
+    plates: dict[tuple[str, float], list[Part]] = {}
+    for part in parts:
+        if part.pattern is not None:
+            plates.setdefault((part.kind, part.thickness), []).append(part)
+    return [*plates.values(), *different_tubes(parts)]
+
+
+def _is_linear(part: Part) -> bool:
+    return (
+        part.face is None
+        and part.line is not None
+        and _width(part) <= _CURVED * part.section_height
+    )
+
+
+def _width(part: Part) -> float:
+    """Of the strip or tube that a part is cut from, mm."""
+    return part.width if part.pattern is None else float(part.pattern.size[1])
 
 
 def _stock_length(parts: Sequence[Part], workshop: Workshop) -> float:

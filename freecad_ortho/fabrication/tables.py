@@ -13,8 +13,7 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.stock import Bar
 
-# The height is the width under the name that readers of the first beams and panels know.
-_SIZES = ("length", "width", "width", "thickness", "area", "volume", "mass")
+_SIZES = ("length", "width", "section_height", "thickness", "area", "volume", "mass")
 _MEASURES = (
     "gap_mm",
     "twist_deg",
@@ -60,9 +59,10 @@ def write_parts(
 ) -> None:
     """Write one row a part.
 
-    Length and width are those of the flat pattern's box (a beam: of its plate), the area is one
-    face of the plate. Vertices, faces and lines are counted from 0 in the order of the mesh file;
-    vertices are separated by spaces; what has no meaning for a part is empty.
+    Length and width are those of the flat pattern's box (a beam: of its plate), the height that of
+    the section, the area is one face of the plate. Vertices, faces and lines are counted from 0 in
+    the order of the mesh file; vertices are separated by spaces; what has no meaning for a part is
+    empty.
 
     Args:
         path: file to write.

@@ -18,7 +18,7 @@ from freecad_ortho.fabrication.nodes import nodes
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.report import report_page
-from freecad_ortho.fabrication.stock import stock_list
+from freecad_ortho.fabrication.stock import different_tubes, stock_list
 from solver.errors import InputError
 from solver.mesh.grid import grid_faces
 from solver.mesh.quadmesh import QuadMesh
@@ -126,6 +126,36 @@ def test_stock_holds_every_beam_once_and_nothing_longer_than_the_bar(roof):
     # First fit decreasing needs at most 11/9 of the best there is, which the sum bounds.
     assert len(bars) <= 11 / 9 * (sum(beams.values()) / 4000) + 1 + len(beams) * 5 / 4000
     assert stock_list(parts, Workshop())[0].length == 6000
+
+
+def test_only_tubes_of_one_height_share_a_bar(roof):
+    structure = build(roof, [Beams(200, 12, section="hollow", section_width=80)])
+    heights = {part.name: part.width for part in structure.parts}
+    bars = stock_list(structure.parts, Workshop())
+    assert sorted(name for bar in bars for name in bar.parts) == sorted(heights)
+    for bar in bars:
+        on_it = [heights[name] for name in bar.parts]
+        assert max(on_it) - min(on_it) <= 0.1 and bar.width == max(on_it)
+    tubes = different_tubes(structure.parts)
+    assert len(tubes) > 1 and sum(map(len, tubes)) == len(heights)
+    (message,) = structure.report()["messages"]
+    assert message.startswith(f"beams: {len(tubes)} different tubes, by their height in mm: ")
+    plates = build(roof, [Beams(200, 12)])
+    assert len(stock_list(plates.parts, Workshop())) < len(bars)
+    assert plates.report()["messages"] == []
+
+
+def test_curved_patterns_are_on_no_bar_and_tell_the_height_of_the_beam(roof, tmp_path):
+    structure = build(roof, [Beams(200, 12, ends="lapped")])
+    write(structure, tmp_path)
+    rows = table(tmp_path / "parts.csv")
+    curved = {row["name"] for row in rows if float(row["width_mm"]) > 300}
+    assert curved and all(190 < float(row["height_mm"]) < 210 for row in rows)
+    bars = table(tmp_path / "stock.csv")
+    assert {name for bar in bars for name in bar["parts"].split()} == {
+        row["name"] for row in rows
+    } - curved
+    assert all(float(bar["width_mm"]) <= 315 for bar in bars)
 
 
 def test_part_longer_than_the_stock_is_named(roof):

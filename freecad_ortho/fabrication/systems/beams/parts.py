@@ -114,6 +114,7 @@ def line_beams(
                     gap_mm=float(geometry.twist_mm[line.edges].max()),
                     twist_deg=float(twist[line.edges].max()),
                 ),
+                height=float(geometry.height[line.edges].max()),
             )
         )
     return tuple(parts)

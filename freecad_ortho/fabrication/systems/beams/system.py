@@ -11,6 +11,7 @@ import numpy as np
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.stock import different_tubes
 from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, around_axes, beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import (
     BeamGeometry,
@@ -138,7 +139,7 @@ class Beams(System):
         lines = tuple(line for line in site.chosen_lines if (folded & built)[line.edges].all())
         parts += line_beams(site, geometry, self.thickness, lines, laps)
         report = self._report(site, geometry, parts, wanted)
-        return SystemParts(parts, report, _messages(report), geometry)
+        return SystemParts(parts, report, _messages(report, parts), geometry)
 
     def _section(self) -> Section:
         flange = self.thickness if self.flange_thickness is None else self.flange_thickness
@@ -192,7 +193,7 @@ class Beams(System):
         }
 
 
-def _messages(report: dict[str, Any]) -> tuple[str, ...]:
+def _messages(report: dict[str, Any], parts: tuple[Part, ...]) -> tuple[str, ...]:
     messages = []
     if report["twist_max_deg"] > _TWIST_WORTH_SAYING:
         messages.append(
@@ -205,5 +206,12 @@ def _messages(report: dict[str, Any]) -> tuple[str, ...]:
             f"beams: heights run from {report['height_min_mm']:.1f} to "
             f"{report['height_max_mm']:.1f} mm instead of {report['height_mm']:g} mm; a "
             "principal net gives more even heights"
+        )
+    tubes = different_tubes(parts)
+    if len(tubes) > 1:
+        heights = ", ".join(f"{len(group)} of {group[0].width:.1f}" for group in tubes)
+        messages.append(
+            f"beams: {len(tubes)} different tubes, by their height in mm: {heights}; a net of "
+            "constant height needs one"
         )
     return tuple(messages)
