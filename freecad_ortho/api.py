@@ -86,6 +86,7 @@ def write_mesh(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = 
     """Write an OBJ, PLY, OFF or JSON file that keeps vertex and face order and every digit.
 
     Raises:
+        InputError: the name ends in none of ``.obj``, ``.ply``, ``.off`` and ``.json``.
         OutputError: the file cannot be written.
     """
     write_polygons(path, mesh, unit)

@@ -282,3 +282,24 @@ def test_odd_files_optimise(tmp_path, capsys, text):
     assert main(["optimise", str(path), "-o", str(out)]) == 0, capsys.readouterr().err
     assert api.check(api.read_mesh(out).mesh)["measures"]["planarity"]["max"] <= 1e-10
     assert main(["check", str(path), "--json"]) == 0
+
+
+@pytest.mark.parametrize("name", ["c.stl", "c.dxf", "c.xyz"])
+@pytest.mark.parametrize("command", ["convert", "optimise"])
+def test_unknown_ending_of_the_output_is_refused_first(mesh_file, tmp_path, capsys, command, name):
+    assert main([command, str(mesh_file), "-o", str(tmp_path / name)]) == 2
+    assert "expected a name that ends in .obj, .ply, .off, .json, got" in one_line(capsys)
+    assert [path.name for path in tmp_path.iterdir()] == [mesh_file.name]
+
+
+def test_size_that_no_chosen_system_has_is_said(mesh_file, tmp_path, capsys):
+    words = ["fabricate", str(mesh_file), "--system", "panels", "-o", str(tmp_path / "files")]
+    assert main([*words, "--height", "60", "--stock", "6000", "--gap", "12"]) == 0
+    words = "note: --height is left out: panels has no such size; it is of beams, nodes"
+    assert one_line(capsys) == words
+
+
+def test_help_and_errors_name_the_command_as_it_is_typed(capsys):
+    with pytest.raises(SystemExit):
+        main(["optimise"])
+    assert one_line(capsys).endswith("; see python -m freecad_ortho optimise --help")

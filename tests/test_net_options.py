@@ -220,7 +220,7 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--net", "stress", "--supports", "1,2"], "would be a mechanism"),
         (["--net", "cmc", "--radius", "-1"], "radius: expected a positive length"),
         (["--net", "cmc", "--radius", "0.3"], "radius: 0.3 is too small for the star of vertex"),
-        (["--net", "isometric", "--reference", "OTHER"], "has other vertices or faces"),
+        (["--net", "isometric", "--reference", "other.obj"], "has other vertices or faces"),
         (["--multi", "-1"], "multi: expected a weight"),
         (["--isometry", "-1"], "isometry: expected a weight"),
     ],
@@ -229,7 +229,7 @@ def test_bad_options_are_one_line_and_write_nothing(
     wave, tmp_path, capsys, monkeypatch, arguments, words
 ):
     monkeypatch.chdir(tmp_path)
-    api.write_mesh("OTHER", wavy_grid(4, 4))
+    api.write_mesh("other.obj", wavy_grid(4, 4))
     assert main(["optimise", str(wave), "-o", "out.obj", *arguments]) == 2
     text = capsys.readouterr().err.strip()
     assert words in text

@@ -43,7 +43,7 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
-        prog="freecad_ortho",
+        prog="python -m freecad_ortho",
         description="Optimise quad meshes and turn them into parts that a workshop can cut.",
     )
     commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)

@@ -28,6 +28,8 @@ _KINDS: dict[str, tuple[type, str]] = {
     "choice": (str, ""),
     "text": (str, "TEXT"),
 }
+# A workshop's own as well, so never left out.
+_SHARED = {option.name for option in Workshop.options}
 _LIMITS = {field.name: field.default for field in fields(Limits)}
 
 
@@ -35,10 +37,11 @@ def add(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command and those of every system."""
     parser.add_argument("--system", default="beams+panels", metavar="NAME[+NAME...]")
     parser.epilog = f"systems: {', '.join(SYSTEMS)}"
-    group = parser.add_argument_group("sizes", "those that no system asked for has are left out")
-    of_workshop = {option.name for option in Workshop.options}
+    group = parser.add_argument_group(
+        "sizes", "each begins with the systems that have it; others leave it out with a note"
+    )
     for name, option in _options().items():
-        if name not in of_workshop:
+        if name not in _SHARED:
             users = _users(option)
             _add_option(group, option, ", ".join(users) + ": ", _defaults(users))
     parser.add_argument("--family", default="both", metavar="|".join(FAMILY_CHOICES))
@@ -60,6 +63,7 @@ def run(options: argparse.Namespace) -> int:
     loaded = reporting.load(options)
     workshop = _given(options, [option.name for option in Workshop.options])
     Workshop.of(workshop)
+    sizes = _given(options, _options())
     structure = api.fabricate(
         loaded.mesh,
         options.system,
@@ -69,8 +73,9 @@ def run(options: argparse.Namespace) -> int:
         density=options.density,
         unit=loaded.unit,
         limits=Limits(**_given(options, _LIMITS, "limit_")),
-        **_given(options, _options()),
+        **sizes,
     )
+    _tell_left_out(options.system, sizes)
     with kept_whole(), missing_package_named():
         import cadquery  # noqa: F401
         import ezdxf  # noqa: F401
@@ -80,6 +85,17 @@ def run(options: argparse.Namespace) -> int:
         )
     sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")
     return EXIT_OK
+
+
+def _tell_left_out(systems: str, sizes: Iterable[str]) -> None:
+    """Say which sizes none of the chosen systems has."""
+    for name, option in _options().items():
+        users = _users(option)
+        if name in sizes and name not in _SHARED and not set(systems.split("+")) & set(users):
+            sys.stderr.write(
+                f"note: --{name.replace('_', '-')} is left out: {systems} has no such size; "
+                f"it is of {', '.join(users)}\n"
+            )
 
 
 def _given(options: argparse.Namespace, names: Iterable[str], prefix: str = "") -> dict[str, Any]:

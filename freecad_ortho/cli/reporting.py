@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho import api
+from freecad_ortho.cli.values import counted
 
 if TYPE_CHECKING:
     from freecad_ortho.fabrication import Structure
@@ -76,8 +77,15 @@ def check_table(result: dict[str, Any]) -> str:
     """Measures of a mesh as a table for people."""
     size = " x ".join(f"{length:.6g}" for length in result["size"])
     lines = [
-        f"{result['file']}: {result['vertices']} vertices, {result['faces']} quads, "
-        f"{result['components']} component(s), {result['irregular_vertices']} irregular vertices",
+        f"{result['file']}: "
+        + ", ".join(
+            (
+                counted(result["vertices"], "vertex", "vertices"),
+                counted(result["faces"], "quad"),
+                counted(result["components"], "component"),
+                counted(result["irregular_vertices"], "irregular vertex", "irregular vertices"),
+            )
+        ),
         f"size {size} {result['unit']}, mean edge {result['mean_edge']:.6g} {result['unit']}",
         f"{'measure':<16}{'worst':>12}{'mean':>12}   worst at",
     ]

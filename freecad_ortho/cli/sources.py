@@ -113,7 +113,7 @@ def _weld(options: argparse.Namespace) -> int:
     patches = [one.mesh.scaled(millimetres_per(one.unit) / millimetres_per(unit)) for one in loaded]
     mesh = mirror.welded(patches, options.tolerance)
     parts = int(mesh.connectivity.components.max()) + 1
-    return values.write(options.output, mesh, unit, f"{parts} component(s)")
+    return values.write(options.output, mesh, unit, values.counted(parts, "component"))
 
 
 def _diagonal(mesh: QuadMesh, options: argparse.Namespace) -> QuadMesh:

@@ -10,6 +10,7 @@ import sys
 from freecad_ortho import api
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import InputError, OutputError
+from solver.io.polygons import refuse_unknown_extension
 from solver.mesh.quadmesh import QuadMesh
 
 
@@ -75,7 +76,8 @@ def refuse_unwritable(output: str, report: str | None = None) -> None:
     """Say before the work, not after it, that a mesh or a report has nowhere to go.
 
     Raises:
-        InputError: a path is a folder or a device, or both are one.
+        InputError: a path is a folder or a device, or both are one, or the mesh's name says no
+            format.
         OutputError: a folder is missing or cannot be written.
     """
     if report is not None and os.path.realpath(output) == os.path.realpath(report):
@@ -91,11 +93,18 @@ def refuse_unwritable(output: str, report: str | None = None) -> None:
             raise InputError(f"{path}: is not an ordinary file; name another")
         if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
             raise OutputError(f"{folder}: does not exist or cannot be written; make it first")
+    refuse_unknown_extension(output)
+
+
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """``1 quad``, ``2 quads``."""
+    return f"{number} {noun if number == 1 else plural or noun + 's'}"
 
 
 def write(path: str, mesh: QuadMesh, unit: str | None, words: str = "") -> int:
     """Write a mesh and say so in one line; exit code 0."""
     api.write_mesh(path, mesh, unit)
-    count = f"{len(mesh.vertices)} vertices, {len(mesh.faces)} quads"
+    vertices = counted(len(mesh.vertices), "vertex", "vertices")
+    count = f"{vertices}, {counted(len(mesh.faces), 'quad')}"
     sys.stdout.write("; ".join(part for part in (count, words, path) if part) + "\n")
     return 0

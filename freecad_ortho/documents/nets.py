@@ -74,7 +74,7 @@ def export_net(
             else mm. The file names it.
 
     Raises:
-        InputError: not a Net, or an unknown unit.
+        InputError: not a Net, an unknown unit, or a name that says no format.
         OutputError: the file cannot be written; nothing half-written is left behind.
     """
     from freecad_ortho import api

@@ -83,13 +83,20 @@ class Site:
         _refuse_long_edges(mesh_mm)
         centre = mesh_mm.vertices[mesh_mm.connectivity.referenced].mean(axis=0)
         site = cls(mesh_mm.with_vertices(mesh_mm.vertices - centre), centre, material, selection)
-        if not selection.everything and not site.chosen_lines:
-            counts = [f"{len(site.lines.of_family(family))} {family}" for family in FAMILIES]
-            raise InputError(
-                f"lines: the net has {' and '.join(counts)} lines, counted from 0, and none of "
-                "those asked for; choose others"
-            )
+        site._refuse_missing_lines()
         return site
+
+    def _refuse_missing_lines(self) -> None:
+        numbers = {line.number for line in self.chosen_lines}
+        missing = sorted(set(self.selection.lines or ()) - numbers)
+        if self.selection.everything or (numbers and not missing):
+            return
+        counts = [f"{len(self.lines.of_family(family))} {family}" for family in FAMILIES]
+        named = ", ".join(map(str, missing)) if missing else "such family"
+        raise InputError(
+            f"lines: the net has {' and '.join(counts)} lines, counted from 0, and no {named}; "
+            "choose others"
+        )
 
     @cached_property
     def axes(self) -> Axes:

@@ -47,6 +47,8 @@ def quad_mesh(
     if len(unused):
         remarks.append(
             f"{len(unused)} vertices belong to no face (first: {unused[0]}); kept where they are"
+            if len(unused) > 1
+            else f"vertex {unused[0]} belongs to no face; kept where it is"
         )
     parts = int(mesh.connectivity.components.max()) + 1
     if parts > 1:

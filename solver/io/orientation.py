@@ -41,9 +41,12 @@ def oriented(vertices: FloatArray, faces: IntArray, remarks: list[str]) -> IntAr
     tie = votes[as_given] == votes[reversed_]
     keep |= tie & (first_seen[as_given] < first_seen[reversed_])
     if not keep.all():
+        turned, first_turned = int((~keep).sum()), int(np.argmin(keep))
         remarks.append(
-            f"{int((~keep).sum())} faces were oriented against their neighbours "
-            f"(first: face {int(np.argmin(keep))}); reversed"
+            f"{turned} faces were oriented against their neighbours "
+            f"(first: face {first_turned}); reversed"
+            if turned > 1
+            else f"face {first_turned} was oriented against its neighbours; reversed"
         )
     return np.where(keep[:, None], faces, faces[:, [0, 3, 2, 1]])
 

@@ -43,9 +43,24 @@ def read_polygons(path: str | os.PathLike[str]) -> ObjData:
 
 
 def write_polygons(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
-    """Write a mesh as its extension says, OBJ where it says nothing known.
+    """Write a mesh as its extension says.
 
     Raises:
+        InputError: an extension of no format that is written.
         OutputError: the folder is missing or cannot be written.
     """
-    WRITERS.get(Path(path).suffix.lower(), write_obj)(path, mesh, unit)
+    refuse_unknown_extension(path)
+    WRITERS[Path(path).suffix.lower()](path, mesh, unit)
+
+
+def refuse_unknown_extension(path: str | os.PathLike[str]) -> None:
+    """Refuse a file to write whose name says no format.
+
+    Raises:
+        InputError: naming the extensions there are.
+    """
+    if Path(path).suffix.lower() not in WRITERS:
+        raise InputError(
+            f"{os.fspath(path)}: expected a name that ends in {', '.join(WRITERS)}, "
+            f"got '{Path(path).suffix}'; end it in one of these"
+        )

@@ -75,6 +75,8 @@ def test_lines_that_are_not_there_are_refused(roof):
         api.fabricate(roof, "beams", family="u", lines=[77])
     with pytest.raises(InputError, match="family: expected one of u, v, both, got 'w'"):
         api.fabricate(roof, "beams", family="w")
+    with pytest.raises(InputError, match=r"counted from 0, and no 10, 99; choose"):
+        api.fabricate(roof, "beams", lines=[9, 99, 0, 10])
     with pytest.raises(InputError, match="lines: expected numbers from 0 on"):
         api.fabricate(roof, "beams", lines=[])
 

@@ -78,6 +78,13 @@ def test_binary_ply_of_other_programs(tmp_path, order, index):
     np.testing.assert_allclose(read_polygons(path).vertices, MESH.vertices, atol=1e-6)
 
 
+@pytest.mark.parametrize("name", ["net.stl", "net.xyz", "net"])
+def test_unknown_ending_is_refused_by_name(tmp_path, name):
+    with pytest.raises(InputError, match=r"ends in \.obj, \.ply, \.off, \.json, got"):
+        api.write_mesh(tmp_path / name, MESH)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_other_libraries_read_what_is_written(tmp_path):
     trimesh = pytest.importorskip("trimesh")
     for extension in ("ply", "off"):

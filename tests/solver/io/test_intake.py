@@ -31,6 +31,15 @@ def test_reversed_faces_are_turned_and_said():
         assert mesh.faces[face].tolist() == original[face]
 
 
+def test_one_vertex_and_one_face_are_said_in_the_singular():
+    points = np.array([[x, y, 0.0] for y in range(2) for x in range(4)] + [[9.0, 9.0, 9.0]])
+    _, remarks = quad_mesh(points, [[0, 1, 5, 4], [1, 2, 6, 5], [2, 6, 7, 3]])
+    assert remarks == [
+        "face 2 was oriented against its neighbours; reversed",
+        "vertex 8 belongs to no face; kept where it is",
+    ]
+
+
 def test_components_and_loose_vertices_are_kept_and_said():
     points, faces = flat_grid()
     more = np.vstack([points, points + [10, 0, 0], [[99.0, 0, 0]]])
