@@ -13,13 +13,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from freecad_ortho.step_faces import net_from_step
-from freecad_ortho.units import millimetres_per
+from freecad_ortho.units import MILLIMETRES, millimetres_per
 from solver import QuadMesh, optimise, start_optimisation
 from solver.analysis.check import check
+from solver.errors import InputError
 from solver.formfinding import find_form
-from solver.io.intake import quad_mesh
-from solver.io.polygons import read_polygons, write_polygons
+from solver.io.polygons import quads_of, read_polygons, write_polygons
 from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.primitives import primitive
 from solver.mesh.remesh import quads_from_triangles
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
     from freecad_ortho.fabrication import Limits, Structure
 
 DEFAULT_UNIT = "mm"
+# A mesh without a unit that is smaller than this in mm may well be in metres.
+_SMALL = 100.0
 
 __all__ = [
     "LoadedMesh",
@@ -76,9 +80,21 @@ def read_mesh(path: str | os.PathLike[str], unit: str | None = None) -> LoadedMe
         InputError: the file is missing or is not a usable quad mesh.
     """
     data = read_polygons(path)
+    if not unit and data.unit and data.unit not in MILLIMETRES:
+        where = f", line {data.unit_line}" if data.unit_line else ""
+        raise InputError(
+            f"{os.fspath(path)}{where}: the unit '{data.unit}' is not known; say it as one of "
+            f"{', '.join(MILLIMETRES)}"
+        )
     chosen = unit or data.unit or DEFAULT_UNIT
     millimetres_per(chosen)
-    mesh, remarks = quad_mesh(data.vertices, data.polygons)
+    mesh, remarks = quads_of(data, path)
+    width = float(np.ptp(mesh.vertices[mesh.connectivity.referenced], axis=0).max())
+    if not (unit or data.unit) and width < _SMALL:
+        remarks.append(
+            f"no unit is said, taken as mm: the mesh is {width:.2g} mm wide; if that is wrong say "
+            "the unit (--unit m, or unit of imported meshes in FreeCAD's preferences)"
+        )
     return LoadedMesh(mesh, chosen, tuple(remarks))
 
 

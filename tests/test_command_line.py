@@ -303,3 +303,30 @@ def test_help_and_errors_name_the_command_as_it_is_typed(capsys):
     with pytest.raises(SystemExit):
         main(["optimise"])
     assert one_line(capsys).endswith("; see python -m freecad_ortho optimise --help")
+
+
+def test_file_and_line_of_a_mistake_are_named(mesh_file, tmp_path, capsys):
+    text = mesh_file.read_text().splitlines()
+    bad = tmp_path / "bad.obj"
+    for line, words in [
+        ("f 1 2 5000 3", f"face 56 (line {len(text) + 1}) names vertex 4999"),
+        ("f 1 2 3", f"face 56 (line {len(text) + 1}) has 3; make quads of them first ('quads'"),
+        ("# Units: yards", f", line {len(text) + 1}: the unit 'yards' is not known"),
+    ]:
+        bad.write_text("\n".join([*text, line]))
+        assert main(["weld", str(mesh_file), str(bad), "-o", str(tmp_path / "out.obj")]) == 2
+        said = one_line(capsys)
+        assert str(bad) in said and words in said
+    assert api.read_mesh(bad, "m").unit == "m"
+
+
+def test_small_mesh_without_unit_is_remarked(mesh_file, tmp_path):
+    plain = api.read_mesh(mesh_file)
+    assert plain.remarks == ()
+    small = tmp_path / "small.obj"
+    api.write_mesh(small, plain.mesh.scaled(1e-3))
+    (remark,) = api.read_mesh(small).remarks
+    assert "taken as mm" in remark and "--unit m" in remark
+    assert api.read_mesh(small, "m").remarks == ()
+    api.write_mesh(small, plain.mesh.scaled(1e-3), "m")
+    assert api.read_mesh(small).remarks == ()

@@ -13,9 +13,8 @@ from freecad_ortho.cli import values
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from solver import Constraints, InputError, NetOptions
-from solver.io.intake import quad_mesh
 from solver.io.points import read_points
-from solver.io.polygons import read_polygons
+from solver.io.polygons import quads_of, read_polygons
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray
 from solver.nets.constraints import (
@@ -126,7 +125,7 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
 def _reference(path: str, loaded: api.LoadedMesh) -> FloatArray:
     """Positions of the reference mesh, whose faces must be those of the mesh."""
     data, mesh = read_polygons(path), loaded.mesh
-    other, _ = quad_mesh(data.vertices, data.polygons)
+    other, _ = quads_of(data, path)
     if other.vertices.shape != mesh.vertices.shape or not np.array_equal(other.faces, mesh.faces):
         raise InputError(
             f"{path}: has other vertices or faces than the mesh ({len(other.vertices)} and "

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.io.orientation import oriented
@@ -15,10 +16,12 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 _ZERO_AREA = 1e-12
 # Coordinates beyond this lose their squares' meaning in floating point.
 _LARGEST = 1e100
+# Vertices closer than this part of the mesh's size are one vertex.
+SAME_PLACE = 1e-9
 
 
 def quad_mesh(
-    vertices: FloatArray, polygons: Sequence[Sequence[int]]
+    vertices: FloatArray, polygons: Sequence[Sequence[int]], lines: Sequence[int] = ()
 ) -> tuple[QuadMesh, list[str]]:
     """Check polygons and build a consistently oriented quad mesh from them.
 
@@ -28,6 +31,7 @@ def quad_mesh(
     Args:
         vertices: (V, 3) coordinates.
         polygons: vertex numbers of each face, counted from 0.
+        lines: of the file, one a face, for what is said of a face; empty where not known.
 
     Returns:
         The mesh, and remarks in plain words on what was mended or is unusual.
@@ -35,7 +39,7 @@ def quad_mesh(
     Raises:
         InputError: faces that are not quads, bad numbers, non-manifold or non-orientable edges.
     """
-    faces = _quads(polygons, len(vertices))
+    faces = _quads(polygons, len(vertices), lines)
     _refuse_wild_numbers(vertices)
     Connectivity.check_corners(faces, len(vertices))
     _refuse_double_faces(faces)
@@ -52,11 +56,23 @@ def quad_mesh(
         )
     parts = int(mesh.connectivity.components.max()) + 1
     if parts > 1:
-        remarks.append(f"{parts} separate components; each is treated on its own")
+        remark = f"{parts} separate components; each is treated on its own"
+        together = _together(mesh)
+        if together:
+            remark += f"; {together} vertices lie where another does: merge them with 'weld'"
+        remarks.append(remark)
     return mesh, remarks
 
 
-def _quads(polygons: Sequence[Sequence[int]], vertex_count: int) -> IntArray:
+def _together(mesh: QuadMesh) -> int:
+    """How many vertices have another at the same place."""
+    points = mesh.vertices[mesh.connectivity.referenced]
+    size = np.linalg.norm(points.max(axis=0) - points.min(axis=0))
+    apart = cKDTree(points).query(points, k=2)[0][:, 1]
+    return int((apart <= SAME_PLACE * size).sum())
+
+
+def _quads(polygons: Sequence[Sequence[int]], vertex_count: int, lines: Sequence[int]) -> IntArray:
     if not len(polygons):
         raise InputError("faces: expected at least one, got none; export the mesh's faces")
     sizes = np.array([len(polygon) for polygon in polygons])
@@ -70,17 +86,22 @@ def _quads(polygons: Sequence[Sequence[int]], vertex_count: int) -> IntArray:
         counts += ["faces with fewer than 3 corners"] * bool((sizes < 3).any())
         raise InputError(
             f"faces: expected 4 vertices a face, found {' and '.join(counts)} among "
-            f"{len(sizes)}; face {first} has {sizes[first]}; remesh to quads first"
+            f"{len(sizes)}; face {first}{_line(lines, first)} has {sizes[first]}; make quads of "
+            "them first ('quads', in FreeCAD 'Quads from triangles')"
         )
     highest = max(max(polygon) for polygon in polygons)
     if highest >= vertex_count:
         face = next(k for k, polygon in enumerate(polygons) if max(polygon) >= vertex_count)
         shown = str(highest) if highest < 10**12 else "with a far too large number"
         raise InputError(
-            f"faces: face {face} names vertex {shown}, but vertices are numbered 0 to "
-            f"{vertex_count - 1}; mend the face or add the vertices"
+            f"faces: face {face}{_line(lines, face)} names vertex {shown}, but vertices are "
+            f"numbered 0 to {vertex_count - 1}; mend the face or add the vertices"
         )
     return np.array(polygons, dtype=np.int64).reshape(-1, 4)
+
+
+def _line(lines: Sequence[int], face: int) -> str:
+    return f" (line {lines[face]})" if len(lines) else ""
 
 
 def _refuse_wild_numbers(vertices: FloatArray) -> None:

@@ -11,6 +11,7 @@ from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.obj import ObjData
 from solver.io.reading import read_text
+from solver.io.units import unit_named
 from solver.mesh.quadmesh import QuadMesh
 
 
@@ -25,7 +26,7 @@ def read_json(path: str | os.PathLike[str]) -> ObjData:
         data = json.loads(read_text(path))
         vertices = np.array(data["vertices"], dtype=np.float64)
         faces = [[_whole(corner) for corner in face] for face in data["faces"]]
-        unit = data.get("unit")
+        unit = data.get("unit", data.get("units"))
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         if isinstance(error, InputError):
             raise
@@ -35,7 +36,7 @@ def read_json(path: str | os.PathLike[str]) -> ObjData:
         ) from None
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not faces:
         raise InputError(f"{name}: expected vertices of three coordinates and at least one face")
-    return ObjData(vertices, faces, unit if isinstance(unit, str) else None)
+    return ObjData(vertices, faces, unit_named(unit) if isinstance(unit, str) else None)
 
 
 def _whole(corner: object) -> int:

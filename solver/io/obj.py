@@ -7,6 +7,7 @@ Reading gives plain arrays and remarks; whether they make a usable mesh is decid
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ import numpy as np
 from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.reading import read_text
+from solver.io.units import unit_in
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 UNIT_COMMENT = "# unit: "
@@ -26,12 +28,16 @@ class ObjData:
     Attributes:
         vertices: (V, 3) coordinates as written.
         polygons: one list of vertex numbers (from 0) a face, any length.
-        unit: the unit named in a ``# unit: mm`` comment, or None.
+        unit: mm, cm, m, in or ft where the file names one, another word that it names, or None.
+        unit_line: line of the file that names it, 0 where that is not known.
+        lines: line of the file of each face, empty where that is not known.
     """
 
     vertices: FloatArray
     polygons: list[list[int]]
     unit: str | None
+    unit_line: int = 0
+    lines: Sequence[int] = ()
 
 
 def read_obj(path: str | os.PathLike[str]) -> ObjData:
@@ -43,22 +49,25 @@ def read_obj(path: str | os.PathLike[str]) -> ObjData:
     name = os.fspath(path)
     vertices: list[list[float]] = []
     polygons: list[list[int]] = []
-    unit = None
-    for number, line in enumerate(read_text(path).replace("\\\n", " ").splitlines(), start=1):
+    lines: list[int] = []
+    unit, unit_line = None, 0
+    for number, line in _lines(read_text(path)):
         words = line.split()
         if not words:
             continue
-        if line.startswith(UNIT_COMMENT):
-            unit = line[len(UNIT_COMMENT) :].strip()
+        if words[0].startswith("#"):
+            named = unit_in(line)
+            unit, unit_line = (named, number) if named else (unit, unit_line)
         elif words[0] == "v":
             vertices.append(_coordinates(words, name, number))
         elif words[0] == "f":
             polygons.append(_corners(words, len(vertices), name, number))
+            lines.append(number)
     if not vertices:
         raise InputError(f"{name}: no vertex lines ('v x y z'); give an OBJ file with a quad mesh")
     if not polygons:
         raise InputError(f"{name}: has vertices but no faces ('f' lines); export the mesh's faces")
-    return ObjData(np.array(vertices), polygons, unit)
+    return ObjData(np.array(vertices), polygons, unit, unit_line, lines)
 
 
 def write_obj(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
@@ -73,6 +82,20 @@ def write_obj(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = N
     points = ["v {!r} {!r} {!r}".format(*row) for row in mesh.vertices.tolist()]
     quads = ["f {} {} {} {}".format(*row) for row in (mesh.faces + 1).tolist()]
     write_text(path, "\n".join(head + points + quads) + "\n")
+
+
+def _lines(text: str) -> Iterator[tuple[int, str]]:
+    """Number and text of each line; one that ends with a backslash goes on in the next."""
+    begun, first = "", 0
+    for number, line in enumerate(text.splitlines(), start=1):
+        first = first or number
+        if line.endswith("\\"):
+            begun += line[:-1] + " "
+        else:
+            yield first, begun + line
+            begun, first = "", 0
+    if begun:
+        yield first, begun
 
 
 def _coordinates(words: list[str], name: str, number: int) -> list[float]:

@@ -10,6 +10,7 @@ from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.obj import UNIT_COMMENT, ObjData
 from solver.io.reading import read_text
+from solver.io.units import unit_in
 from solver.mesh.quadmesh import QuadMesh
 
 
@@ -19,11 +20,11 @@ def read_off(path: str | os.PathLike[str]) -> ObjData:
     Raises:
         InputError: no such file, or a line that cannot be understood.
     """
-    name, unit = os.fspath(path), None
+    name, unit, unit_line = os.fspath(path), None, 0
     lines: list[tuple[int, list[str]]] = []
     for number, line in enumerate(read_text(path).splitlines(), start=1):
-        if line.startswith(UNIT_COMMENT):
-            unit = line[len(UNIT_COMMENT) :].strip()
+        named = unit_in(line)
+        unit, unit_line = (named, number) if named else (unit, unit_line)
         words = line.split("#")[0].split()
         if words:
             lines.append((number, words))
@@ -42,12 +43,14 @@ def read_off(path: str | os.PathLike[str]) -> ObjData:
         )
     rows = [_numbers(words, float, name, at, 3)[:3] for at, words in body[:vertex_count]]
     polygons = []
-    for at, words in body[vertex_count : vertex_count + face_count]:
+    quads = body[vertex_count : vertex_count + face_count]
+    for at, words in quads:
         corners = _numbers(words[:1], int, name, at, 1)[0]
         polygons.append(_numbers(words[1 : 1 + corners], int, name, at, corners))
     if not rows or not polygons:
         raise InputError(f"{name}: has no vertices or no faces; export the mesh's faces")
-    return ObjData(np.array(rows, dtype=np.float64), polygons, unit)
+    numbers = [at for at, _ in quads]
+    return ObjData(np.array(rows, dtype=np.float64), polygons, unit, unit_line, numbers)
 
 
 def _numbers(words: list[str], kind: type, name: str, line: int, least: int) -> list:  # type: ignore[type-arg]

@@ -12,6 +12,7 @@ from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.obj import ObjData
 from solver.io.reading import read_bytes
+from solver.io.units import unit_in
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 _TYPES = {
@@ -73,8 +74,8 @@ def _header(content: bytes, name: str) -> tuple[str, list[_Element], str | None,
         try:
             if words[:1] == ["format"]:
                 order = _ORDERS[words[1]]
-            elif words[:2] == ["comment", "unit:"]:
-                unit = words[2]
+            elif words[:1] == ["comment"]:
+                unit = unit_in(line) or unit
             elif words[:1] == ["element"]:
                 elements.append(_Element(words[1], int(words[2])))
             elif words[:2] == ["property", "list"]:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from solver.errors import InputError
+from solver.io.intake import quad_mesh
 from solver.io.json_mesh import read_json, write_json
 from solver.io.obj import ObjData, read_obj, write_obj
 from solver.io.off import read_off, write_off
@@ -37,9 +38,21 @@ def read_polygons(path: str | os.PathLike[str]) -> ObjData:
     if extension in (".stl", ".glb", ".gltf", ".3mf", ".3ds"):
         raise InputError(
             f"{os.fspath(path)}: {extension} holds triangles only; export quads as OBJ, PLY or "
-            "OFF, or remesh to quads first"
+            "OFF, or make quads of them ('quads', in FreeCAD 'Quads from triangles')"
         )
     return READERS.get(extension, read_obj)(path)
+
+
+def quads_of(data: ObjData, path: str | os.PathLike[str]) -> tuple[QuadMesh, list[str]]:
+    """Make the contents of a file a quad mesh, as :func:`solver.io.intake.quad_mesh` does.
+
+    Raises:
+        InputError: naming the file, and the line where that is known.
+    """
+    try:
+        return quad_mesh(data.vertices, data.polygons, data.lines)
+    except InputError as error:
+        raise InputError(f"{os.fspath(path)}: {error}") from None
 
 
 def write_polygons(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:

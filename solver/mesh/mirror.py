@@ -9,13 +9,11 @@ from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
 from solver.errors import InputError
+from solver.io.intake import SAME_PLACE as SAME_PLACE
 from solver.io.intake import quad_mesh
 from solver.mesh.grid import grid_mesh, grid_of
 from solver.mesh.merge import merged
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-
-# Vertices closer than this part of the mesh's size are one vertex.
-SAME_PLACE = 1e-9
 
 
 def size_of(vertices: FloatArray) -> float:

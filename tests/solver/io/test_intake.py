@@ -209,3 +209,34 @@ def test_files_that_moved_before_a_failure_are_put_back(tmp_path):
         (staging / "b.txt.before" / "in the way").write_text("x")
     assert (tmp_path / "a.txt").read_text() == "old"
     assert (tmp_path / "b.txt").is_dir()
+
+
+def test_loose_quads_are_told_of_weld():
+    points, faces = flat_grid(4, 5)
+    corners = points[np.array(faces)].reshape(-1, 3)
+    loose = np.arange(len(corners)).reshape(-1, 4).tolist()
+    (remark,) = quad_mesh(corners, loose)[1]
+    # All but the four corners of the grid are there more than once.
+    assert f"{len(corners) - 4} vertices lie where another does: merge them with 'weld'" in remark
+    apart = quad_mesh(np.vstack([points, points + 9]), faces + (np.array(faces) + 20).tolist())[1]
+    assert "weld" not in apart[0]
+
+
+@pytest.mark.parametrize(
+    ("line", "unit"),
+    [
+        ("# unit: m", "m"),
+        ("# Units: inches", "in"),
+        ("#UNITS = Millimeters", "mm"),
+        ("# File units = feet", "ft"),
+        ("# unit: yard", "yard"),
+        ("# united: m", None),
+        ("# unit:", None),
+    ],
+)
+def test_units_in_every_spelling(tmp_path, line, unit):
+    path = tmp_path / "mesh.obj"
+    path.write_text(f"# made\n{line}\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 \\\n4\nf 1 2 3\n")
+    data = read_obj(path)
+    assert (data.unit, data.unit_line) == (unit, 2 if unit else 0)
+    assert list(data.lines) == [7, 9]
