@@ -158,6 +158,7 @@ def write_fabrication(
     *,
     workers: int | None = None,
     executor: Executor | None = None,
+    project: str = "",
     **workshop: Any,
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports, all or none.
@@ -168,6 +169,7 @@ def write_fabrication(
         progress: called with a fraction and words; whatever it raises stops the writing.
         workers: processes on this machine to share the work on parts.
         executor: any ``concurrent.futures`` executor to do so instead, e.g. that of a cluster.
+        project: what the readable report is headed by, such as the name of the mesh.
         workshop: settings of ``fabrication.Workshop`` (``sheet="3000x1500", kerf=0.2``), mm.
 
     Returns:
@@ -182,7 +184,7 @@ def write_fabrication(
     chosen = fabrication.Workshop.of(workshop)
     with fabrication.local_pool(None if executor else workers) as pool:
         return fabrication.write(
-            structure, folder, progress, workshop=chosen, executor=executor or pool
+            structure, folder, progress, workshop=chosen, executor=executor or pool, project=project
         )
 
 

@@ -6,6 +6,7 @@ import argparse
 import sys
 from collections.abc import Iterable
 from dataclasses import fields
+from pathlib import Path
 from typing import Any
 
 from freecad_ortho import api
@@ -81,7 +82,12 @@ def run(options: argparse.Namespace) -> int:
         import ezdxf  # noqa: F401
     with reporting.Progress(options.verbose) as progress:
         api.write_fabrication(
-            structure, options.output, progress, workers=options.workers, **workshop
+            structure,
+            options.output,
+            progress,
+            workers=options.workers,
+            project=Path(options.input).stem,
+            **workshop,
         )
     sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")
     return EXIT_OK

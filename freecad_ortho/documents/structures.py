@@ -191,7 +191,10 @@ def export_fabrication(
             progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
         ):
             settings = workshop | sizes | {"stock": stock}
-            return api.write_fabrication(structure, folder, say, workers=workers, **settings)
+            project = chosen[0].Document.Label
+            return api.write_fabrication(
+                structure, folder, say, workers=workers, project=project, **settings
+            )
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts import BlockLayout
+    from ezdxf.layouts import BaseLayout, BlockLayout
 
     from freecad_ortho.fabrication.nesting import Sheet
 
@@ -25,6 +25,8 @@ LAYERS = {"CUT": 7, "HOLE": 5, "AXIS": 4, "BEND": 6, "ENGRAVE": 1, "LABEL": 3}
 # A stroke font: letters are single lines for a plotter, a laser or an engraver to follow.
 _STYLE, _FONT = "SINGLE_STROKE", "txt.shx"
 _MILLIMETRES = 4
+# Text height of what a sheet is, above its rim, mm.
+_TITLE = 40.0
 
 
 def write_dxf(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
@@ -52,7 +54,7 @@ def write_dxf(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
 
 
 def write_sheet(path: Path, sheet: Sheet) -> None:
-    """Write one nested sheet in mm, its rim on layer SHEET, a turned block a part.
+    """Write one nested sheet in mm, a turned block a part; rim and title on layer SHEET.
 
     Raises:
         OSError: the file cannot be written.
@@ -63,6 +65,9 @@ def write_sheet(path: Path, sheet: Sheet) -> None:
         space = drawing.modelspace()
         rim = [(0, 0), (sheet.width, 0), (sheet.width, sheet.height), (0, sheet.height)]
         space.add_lwpolyline(rim, close=True, dxfattribs={"layer": "SHEET"})
+        size = min(_TITLE, 0.05 * sheet.height)
+        middle = np.array([sheet.width / 2, sheet.height + size])
+        _add_text(space, "SHEET", sheet.title, middle, size, 0.0)
         for placement in sheet.placements:
             _fill_block(drawing.blocks.new(placement.name), placement.name, placement.pattern)
             turn = {"rotation": placement.angle_deg}
@@ -120,7 +125,7 @@ def _fill_block(block: BlockLayout, name: str, pattern: FlatPattern) -> None:
 
 
 def _add_text(
-    block: BlockLayout, layer: str, words: str, place: FloatArray, size: float, angle: float
+    block: BaseLayout, layer: str, words: str, place: FloatArray, size: float, angle: float
 ) -> None:
     from ezdxf.enums import TextEntityAlignment
 

@@ -32,9 +32,10 @@ from solver.io.atomic import refuse_in_the_way, staged_folder
 from solver.mesh.quadmesh import QuadMesh
 
 _REPORT = "report.json"
+_FLAT = "flat.dxf"
 FILES = (
     "structure.step",
-    "flat.dxf",
+    _FLAT,
     "parts.csv",
     "nodes.csv",
     "stock.csv",
@@ -45,7 +46,9 @@ BENDS = "bends.csv"
 SHEETS = "sheets"
 JOINTS = "joints"
 # What an earlier report may name for removal: nothing but such names is ever written beside FILES.
-_REMOVABLE = re.compile(rf"[^/\\]+\.csv|({SHEETS}|{JOINTS})/[^/\\]+\.(dxf|svg|stl)")
+_REMOVABLE = re.compile(
+    rf"{re.escape(_FLAT)}|[^/\\]+\.csv|({SHEETS}|{JOINTS})/[^/\\]+\.(dxf|svg|stl)"
+)
 
 
 def write(
@@ -55,6 +58,7 @@ def write(
     *,
     workshop: Workshop | None = None,
     executor: Executor | None = None,
+    project: str = "",
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports; with a sheet size the folder ``sheets`` too.
 
@@ -65,10 +69,12 @@ def write(
             the folder is as it was before.
         workshop: sizes of sheets and bars, width of the cut.
         executor: for work on parts; the files are the same with any and without.
+        project: what the readable report is headed by.
 
     Returns:
-        The files, in the order above, then the list of bends where there are some, the lists that
-        systems add, and the files of the sheets and of the joints to be printed.
+        The files, in the order of ``FILES`` (``flat.dxf`` only where a part has a flat pattern),
+        then the list of bends where there are some, the lists that systems add, and the files of
+        the sheets and of the joints to be printed.
 
     Raises:
         InputError: a part that does not fit the workshop's sizes.
@@ -84,14 +90,15 @@ def write(
         structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
         say(0.4, "structure.step")
         write_step(staging / "structure.step", structure.parts)
-        say(0.8, "flat.dxf")
-        write_dxf(staging / "flat.dxf", production.named_patterns)
+        if production.named_patterns:
+            say(0.8, _FLAT)
+            write_dxf(staging / _FLAT, production.named_patterns)
         if production.sheets:
             say(0.9, SHEETS)
             _write_sheets(staging / SHEETS, production)
         say(0.95, "lists and reports")
         _write_joints(staging / JOINTS, structure)
-        names = write_lists(staging, production)
+        names = write_lists(staging, production, project)
         say(1.0, "written")
     return [target / name for name in names]
 
@@ -120,7 +127,7 @@ def _earlier(target: Path) -> list[str]:
     return [name for name in names if isinstance(name, str) and _REMOVABLE.fullmatch(name)]
 
 
-def write_lists(folder: Path, production: Production) -> list[str]:
+def write_lists(folder: Path, production: Production, project: str = "") -> list[str]:
     """Write the lists and reports into a folder that holds all other files.
 
     Returns:
@@ -139,8 +146,9 @@ def write_lists(folder: Path, production: Production) -> list[str]:
     for result in production.structure.results.values():
         for table in result.tables:
             write_table(folder / table.name, table.columns, table.rows)
-    (folder / "report.html").write_text(report_page(production), encoding="utf-8")
-    names = [*FILES, *_beside(folder, production.structure)]
+    (folder / "report.html").write_text(report_page(production, project), encoding="utf-8")
+    usual = [name for name in FILES if name != _FLAT or (folder / _FLAT).exists()]
+    names = [*usual, *_beside(folder, production.structure)]
     write_report(folder / _REPORT, {**production.report(), "files": names})
     return names
 
@@ -156,7 +164,7 @@ def _write_joints(folder: Path, structure: Structure) -> None:
 def _write_sheets(folder: Path, production: Production) -> None:
     folder.mkdir()
     for sheet in production.sheets:
-        write_sheet(folder / f"{sheet.name}.dxf", sheet)
+        write_sheet(folder / sheet.file_name, sheet)
     (folder / "overview.svg").write_text(overview(production.sheets), encoding="utf-8")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
@@ -14,7 +14,7 @@ from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.nesting import Sheet, nest
 from freecad_ortho.fabrication.nodes import Node, nodes
 from freecad_ortho.fabrication.pattern import FlatPattern
-from freecad_ortho.fabrication.stock import Bar, stock_list
+from freecad_ortho.fabrication.stock import Bar, is_along_line, stock_list
 from freecad_ortho.fabrication.structure import Structure
 from freecad_ortho.fabrication.workshop import Workshop
 
@@ -69,6 +69,25 @@ class Production:
             verdicts.append("; ".join(all_words) or OK)
         return tuple(verdicts)
 
+    @property
+    def messages(self) -> tuple[str, ...]:
+        """What is out of the ordinary, in plain words: on the structure and on its files."""
+        words = list(self.structure.report()["messages"])
+        if not self.named_patterns:
+            words.append(
+                "flat.dxf is not written, as no part has a flat pattern; parts.csv says in words "
+                "how tubes are cut"
+            )
+        on_bars = {name for bar in self.bars for name in bar.parts}
+        parts = self.structure.parts
+        curved = [part.name for part in parts if is_along_line(part) and part.name not in on_bars]
+        if curved:
+            words.append(
+                f"stock.csv leaves out {len(curved)} of the parts, {curved[0]} for one: their flat "
+                "patterns are curved, so they are cut from sheets"
+            )
+        return tuple(words)
+
     def report(self) -> dict[str, Any]:
         """The structure's report with what production adds, ready for JSON; lengths in mm."""
         parts, verdicts = self.structure.parts, self.verdicts
@@ -76,6 +95,7 @@ class Production:
         failed = {part.name: words for part, words in pairs if words != OK}
         return {
             **self.structure.report(),
+            "messages": list(self.messages),
             "verdict": {"passed": len(parts) - len(failed), "failed": failed},
             "families": self.families.report(),
             "clash_check": self.clashes.report(),
@@ -99,6 +119,8 @@ class Production:
             "sheets": [
                 {
                     "name": sheet.name,
+                    "file": sheet.file_name,
+                    "material": sheet.material,
                     "thickness_mm": sheet.thickness,
                     "waste": sheet.waste,
                     "parts": [placement.name for placement in sheet.placements],
@@ -137,7 +159,8 @@ def produce(
     bars = stock_list(parts, chosen)
     sheets: tuple[Sheet, ...] = ()
     if chosen.sheet is not None:
-        sheets = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
+        nested = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
+        sheets = tuple(replace(sheet, material=structure.site.material.name) for sheet in nested)
     say(0.5, "nodes and families")
     joints = nodes(structure.site, parts)
     equal = families(parts, joints)

@@ -93,6 +93,11 @@ def different_tubes(parts: Sequence[Part]) -> tuple[tuple[Part, ...], ...]:
     return tuple(tuple(group) for group in groups)
 
 
+def is_along_line(part: Part) -> bool:
+    """Whether a part lies along a parameter line, as beams and lamellas do."""
+    return part.face is None and part.line is not None
+
+
 def _alike(parts: Sequence[Part]) -> list[Sequence[Part]]:
     """Parts that may share a bar: plates by kind and thickness, then tubes by their section."""
     plates: dict[tuple[str, float], list[Part]] = {}
@@ -103,11 +108,7 @@ def _alike(parts: Sequence[Part]) -> list[Sequence[Part]]:
 
 
 def _is_linear(part: Part) -> bool:
-    return (
-        part.face is None
-        and part.line is not None
-        and _width(part) <= _CURVED * part.section_height
-    )
+    return is_along_line(part) and _width(part) <= _CURVED * part.section_height
 
 
 def _width(part: Part) -> float:

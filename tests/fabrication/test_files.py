@@ -348,13 +348,44 @@ def test_files_that_only_an_earlier_run_wrote_go_and_others_stay(lapped, small, 
     names = [str(path.relative_to(tmp_path)) for path in nested]
     assert everything_in(tmp_path) == sorted(names)
     assert json.loads((tmp_path / "report.json").read_text())["files"] == names
-    assert "bends.csv" in names and "sheets/sheet-001.dxf" in names and "joints/N0001.stl" in names
+    assert (
+        "bends.csv" in names
+        and "sheets/sheet-001-steel-12mm.dxf" in names
+        and "joints/N0001.stl" in names
+    )
     for name in ("mine.csv", "sheets/mine.dxf"):
         (tmp_path / name).write_text("kept")
     write(small, tmp_path)
     assert everything_in(tmp_path) == sorted([*FILES, "mine.csv", "sheets/mine.dxf"])
     assert (tmp_path / "sheets" / "mine.dxf").read_text() == "kept"
     assert not (tmp_path / "joints").exists()
+
+
+def test_a_sheet_says_what_it_is_on_the_layer_of_its_rim(small, tmp_path):
+    write(small, tmp_path, workshop=Workshop(sheet=(6000, 3000)), project="dome <1>")
+    name = "sheet-001-steel-12mm.dxf"
+    space = ezdxf.readfile(tmp_path / "sheets" / name).modelspace()
+    (title,) = space.query("TEXT")
+    assert (title.dxf.text, title.dxf.layer) == ("sheet 001 steel 12 mm", "SHEET")
+    # Above the rim: it lies on no part.
+    assert title.dxf.align_point.y - title.dxf.height / 2 > 3000
+    assert "sheet 001 steel 12 mm, waste" in (tmp_path / "sheets" / "overview.svg").read_text()
+    sheet = json.loads((tmp_path / "report.json").read_text())["sheets"]["sheets"][0]
+    assert (sheet["file"], sheet["material"]) == (name, "steel")
+    page = (tmp_path / "report.html").read_text()
+    assert "<h1>Fabrication report: dome &lt;1&gt;</h1>" in page
+    assert "<p>beams (height 200 mm, thickness 12 mm) on a net of " in page
+
+
+def test_no_empty_drawing_where_nothing_is_flat(small, roof, tmp_path):
+    write(small, tmp_path)
+    assert (tmp_path / "flat.dxf").is_file()
+    tubes = build(roof, [Beams(200, 12, section="hollow", section_width=80, ends="hub")])
+    names = [path.name for path in write(tubes, tmp_path)]
+    assert names == [name for name in FILES if name != "flat.dxf"]
+    assert everything_in(tmp_path) == sorted(names)
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert any(words.startswith("flat.dxf is not written") for words in report["messages"])
 
 
 def test_files_of_an_earlier_run_stay_when_the_new_one_fails(lapped, small, tmp_path, monkeypatch):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,11 +43,12 @@ class Sheet:
     """One sheet, its lower left corner at the origin.
 
     Attributes:
-        name: ``sheet-001``; its file bears this name.
+        name: ``sheet-001``; the name of its file begins with it.
         width: mm.
         height: mm.
         thickness: of the plates on it, mm.
         placements: what is cut from it.
+        material: its name, "" where it is not known.
     """
 
     name: str
@@ -54,6 +56,20 @@ class Sheet:
     height: float
     thickness: float
     placements: tuple[Placement, ...]
+    material: str = ""
+
+    @property
+    def title(self) -> str:
+        """What to take from the store: ``sheet 001 steel 20 mm``."""
+        words = (self.name.replace("-", " "), self.material, f"{self.thickness:g} mm")
+        return " ".join(word for word in words if word)
+
+    @property
+    def file_name(self) -> str:
+        """The same as the name of its file, ``sheet-001-steel-20mm.dxf``."""
+        material = re.sub(r"[^\w.]+", "-", self.material)
+        words = (self.name, material, f"{self.thickness:g}mm")
+        return "-".join(word for word in words if word) + ".dxf"
 
     @property
     def used(self) -> float:

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from html import escape
 
+import numpy as np
+
 from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.part import Measures
 from freecad_ortho.fabrication.production import Production
@@ -43,15 +45,19 @@ tr.bad td {{ background: #fbe9eb; }}
 """
 
 
-def report_page(production: Production) -> str:
-    """Write the page; pictures and plots are part of it, so it works without a network."""
-    structure = production.structure
-    title = "Fabrication report"
+def report_page(production: Production, project: str = "") -> str:
+    """Write the page; pictures and plots are part of it, so it works without a network.
+
+    Args:
+        production: what is reported.
+        project: what the page is headed by, such as the name of the mesh.
+    """
+    title = escape(f"Fabrication report: {project}" if project else "Fabrication report")
     sections = [
         f"<h1>{title}</h1>",
         _summary(production),
         _views(production),
-        _messages(structure.report()["messages"]),
+        _messages(production.messages),
         _plots(production),
         _families(production),
         _sheets(production),
@@ -79,9 +85,26 @@ def _summary(production: Production) -> str:
         else f"{failed} of {len(parts)} parts exceed a limit; they are red below."
     )
     return (
+        f"<p>{escape(_kind_and_size(production))}</p>"
         f"<p>{escape(counts)}; {mass:,.1f} kg of {escape(material.name)}</p>"
         f'<p class="verdict{" bad" * bool(failed)}">{words}</p>'
     )
+
+
+def _kind_and_size(production: Production) -> str:
+    """The systems with their sizes, and the box of the whole net."""
+    systems = []
+    for name, result in production.structure.results.items():
+        sizes = [
+            f"{size} {value:g} mm"
+            for size in ("height", "width", "thickness")
+            if isinstance(value := result.report.get(f"{size}_mm"), (int, float))
+        ]
+        systems.append(name + (f" ({', '.join(sizes)})" if sizes else ""))
+    mesh = production.structure.mesh
+    points = mesh.vertices[mesh.connectivity.referenced]
+    box = " x ".join(f"{side / 1000:.3g}" for side in np.ptp(points, axis=0).tolist())
+    return f"{' and '.join(systems)} on a net of {box} m"
 
 
 def _views(production: Production) -> str:
@@ -140,7 +163,7 @@ def _sheets(production: Production) -> str:
     used = sum(sheet.used for sheet in production.sheets)
     waste = 1 - used / (width * height * len(production.sheets))
     figures = [
-        f"<figure>{sheet_picture(sheet)}<figcaption>{sheet.name}, {sheet.thickness:g} mm, "
+        f"<figure>{sheet_picture(sheet)}<figcaption>{escape(sheet.title)}, "
         f"{len(sheet.placements)} parts, waste {100 * sheet.waste:.0f} %</figcaption></figure>"
         for sheet in production.sheets
     ]

@@ -72,7 +72,7 @@ def overview(sheets: Sequence[Sheet]) -> str:
     groups = []
     for number, sheet in enumerate(sheets):
         x, y = np.array([number % columns, number // columns]) * step
-        words = f"{sheet.name}, {sheet.thickness:g} mm, waste {100 * sheet.waste:.0f} %"
+        words = escape(f"{sheet.title}, waste {100 * sheet.waste:.0f} %")
         groups.append(
             f'<g transform="translate({x:.6g} {y:.6g})">'
             f'<text x="0" y="{1.3 * text:.4g}" font-size="{text:.4g}">{words}</text>'
