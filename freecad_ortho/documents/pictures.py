@@ -23,7 +23,7 @@ def save_picture(
     """Save a rendered picture of a document.
 
     Args:
-        path: a PNG file.
+        path: a PNG file, or another ending that Qt writes, such as jpg or bmp.
         document: without it the active one.
         width: in pixels.
         height: in pixels.
@@ -31,7 +31,7 @@ def save_picture(
         turn: look from the front above and fit everything in; else as the view shows it.
 
     Raises:
-        InputError: FreeCAD runs without a window, or no document is open.
+        InputError: FreeCAD runs without a window, no document is open, or an unknown ending.
     """
     if not FreeCAD.GuiUp:
         raise InputError(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import FreeCAD
@@ -21,9 +22,15 @@ def save(
     """Save the document's 3D view as a picture, turned to the standard direction where asked for.
 
     Raises:
-        InputError: the document has no 3D view.
+        InputError: the document has no 3D view, or the path has an unknown ending.
         OutputError: the file was not written.
     """
+    known = _endings()
+    if Path(path).suffix[1:].lower() not in known:
+        raise InputError(
+            f"{path}: expected a picture's ending, one of {', '.join(known)}; call it "
+            f"{Path(path).stem}.png"
+        )
     view = three_d_view(document)
     if turn:
         look(view)
@@ -31,6 +38,13 @@ def save(
     view.saveImage(path, width, height, background)
     if not QtGui.QImage(path).width():
         raise OutputError(f"{path}: the picture could not be written; choose another folder")
+
+
+def _endings() -> list[str]:
+    """Endings of pictures that can be written and read again, PNG first."""
+    readable = {bytes(name).decode() for name in QtGui.QImageReader.supportedImageFormats()}
+    writable = {bytes(name).decode() for name in QtGui.QImageWriter.supportedImageFormats()}
+    return sorted(readable & writable, key=lambda ending: (ending != "png", ending))
 
 
 def look(view: Any) -> None:

@@ -82,8 +82,8 @@ def flattened(mesh: QuadMesh) -> FlatPatch:
     if flipped(flat).any():
         face = int(np.argmax(flipped(flat)))
         raise InputError(
-            f"patch: laid flat it folds over at face {face}; optimise with --net geodesic or "
-            "--net chebyshev first, or cut it into smaller patches"
+            f"patch: laid flat it folds over at face {face}; optimise for a geodesic or "
+            "Chebyshev net first, or cut it into smaller patches"
         )
     return FlatPatch(mesh, flat)
 

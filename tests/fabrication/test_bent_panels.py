@@ -125,7 +125,7 @@ def test_rows_beside_chosen_lines_alone(roof):
 
 
 def test_bad_input_is_refused_in_one_line(twisted, roof):
-    with pytest.raises(InputError, match=r"from plane.*--net principal"):
+    with pytest.raises(InputError, match=r"from plane.*for a principal net"):
         build(twisted, [BentPanels()])
     with pytest.raises(InputError, match="gap: 5000 mm"):
         build(roof, [BentPanels(3, 5000.0)])

@@ -260,7 +260,7 @@ def test_files_read_back(minimal, tmp_path):
         ({"position": "lying"}, "cannot cross in one layer"),
         ({"layers": 3}, "expected 1 or 2"),
         ({"layers": 2, "hole": 40}, "a hole of at most 33.3 mm"),
-        ({"strip": "developable", "smooth": True}, "take --strip twisted"),
+        ({"strip": "developable", "smooth": True}, "take strip twisted"),
         ({"strip": "rigid"}, "expected one of auto, developable"),
         ({"overhang": -4}, "overhang: expected a number above 0"),
     ],
@@ -272,7 +272,7 @@ def test_settings_that_cannot_be_used_are_refused(settings, words):
 
 def test_nets_that_are_not_fit_are_refused_with_what_to_do(minimal):
     bumpy = minimal.with_vertices(minimal.vertices + 90 * np.sin(minimal.vertices / 200))
-    with pytest.raises(InputError, match=r"misses it by .* optimise with --net asymptotic"):
+    with pytest.raises(InputError, match=r"misses it by .* optimise for asymptotic"):
         build(bumpy, [Lamellas(40, 3, pattern="straight")])
     with pytest.raises(InputError, match=r"rulings of L-U00. meet .* mm would do"):
         build(minimal, [Lamellas(250, 3, strip="developable")])
@@ -320,7 +320,7 @@ def test_rulings_with_few_digits_do_not_make_lamellas_lean(strip):
 def test_a_pattern_that_only_a_lamella_on_edge_has_is_refused():
     mesh = surface_of_revolution(17, 15).scaled(1000.0)
     settings = Lamellas(40.0, 3.0, position="lying", layers=2, pattern="straight")
-    with pytest.raises(InputError, match=r"L-\w\d+ would lean \d\d degrees .* --pattern free"):
+    with pytest.raises(InputError, match=r"L-\w\d+ would lean \d\d degrees .* take pattern free"):
         build(mesh, [settings])
     free = build(mesh, [dataclasses.replace(settings, pattern="free")]).results["lamellas"]
     assert free.report["lean_max_deg"] < 10

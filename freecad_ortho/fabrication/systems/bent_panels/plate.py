@@ -96,7 +96,7 @@ class Plate:
         if overlaps_itself(np.concatenate([right, left[::-1]])):
             raise InputError(
                 f"bent-panels: the flat pattern of {self.name} overlaps itself; take the other "
-                "--family, or cut the mesh"
+                "family, or cut the mesh"
             )
         ends = self.flat.mean(axis=0)[[0, -1]]
         chord = ends[1] - ends[0]

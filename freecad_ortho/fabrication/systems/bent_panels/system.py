@@ -92,7 +92,7 @@ class BentPanels(System):
             raise InputError(
                 f"bent-panels: face {worst} is {gaps[worst]:.3g} mm from plane, "
                 f"{100 * gaps[worst] / diagonals[worst]:.2g} % of its diagonals, and "
-                f"{100 * _NEARLY_PLANE:g} % will do; optimise with --net principal first"
+                f"{100 * _NEARLY_PLANE:g} % will do; optimise for a principal net first"
             )
         return gaps
 

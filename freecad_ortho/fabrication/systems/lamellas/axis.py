@@ -117,8 +117,8 @@ def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:
         if measured[kind] > _NEAR_NET:
             raise InputError(
                 f"pattern: {kind} lamellas need a net that is {net}; this one misses it by "
-                f"{measured[kind]:.2g} mean edges, at most {_NEAR_NET:g} will do; optimise with "
-                f"--net {net} first or take --pattern free"
+                f"{measured[kind]:.2g} mean edges, at most {_NEAR_NET:g} will do; optimise for "
+                f"{net} first or take pattern free"
             )
     if kind == "arc":
         radius = common_radius(mesh)
@@ -254,7 +254,7 @@ class _Maker:
             raise InputError(
                 f"pattern: {name} would lean {lean:.0f} degrees from the normals to unroll "
                 f"{'straight' if kind == 'straight' else 'to an arc'}; optimise the net first or "
-                "take --pattern free"
+                "take pattern free"
             )
         return None if lean > _LEAN_OVER else made
 
@@ -278,7 +278,7 @@ class _Maker:
                 )
             except InputError as error:
                 if self.settings.strip == "developable":
-                    raise InputError(f"lamellas: {name}: {error}; take --strip twisted") from error
+                    raise InputError(f"lamellas: {name}: {error}; take strip twisted") from error
             else:
                 measures = self._measure(strip)
                 if self.settings.strip == "developable":
@@ -309,7 +309,7 @@ class _Maker:
             width = self.settings.width * allowed / self.settings.reach
             raise InputError(
                 f"lamellas: the rulings of {name} meet {allowed / 2:.3g} mm from its axis, near "
-                f"vertex {near}; a width below {rounded_down(width)} mm would do, or take --strip "
+                f"vertex {near}; a width below {rounded_down(width)} mm would do, or take strip "
                 "twisted"
             )
 

@@ -129,7 +129,7 @@ def _clear_of_bend(lamella: Lamella, slot: Slot, other: str) -> Slot:
             return slot
         slot = replace(slot, width=slot.width + 0.5 * mitre)
     raise InputError(
-        f"lamellas: a bend line of {lamella.name} runs along its slot for {other}; take --strip "
+        f"lamellas: a bend line of {lamella.name} runs along its slot for {other}; take strip "
         "twisted or auto, or a smaller thickness"
     )
 

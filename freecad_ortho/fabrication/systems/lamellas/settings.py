@@ -88,10 +88,10 @@ class LamellaSettings:
 
     def _check_together(self) -> None:
         if not self.standing and self.layers == 1:
-            raise InputError("layers: lying lamellas cannot cross in one layer; take --layers 2")
+            raise InputError("layers: lying lamellas cannot cross in one layer; take layers 2")
         if self.smooth and self.strip == "developable":
             raise InputError(
-                "strip: smooth solids follow rulings square to the axis; take --strip twisted"
+                "strip: smooth solids follow rulings square to the axis; take strip twisted"
             )
         if self.thickness >= self.width:
             raise InputError(

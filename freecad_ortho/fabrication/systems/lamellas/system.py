@@ -40,7 +40,7 @@ class Lamellas(LamellaSettings, System):
         if self.layers == 2 and any(not line.family for line in lines):
             raise InputError(
                 "layers: the lines of this net cannot be told apart into families u and v, so two "
-                "layers cannot be made; take --layers 1"
+                "layers cannot be made; take layers 1"
             )
         whole = [
             lamella_on(site, line, self, pattern, lamella_name(line), beyond)
@@ -123,10 +123,10 @@ class Lamellas(LamellaSettings, System):
         if pattern.kind == "free" and self.pattern == "auto":
             messages.append(
                 "lamellas: the net is neither asymptotic nor CMC, so the patterns are curved as "
-                "they come; optimise with --net asymptotic for straight ones, --net cmc for arcs"
+                "they come; optimise for an asymptotic net for straight ones, CMC for arcs"
                 if self.standing
                 else "lamellas: the net is not geodesic, so the patterns are curved as they come; "
-                "optimise with --net geodesic for straight ones"
+                "optimise for a geodesic net for straight ones"
             )
         leaning = [each.name for each in lamellas if each.pattern != pattern.kind]
         if leaning:

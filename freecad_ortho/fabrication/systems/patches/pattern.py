@@ -37,8 +37,8 @@ def patch_pattern(
     outline = points[around]
     if overlaps_itself(outline):
         raise InputError(
-            f"patches: laid flat {piece.name} overlaps itself; cut it along parameter lines with "
-            "--family and --lines"
+            f"patches: laid flat {piece.name} overlaps itself; cut it along parameter lines by "
+            "family and lines"
         )
     low = outline.min(axis=0)
     points = points - low

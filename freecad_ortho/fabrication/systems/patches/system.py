@@ -88,7 +88,7 @@ class Patches(System):
             patch = flattened(piece.mesh)
         except InputError as error:
             raise InputError(
-                f"patches: {piece.name}: {error} (--family and --lines choose lines to cut along)"
+                f"patches: {piece.name}: {error} (family and lines choose where to cut)"
             ) from error
         worst = int(np.abs(patch.strain).argmax())
         percent = 100 * abs(float(patch.strain[worst]))
@@ -97,8 +97,8 @@ class Patches(System):
             raise InputError(
                 f"patches: {piece.name} is not developable: laid flat, the edge from vertex "
                 f"{ends[0]} to {ends[1]} changes by {abs(patch.stretch[worst]):.3g} mm, "
-                f"{percent:.3g} %, and {self.distortion:g} % are allowed; optimise with --net "
-                "geodesic-chebyshev, or cut along lines with --family and --lines"
+                f"{percent:.3g} %, and {self.distortion:g} % are allowed; optimise for a "
+                "geodesic and Chebyshev net, or choose a family and lines of it to cut along"
             )
         return patch
 
