@@ -6,6 +6,7 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad_ortho import convert
@@ -13,6 +14,8 @@ from freecad_ortho.commands import context
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.net_words import reason_words, short_word
 from freecad_ortho.resources import icon
+from freecad_ortho.view.place_marks import PlaceMarks
+from freecad_ortho.view.screen import views
 from solver.analysis.check import check
 from solver.analysis.fields import RESIDUALS
 
@@ -20,11 +23,16 @@ translate = FreeCAD.Qt.translate
 
 
 class CheckPanel:
-    """Measures, advice, and the recommendation; a double click shows a measure in colours."""
+    """Measures, advice, and the recommendation.
+
+    A click on a measure marks the place where it is worst, a double click shows it in colours.
+    """
 
     def __init__(self, net: FreeCAD.DocumentObject) -> None:
         self._document, self._name = net.Document.Name, net.Name
-        self.result = check(convert.quad_mesh(net))
+        self._mesh = convert.quad_mesh(net)
+        self.result = check(self._mesh)
+        self.marks: PlaceMarks | None = None
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(translate("Ortho", "Check"))
         self.form.setWindowIcon(QtGui.QIcon(icon("check")))
@@ -36,7 +44,10 @@ class CheckPanel:
             [translate("Ortho", "Measure"), translate("Ortho", "Worst"), translate("Ortho", "At")],
             _measures(self.result),
         )
-        self.measures.setToolTip(translate("Ortho", "Double click: show it in colours"))
+        self.measures.setToolTip(
+            translate("Ortho", "Click: mark the worst place. Double click: show it in colours")
+        )
+        self.measures.cellClicked.connect(self._mark)
         self.measures.cellDoubleClicked.connect(self._show)
         self.nets = _table(
             [
@@ -54,6 +65,8 @@ class CheckPanel:
         rows = (self.summary, self.recommendation, self.measures, self.nets, self.multi_net)
         for widget in rows:
             column.addWidget(widget)
+        # Others may close the panel too, without asking.
+        self.form.destroyed.connect(lambda *_: self._unmark())
 
     def getStandardButtons(self) -> int:
         """Nothing is changed here, so there is nothing to cancel."""
@@ -61,8 +74,26 @@ class CheckPanel:
 
     def reject(self) -> bool:
         """Close."""
+        self._unmark()
         FreeCADGui.Control.closeDialog()
         return True
+
+    def _mark(self, row: int, _: int) -> None:
+        """Mark the vertices of the face, edge or star where a measure is worst."""
+        entry = list(self.result["measures"].values())[row]
+        seen = views(self._document) if self._document in FreeCAD.listDocuments() else []
+        if entry["worst"] is None or not seen:
+            return
+        if self.marks is None:
+            self.marks = PlaceMarks(seen[0])
+        ends = {"face": self._mesh.faces, "edge": self._mesh.connectivity.edges}
+        places = ends[entry["where"]][entry["worst"]] if entry["where"] in ends else entry["worst"]
+        self.marks.show(self._mesh.vertices[np.atleast_1d(places)])
+
+    def _unmark(self) -> None:
+        if self.marks is not None:
+            self.marks.remove()
+            self.marks = None
 
     def _show(self, row: int, _: int) -> None:
         name = list(self.result["measures"])[row].capitalize()

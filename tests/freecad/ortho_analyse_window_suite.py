@@ -163,6 +163,14 @@ class TestCheck(AnalyseCase):
         for k in hard:
             self.assertIn("asymptotic lines", panel.nets.item(k, 2).toolTip())
         row = names.index("Orthogonality")
+        plain = self.picture("unmarked")
+        for k, entry in enumerate(panel.result["measures"].values()):
+            panel.measures.cellClicked.emit(k, 0)
+            count = {"face": 4, "edge": 2, "vertex": 1}[entry["where"]]
+            self.assertEqual(panel.marks._handles._markers.numPoints.getValue(), count)
+            self.assertNotEqual(self.picture("marked"), plain)
+        panel._unmark()
+        self.assertEqual(self.picture("unmarked again"), plain)
         panel.measures.cellDoubleClicked.emit(row, 0)
         self.assertEqual(self.net.ColourMap, "Orthogonality")
         press("Close")
@@ -181,6 +189,14 @@ class TestPicture(AnalyseCase):
     def test_an_impossible_size_is_refused(self):
         with self.assertRaises(InputError):
             api.save_picture(str(tools.SCRATCH / "no.png"), width=0)
+
+    def test_an_unknown_ending_is_refused_with_those_that_are_known(self):
+        path = tools.SCRATCH / "no.tiffx"
+        with self.assertRaisesRegex(InputError, "one of png, .*jpg.* call it no.png"):
+            api.save_picture(str(path))
+        self.assertFalse(path.exists())
+        api.save_picture(str(path.with_suffix(".jpg")), width=64, height=48)
+        self.assertEqual(QtGui.QImage(str(path.with_suffix(".jpg"))).width(), 64)
 
 
 class TestPages(AnalyseCase):

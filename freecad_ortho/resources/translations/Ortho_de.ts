@@ -1292,6 +1292,11 @@
    <translation>Ecken anklicken, die sich nicht bewegen; noch einmal: sie dürfen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Click: mark the worst place. Double click: show it in colours</source>
+   <translation>Klick: schlechteste Stelle markieren. Doppelklick: in Farben zeigen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Clicks add points at the end; Backspace takes the last one away</source>
    <translation>Klicks fügen am Ende Punkte an; die Rücktaste nimmt den letzten weg</translation>
@@ -1390,11 +1395,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Distortion</source>
    <translation>Verzerrung</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>Double click: show it in colours</source>
-   <translation>Doppelklick: in Farben zeigen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />

@@ -1292,6 +1292,11 @@
    <translation>Cliquer les sommets qui ne bougent pas ; à nouveau : ils peuvent</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Click: mark the worst place. Double click: show it in colours</source>
+   <translation>Clic : marquer le pire endroit. Double clic : le montrer en couleurs</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Clicks add points at the end; Backspace takes the last one away</source>
    <translation>Les clics ajoutent des points à la fin ; Retour arrière enlève le dernier</translation>
@@ -1390,11 +1395,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Distortion</source>
    <translation>Distorsion</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>Double click: show it in colours</source>
-   <translation>Double clic : l'afficher en couleurs</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
