@@ -81,8 +81,8 @@ def _quads(polygons: Sequence[Sequence[int]], vertex_count: int, lines: Sequence
         triangles = int((sizes == 3).sum())
         larger = int((sizes > 4).sum())
         first = int(wrong[0])
-        counts = [f"{triangles} triangles"] * (triangles > 0)
-        counts += [f"{larger} faces with more than 4 corners"] * (larger > 0)
+        counts = [f"{triangles} triangle{'s' * (triangles > 1)}"] * (triangles > 0)
+        counts += [f"{larger} face{'s' * (larger > 1)} with more than 4 corners"] * (larger > 0)
         counts += ["faces with fewer than 3 corners"] * bool((sizes < 3).any())
         raise InputError(
             f"faces: expected 4 vertices a face, found {' and '.join(counts)} among "

@@ -164,11 +164,13 @@ def _sheets(production: Production) -> str:
     waste = 1 - used / (width * height * len(production.sheets))
     figures = [
         f"<figure>{sheet_picture(sheet)}<figcaption>{escape(sheet.title)}, "
-        f"{len(sheet.placements)} parts, waste {100 * sheet.waste:.0f} %</figcaption></figure>"
+        f"{_counted(len(sheet.placements), 'part')}, waste {100 * sheet.waste:.0f} %"
+        "</figcaption></figure>"
         for sheet in production.sheets
     ]
     return (
-        f"<h2>Sheets</h2><p>{len(production.sheets)} sheets of {width:g} x {height:g} mm, "
+        f"<h2>Sheets</h2><p>{_counted(len(production.sheets), 'sheet')} of {width:g} x "
+        f"{height:g} mm, "
         f'waste {100 * waste:.1f} %.</p><div class="row sheets">{"".join(figures)}</div>'
     )
 
@@ -195,8 +197,9 @@ def _clashes(production: Production) -> str:
         others = " of the others" if check.open else ""
         return f"<h2>Clash check</h2><p>{words}; none{others} shares volume.</p>"
     rows = [(clash.first, clash.second, f"{clash.volume:.1f}") for clash in check.clashes]
-    return f"<h2>Clash check</h2><p>{words}; {len(rows)} share volume:</p>" + _table(
-        ("part", "cuts", "by mm3"), rows
+    return (
+        f"<h2>Clash check</h2><p>{words}; {len(rows)} share{'s' * (len(rows) == 1)} volume:</p>"
+        + _table(("part", "cuts", "by mm3"), rows)
     )
 
 
@@ -214,6 +217,10 @@ def _parts(production: Production) -> str:
         classes.append("" if verdict == OK else "bad")
     head = ("part", "line", "size mm", "mass kg", *(_title(name) for name in used), "verdict")
     return "<h2>Parts</h2>" + _table(head, rows, classes)
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'s' * (number != 1)}"
 
 
 def _title(name: str) -> str:

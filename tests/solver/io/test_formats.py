@@ -109,7 +109,7 @@ def test_mixed_meshes_say_what_to_do(tmp_path):
         "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
         "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n4 0 1 2 3\n3 1 4 2\n"
     )
-    with pytest.raises(InputError, match="1 triangles among 2; face 1 has 3; make quads of them"):
+    with pytest.raises(InputError, match="1 triangle among 2; face 1 has 3; make quads of them"):
         api.read_mesh(path)
 
 

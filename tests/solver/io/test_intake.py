@@ -54,8 +54,8 @@ def test_components_and_loose_vertices_are_kept_and_said():
     [
         (lambda p, f: (p, []), "expected at least one, got none"),
         (lambda p, f: (p[:0], f[:0]), "expected at least one, got none"),
-        (lambda p, f: (p, [*f, [0, 1, 4]]), "1 triangles among 5; face 4 has 3"),
-        (lambda p, f: (p, [*f, [0, 1, 2, 5, 4]]), "1 faces with more than 4 corners"),
+        (lambda p, f: (p, [*f, [0, 1, 4]]), "1 triangle among 5; face 4 has 3"),
+        (lambda p, f: (p, [*f, [0, 1, 2, 5, 4]]), "1 face with more than 4 corners"),
         (lambda p, f: (p, [*f, [0, 1, 2, 77]]), "numbered 0 to 8"),
         (lambda p, f: (p, [*f, [0, 1, 1, 2]]), "repeat a vertex, the first is face 4"),
         (lambda p, f: (np.where(p == 2, np.nan, p), f), "NaN or infinite"),
