@@ -179,9 +179,9 @@ def interrupted(arguments, seconds, cwd, sent=signal.SIGINT):
 
 @pytest.fixture(scope="module")
 def large_file(tmp_path_factory):
-    """A planar grid of 1,740 beams, for which fabrication takes a few seconds."""
+    """A planar grid of 3,960 beams, for which fabrication takes many times what is waited here."""
     path = tmp_path_factory.mktemp("large") / "grid.obj"
-    api.write_mesh(path, wavy_grid(30, 30, height=0.0).scaled(1000.0))
+    api.write_mesh(path, wavy_grid(45, 45, height=0.0).scaled(1000.0))
     return path
 
 
