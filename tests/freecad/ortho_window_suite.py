@@ -180,7 +180,7 @@ class TestCommands(WorkbenchCase):
         bad = tools.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         with mock.patch.object(dialogs, "ask_mesh_file", lambda: bad):
             FreeCADGui.runCommand("Ortho_ImportNet")
-        self.assertIn("1 triangles", self.errors.pop())
+        self.assertIn("1 triangle among 1", self.errors.pop())
         net = self.imported(tools.wavy_mesh())
         FreeCADGui.runCommand("Ortho_Beams")
         wait()
