@@ -11,15 +11,8 @@ Source: Huang et al. (2018), QuadriFlow: a scalable and robust method for quadra
 from __future__ import annotations
 
 import importlib.util
-import os
-import shutil
-import subprocess
-import sys
-import tempfile
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,26 +20,14 @@ from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.io.intake import quad_mesh
+from solver.isolated import Isolated, LibraryError
 from solver.mesh.border import Border, set_back
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import IntArray
 from solver.mesh.mirror import SAME_PLACE, size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-
-LIBRARY = "pyQuadriFlow"
-# How often one looks whether it has finished, in seconds.
-_LOOK = 0.1
-_CHILD = """
-import sys
-import numpy as np
-from pyQuadriFlow.pyQuadriFlow import pyquadriflow
-data = np.load(sys.argv[1])
-out = pyquadriflow(int(data["faces"]), int(data["seed"]), data["vertices"].tolist(),
-                   data["triangles"].tolist(), False, True, False, False, False)
-np.savez(sys.argv[2], vertices=np.array(out["vertices"], dtype=float).reshape(-1, 3),
-         faces=np.array(out["faces"], dtype=int).reshape(-1, 4))
-"""
+from solver.mesh.quadriflow import LIBRARY, Quadriflow
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,68 +153,17 @@ def _run(
         )
     if not time_limit > 0:
         raise InputError(f"time limit: expected seconds above 0, got {time_limit:g}")
-    with tempfile.TemporaryDirectory(prefix="remesh-") as folder:
-        given, made = Path(folder) / "in.npz", Path(folder) / "out.npz"
-        np.savez(given, vertices=points, triangles=corners, faces=faces, seed=seed)
-        path = os.pathsep.join(part for part in sys.path if part)
-        code, said = _wait(
-            [_interpreter(), "-c", _CHILD, str(given), str(made)],
-            {**os.environ, "PYTHONPATH": path},
-            time_limit,
-            waiting,
-        )
-        if code or not made.is_file():
-            last = (said.strip().splitlines() or ["no message"])[-1][:100]
-            raise InputError(
-                f"remesh: the library failed ({last}); try another seed or face count, or clean "
-                "the triangles"
-            )
-        with np.load(made) as data:
-            return data["vertices"], data["faces"].astype(np.int64)
-
-
-def _interpreter() -> str:
-    """A Python of this version: inside another program ``sys.executable`` is that program."""
-    name = f"python{sys.version_info.major}.{sys.version_info.minor}"
-    if Path(sys.executable).stem.lower().startswith("python"):
-        return sys.executable
-    folder = Path(sys.base_prefix)
-    for place in (folder / "bin" / name, folder / "python.exe", folder / "bin" / "python.exe"):
-        if place.is_file():
-            return str(place)
-    return shutil.which(name) or shutil.which("python3") or sys.executable
-
-
-def _wait(
-    command: list[str],
-    environment: dict[str, str],
-    time_limit: float,
-    waiting: Callable[[float], object],
-) -> tuple[int, str]:
-    """Exit code and messages of a process that is ended at its time limit.
-
-    Raises:
-        InputError: the time was not enough.
-    """
-    start = time.monotonic()
-    with subprocess.Popen(
-        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environment
-    ) as process:
+    with Isolated(Quadriflow) as library:
         try:
-            while True:
-                try:
-                    _, said = process.communicate(timeout=_LOOK)
-                    return process.returncode, said
-                except subprocess.TimeoutExpired:
-                    part = (time.monotonic() - start) / time_limit
-                    if part >= 1:
-                        raise InputError(
-                            f"remesh: the library did not finish within {time_limit:g} s and was "
-                            "stopped; allow more time, ask for fewer faces or try another seed"
-                        ) from None
-                    waiting(part)
-        finally:
-            process.kill()
+            vertices, quads = library.call(
+                *("quads", points, corners, faces, seed), time_limit=time_limit, waiting=waiting
+            )
+        except LibraryError as error:
+            raise InputError(
+                f"remesh: the library failed ({error}); allow more time, ask for fewer faces, try "
+                "another seed or clean the triangles"
+            ) from None
+    return vertices, quads
 
 
 def _set_back(
