@@ -21,6 +21,14 @@ def shared_mesh(name: str) -> QuadMesh:
     return api.read_mesh(path).mesh
 
 
+def shared_input(name: str) -> Path:
+    """A small file that was once read wrongly."""
+    path = SHARED.with_name("inputs") / name
+    if not path.is_file():
+        pytest.skip(f"{path} is missing: it is not shipped")
+    return path
+
+
 def demo_roof() -> QuadMesh:
     return api.read_mesh(ROOT / "examples" / "data" / "demo_roof.obj").mesh
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
@@ -11,7 +12,7 @@ import numpy as np
 from solver.errors import InputError
 from solver.io.atomic import write_text
 from solver.io.obj import ObjData
-from solver.io.reading import read_bytes
+from solver.io.reading import Decimals, read_bytes, whole
 from solver.io.units import unit_in
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
@@ -25,6 +26,7 @@ _TYPES = {
     **dict.fromkeys(("float", "float32"), "f4"),
     **dict.fromkeys(("double", "float64"), "f8"),
 }
+_END = re.compile(rb"^end_header[ \t]*(?:\r\n|\n|\r)", re.MULTILINE)
 _ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
@@ -48,28 +50,28 @@ def read_ply(path: str | os.PathLike[str]) -> ObjData:
     name = os.fspath(path)
     content = read_bytes(path)
     order, elements, unit, start = _header(content, name)
+    decimal = Decimals()
     try:
         if order == "":
-            vertices, polygons = _ascii(content[start:], elements)
+            vertices, polygons = _ascii(content[start:], elements, decimal)
         else:
             vertices, polygons = _binary(content, start, order, elements)
-    except (ValueError, IndexError, StopIteration, KeyError):
+    except (ValueError, OverflowError, IndexError, StopIteration, KeyError):
         raise InputError(
             f"{name}: the data do not match the header (cut off or damaged); export again"
         ) from None
     if not len(vertices) or not polygons:
         raise InputError(f"{name}: has no vertices or no faces; export the mesh's faces")
-    return ObjData(vertices, polygons, unit)
+    return ObjData(vertices, polygons, unit, remarks=decimal.remarks(name))
 
 
 def _header(content: bytes, name: str) -> tuple[str, list[_Element], str | None, int]:
-    mark = content.find(b"end_header")
-    stop = content.find(b"\n", mark)
-    if not content.startswith(b"ply") or mark < 0 or stop < 0:
+    mark = _END.search(content)
+    if not content.startswith(b"ply") or mark is None:
         raise InputError(f"{name}: expected a PLY file, its header is missing; export again")
     order, unit = None, None
     elements: list[_Element] = []
-    for line in content[:mark].decode("latin-1").splitlines():
+    for line in content[: mark.start()].decode("latin-1").splitlines():
         words = line.split()
         try:
             if words[:1] == ["format"]:
@@ -77,7 +79,7 @@ def _header(content: bytes, name: str) -> tuple[str, list[_Element], str | None,
             elif words[:1] == ["comment"]:
                 unit = unit_in(line) or unit
             elif words[:1] == ["element"]:
-                elements.append(_Element(words[1], int(words[2])))
+                elements.append(_Element(words[1], _count(whole(words[2]))))
             elif words[:2] == ["property", "list"]:
                 elements[-1].properties.append((words[4], _TYPES[words[3]], _TYPES[words[2]]))
             elif words[:1] == ["property"]:
@@ -86,14 +88,27 @@ def _header(content: bytes, name: str) -> tuple[str, list[_Element], str | None,
             raise InputError(f"{name}: header line '{line[:40]}' is not understood") from None
     if order is None:
         raise InputError(f"{name}: expected a format line in the header; export again")
-    return order, elements, unit, stop + 1
+    return order, elements, unit, mark.end()
 
 
-def _ascii(body: bytes, elements: list[_Element]) -> tuple[FloatArray, list[list[int]]]:
-    words = iter(body.split())
+def _count(number: float) -> int:
+    """A number of things.
+
+    Raises:
+        ValueError, OverflowError: it is none.
+    """
+    if number < 0 or number != int(number):
+        raise ValueError
+    return int(number)
+
+
+def _ascii(
+    body: bytes, elements: list[_Element], decimal: Decimals
+) -> tuple[FloatArray, list[list[int]]]:
+    words = iter(body.decode("latin-1").split())
 
     def take(count: int, kind: str) -> list[float]:
-        return [float(next(words)) for _ in range(count)]
+        return [decimal(next(words)) for _ in range(count)]
 
     return _elements(elements, take)
 
@@ -105,10 +120,11 @@ def _elements(
     vertices: list[list[float]] = []
     polygons: list[list[int]] = []
     for element in elements:
-        for _ in range(element.count):
+        # An element without properties takes no room, however many there are said to be.
+        for _ in range(element.count if element.properties else 0):
             row: dict[str, list[float]] = {}
             for name, kind, counted in element.properties:
-                count = int(take(1, counted)[0]) if counted else 1
+                count = _count(take(1, counted)[0]) if counted else 1
                 row[name] = take(count, kind)
             if element.name == "vertex":
                 vertices.append([row[axis][0] for axis in "xyz"])

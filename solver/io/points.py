@@ -1,14 +1,20 @@
-"""Lists of points or values: one row a line, numbers apart by commas, semicolons or blanks."""
+"""Lists of points or values: one row a line, numbers apart by commas, semicolons or blanks.
+
+In a line with semicolons, a comma between two digits is a decimal comma.
+"""
 
 from __future__ import annotations
 
 import os
+import re
 
 import numpy as np
 
 from solver.errors import InputError
 from solver.io.reading import read_text
 from solver.mesh.quadmesh import FloatArray
+
+_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
 def read_points(path: str | os.PathLike[str], columns: tuple[int, ...] = (3,)) -> FloatArray:
@@ -23,8 +29,11 @@ def read_points(path: str | os.PathLike[str], columns: tuple[int, ...] = (3,)) -
     """
     name, rows = os.fspath(path), []
     only_v = name.lower().endswith(".obj")
-    for number, line in enumerate(read_text(path).splitlines(), start=1):
-        words = line.split("#")[0].replace(",", " ").replace(";", " ").split()
+    for number, line in enumerate(read_text(path).split("\n"), start=1):
+        data = line.split("#")[0]
+        if ";" in data:
+            data = _DECIMAL_COMMA.sub(".", data).replace(";", " ")
+        words = data.replace(",", " ").split()
         if not words or (only_v and words[0] != "v"):
             continue
         try:
@@ -37,7 +46,7 @@ def read_points(path: str | os.PathLike[str], columns: tuple[int, ...] = (3,)) -
             wanted = " or ".join(str(k) for k in columns)
             raise InputError(
                 f"{name}, line {number}: expected {wanted} numbers a line, all alike, got "
-                f"{len(rows[-1])}; mend the line"
+                f"{len(rows[-1])}; mend the line (a comma alone separates: decimals have a point)"
             )
     if len(rows) < 2:
         raise InputError(f"{name}: expected at least two points, got {len(rows)}; add points")

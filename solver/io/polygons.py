@@ -50,9 +50,10 @@ def quads_of(data: ObjData, path: str | os.PathLike[str]) -> tuple[QuadMesh, lis
         InputError: naming the file, and the line where that is known.
     """
     try:
-        return quad_mesh(data.vertices, data.polygons, data.lines)
+        mesh, remarks = quad_mesh(data.vertices, data.polygons, data.lines)
     except InputError as error:
         raise InputError(f"{os.fspath(path)}: {error}") from None
+    return mesh, [*data.remarks, *remarks]
 
 
 def write_polygons(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
