@@ -129,8 +129,10 @@ def fabricate(
         unit: unit of the mesh's coordinates.
         family: parameter lines to build on: "u", "v" or "both".
         lines: numbers of the lines in these families, None for all.
-        material: name of a preset.
-        density: kg/m3, for the masses; by default the material's.
+        material: name of a preset for everything (``"steel"``), of single systems after their names
+            (``"panels=glass"``), or both (``"steel,panels=glass"``).
+        density: kg/m3, for the masses; by default the material's. Not of systems whose material is
+            named for them alone.
         limits: what the parts are held against.
         progress: called with a fraction and words; may raise to stop.
         sizes: settings of the systems by name (``height=200, thickness=12, gap=10``), lengths in
@@ -141,10 +143,11 @@ def fabricate(
     """
     from freecad_ortho import fabrication
 
+    materials = fabrication.materials_of(material, system.split("+"), density)
     return fabrication.build(
         mesh.scaled(millimetres_per(unit)),
-        fabrication.systems_of(system, sizes),
-        material=fabrication.material(material, density),
+        fabrication.systems_of(system, sizes, materials),
+        material=materials,
         limits=limits,
         selection=fabrication.Selection(family, None if lines is None else tuple(lines)),
         progress=progress,

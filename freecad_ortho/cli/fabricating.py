@@ -47,8 +47,19 @@ def add(parser: argparse.ArgumentParser) -> None:
             _add_option(group, option, ", ".join(users) + ": ", _defaults(users))
     parser.add_argument("--family", default="both", metavar="|".join(FAMILY_CHOICES))
     parser.add_argument("--lines", metavar="I,J,...", help="these parameter lines only, from 0")
-    parser.add_argument("--material", default="steel", metavar="|".join(MATERIALS))
-    parser.add_argument("--density", type=float, metavar="KG/M3", help="default: the material's")
+    parser.add_argument(
+        "--material",
+        default="steel",
+        metavar="NAME[,SYSTEM=NAME...]",
+        help="of everything, and of single systems, as steel,panels=glass (default: steel); there "
+        f"are {', '.join(MATERIALS)}, and other build-ups of insulating glass",
+    )
+    parser.add_argument(
+        "--density",
+        type=float,
+        metavar="KG/M3",
+        help="of what has no material named for it alone (default: the material's)",
+    )
     _add_limits(parser)
     shop = parser.add_argument_group("workshop", "what parts are cut from and with")
     for option in Workshop.options:

@@ -50,7 +50,8 @@ def add_structure(
         beams: a Structure of beams on the same Net that panels lie on and nodes join.
         family: parameter lines that are built on: ``"u"``, ``"v"`` or ``"both"``.
         lines: numbers of these lines; empty for all.
-        material: of all parts.
+        material: of all parts, as on the command line; parts of a build-up, such as
+            ``"insulating-glass-8-16-6"``, have its thickness.
         density: kg/m3, 0 for the material's own.
         sizes: settings of the system by name (``height="0.2 m"``), lengths as numbers of mm,
             quantities or texts; those that are not given take their defaults.
@@ -63,8 +64,9 @@ def add_structure(
     if system not in SYSTEMS:
         raise InputError(f"system: expected one of {', '.join(SYSTEMS)}, got '{system}'")
     Selection(family, tuple(lines) or None)
-    known_material(material, density or None)
-    properties = _option_properties(system, sizes)
+    thickness = known_material(material, density or None).thickness
+    own = {} if thickness is None else {"thickness": thickness}
+    properties = _option_properties(system, own | sizes)
     title = next(title for title, name in structure_object.TITLES.items() if name == system)
     document = net.Document
     with transaction(document, FreeCAD.Qt.translate("Ortho", title)):

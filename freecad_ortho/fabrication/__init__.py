@@ -2,7 +2,7 @@
 
 from freecad_ortho.fabrication.files import FILES, stage_seconds, write
 from freecad_ortho.fabrication.limits import Limits
-from freecad_ortho.fabrication.material import MATERIALS, Material, material
+from freecad_ortho.fabrication.material import MATERIALS, Material, material, materials_of
 from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Hole, Mark
 from freecad_ortho.fabrication.site import Selection, Site
@@ -51,6 +51,7 @@ __all__ = [
     "build",
     "local_pool",
     "material",
+    "materials_of",
     "stage_seconds",
     "systems_of",
     "write",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 
-from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.sizes import positive
 
@@ -39,7 +38,7 @@ class Limits:
                 positive(f"limit of {name}", value, unit)
 
 
-def verdict(part: Part, limits: Limits, material: Material) -> str:
+def verdict(part: Part, limits: Limits) -> str:
     """Say "ok", or in one sentence what exceeds which limit."""
     complaints = []
     for field in fields(limits):
@@ -47,7 +46,7 @@ def verdict(part: Part, limits: Limits, material: Material) -> str:
         if limit is not None and value is not None and value > limit:
             name, unit = _words(field.name)
             complaints.append(f"{name} {value:.3g} {unit} exceeds {limit:g} {unit}")
-    stress = part.measures.stress_MPa
+    stress, material = part.measures.stress_MPa, part.material
     if stress is not None and stress > material.bending_limit:
         complaints.append(
             f"bending stress {stress:.3g} MPa exceeds {material.bending_limit:g} MPa of "

@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from freecad_ortho.fabrication.sizes import positive
 from solver.errors import InputError
+
+# EN 572-1 gives float glass this density, kg/m3, and this modulus, MPa.
+_GLASS_DENSITY, _GLASS_MODULUS = 2500.0, 70_000.0
+# Characteristic bending strengths of glass, MPa: annealed (EN 572-1), heat strengthened (EN 1863-1)
+# and thermally toughened (EN 12150-1).
+_ANNEALED, _STRENGTHENED, _TOUGHENED = 45.0, 70.0, 120.0
+# Insulating units are named after their build-up: glass, cavity, glass ... in mm (EN 1279).
+_UNIT = "insulating-glass"
+_BUILD_UP = re.compile(rf"{_UNIT}((?:-\d{{1,3}}(?:\.\d{{1,2}})?)+)")
 
 
 @dataclass(frozen=True)
@@ -14,10 +25,11 @@ class Material:
 
     Args:
         name: as the report shall call it.
-        density: kg/m3.
+        density: kg/m3; of a build-up its mass by its whole volume.
         youngs_modulus: MPa, in the direction of bending.
         bending_limit: largest bending stress allowed, MPa.
-        fold_factor: least inner radius of a cold fold, in thicknesses.
+        layers: of a build-up, thicknesses from one face to the other, pane and cavity in turn, mm;
+            empty for what is solid and cut from sheets of any thickness.
 
     Raises:
         InputError: a number that is not positive and finite.
@@ -27,47 +39,135 @@ class Material:
     density: float
     youngs_modulus: float
     bending_limit: float
-    fold_factor: float
+    layers: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         positive("density", self.density, "kg/m3")
         positive("Young's modulus", self.youngs_modulus, "MPa")
         positive("bending limit", self.bending_limit, "MPa")
-        positive("fold factor", self.fold_factor, "thicknesses")
+        for layer in self.layers:
+            positive("layer", layer, "mm")
+
+    @property
+    def thickness(self) -> float | None:
+        """Of a build-up, mm; None for what comes in any thickness."""
+        return sum(self.layers) if self.layers else None
 
     def mass(self, volume: float) -> float:
         """Mass of a volume in mm3, kg."""
         return volume * 1e-9 * self.density
 
     def bending_stress(self, thickness: float, radius: float) -> float:
-        """Stress E t / (2 R) in the outer fibre of a plate bent elastically, MPa; sizes in mm."""
-        return self.youngs_modulus * thickness / (2 * radius)
+        """Stress E t / (2 R) in the outer fibre of a plate bent elastically, MPa; sizes in mm.
+
+        In a build-up that of its thickest pane: panes bend each by itself.
+        """
+        return self.youngs_modulus * self._bent(thickness) / (2 * radius)
 
     def least_radius(self, thickness: float) -> float:
         """Radius at which a plate reaches the bending limit, mm."""
-        return self.youngs_modulus * thickness / (2 * self.bending_limit)
+        return self.youngs_modulus * self._bent(thickness) / (2 * self.bending_limit)
+
+    def _bent(self, thickness: float) -> float:
+        return max(self.layers[::2]) if self.layers else thickness
+
+
+def _glass(name: str, strength: float) -> Material:
+    return Material(name, _GLASS_DENSITY, _GLASS_MODULUS, strength)
+
+
+def insulating_unit(*layers: float) -> Material:
+    """An insulating glass unit of annealed panes: pane, cavity, pane ..., mm (EN 1279).
+
+    Its density is that of its panes over its whole thickness, so parts weigh what their panes do.
+
+    Raises:
+        InputError: a build-up that does not begin and end with a pane.
+    """
+    name = "-".join([_UNIT, *(f"{layer:g}" for layer in layers)])
+    if len(layers) < 3 or len(layers) % 2 == 0:
+        raise InputError(
+            f"material: {name} is no unit of pane, cavity, pane ... in mm; write "
+            f"{_UNIT}-6-16-6, or {_UNIT}-4-12-4-12-4 for three panes"
+        )
+    for layer in layers:
+        positive("layer", layer, "mm")
+    density = _GLASS_DENSITY * sum(layers[::2]) / sum(layers)
+    return Material(name, density, _GLASS_MODULUS, _ANNEALED, layers)
 
 
 # Strengths are characteristic values of common grades, without partial safety factors: structural
 # steel S355 (EN 10025), aluminium EN AW-6060 T66 (EN 755), birch plywood and spruce C24 along the
 # grain (EN 789, EN 338), grid shell laths of glass fibre reinforced polymer.
 MATERIALS = {
-    "steel": Material("steel", 7850.0, 210_000.0, 355.0, 1.0),
-    "stainless": Material("stainless", 7900.0, 200_000.0, 220.0, 1.5),
-    "aluminium": Material("aluminium", 2700.0, 70_000.0, 160.0, 2.0),
-    "plywood": Material("plywood", 680.0, 10_000.0, 40.0, 30.0),
-    "timber": Material("timber", 420.0, 11_000.0, 24.0, 60.0),
-    "gfrp": Material("gfrp", 1900.0, 25_000.0, 240.0, 50.0),
+    material.name: material
+    for material in (
+        Material("steel", 7850.0, 210_000.0, 355.0),
+        Material("stainless", 7900.0, 200_000.0, 220.0),
+        Material("aluminium", 2700.0, 70_000.0, 160.0),
+        Material("plywood", 680.0, 10_000.0, 40.0),
+        Material("timber", 420.0, 11_000.0, 24.0),
+        Material("gfrp", 1900.0, 25_000.0, 240.0),
+        _glass("glass", _ANNEALED),
+        _glass("strengthened-glass", _STRENGTHENED),
+        _glass("toughened-glass", _TOUGHENED),
+        insulating_unit(6, 16, 6),
+        insulating_unit(4, 12, 4, 12, 4),
+    )
 }
 
 
 def material(name: str = "steel", density: float | None = None) -> Material:
-    """Look a material up; ``density`` in kg/m3 overrides the preset's.
+    """Look a material up, or make an insulating unit from its name, ``insulating-glass-8-16-6``.
+
+    Args:
+        name: of a preset or an insulating unit.
+        density: kg/m3, to override the preset's.
 
     Raises:
         InputError: an unknown name or a density that cannot be used.
     """
-    if name not in MATERIALS:
+    unit = _BUILD_UP.fullmatch(name)
+    if name not in MATERIALS and unit is None:
         raise InputError(f"material: expected one of {', '.join(MATERIALS)}, got '{name}'")
-    preset = MATERIALS[name]
+    preset = MATERIALS.get(name)
+    if preset is None:
+        assert unit is not None
+        preset = insulating_unit(*map(float, unit[1][1:].split("-")))
     return preset if density is None else replace(preset, density=density)
+
+
+def materials_of(
+    text: str, systems: Sequence[str], density: float | None = None
+) -> dict[str, Material]:
+    """The material of each system, from ``steel`` or ``steel,panels=glass``.
+
+    Args:
+        text: one material for all systems, those of single systems after their names, or both;
+            separated by commas.
+        systems: names of all systems that are built.
+        density: kg/m3, of what has no material named for it alone.
+
+    Raises:
+        InputError: an unknown material, a system that is not built or named twice, or several
+            materials for all.
+    """
+    general, single = "", {}
+    for entry in text.split(","):
+        system, equals, name = (word.strip() for word in entry.rpartition("="))
+        if equals and (system not in systems or system in single):
+            raise InputError(
+                f"material: expected one of {', '.join(systems)} before '=', each once, got "
+                f"'{entry.strip()}'"
+            )
+        if equals:
+            single[system] = material(name)
+        elif general:
+            raise InputError(
+                f"material: '{general}' and '{name}' are both for everything; name the system of "
+                f"one, as {systems[-1]}={name}"
+            )
+        else:
+            general = name
+    others = material(general or "steel", density)
+    return {system: single.get(system, others) for system in systems}

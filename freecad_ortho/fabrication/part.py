@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body
+from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.pattern import FlatPattern
 from solver.mesh.quadmesh import FloatArray
 
@@ -61,7 +62,7 @@ class Part:
         thickness: of the plate, mm.
         area: of one face of the plate, the flat pattern's outline, mm2.
         volume: from the formula, mm3.
-        mass: kg.
+        material: what it is made of.
         vertices: numbers of the mesh vertices it belongs to, counted from 0.
         face: number of the mesh face counted from 0, None where it belongs to none.
         family: "u" or "v" of the parameter line it lies on, "" for none.
@@ -82,7 +83,7 @@ class Part:
     thickness: float
     area: float
     volume: float
-    mass: float
+    material: Material
     vertices: tuple[int, ...] = ()
     face: int | None = None
     family: str = ""
@@ -90,6 +91,11 @@ class Part:
     measures: Measures = Measures()
     note: str = ""
     height: float | None = None
+
+    @property
+    def mass(self) -> float:
+        """Mass, kg."""
+        return self.material.mass(self.volume)
 
     @property
     def section_height(self) -> float:

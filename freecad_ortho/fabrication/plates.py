@@ -46,7 +46,6 @@ def plate_part(
         height: of the section, where the pattern is curved.
     """
     length, width = pattern.size.tolist()
-    volume = body.volume
     origin, frame = place
     return Part(
         name=name,
@@ -59,8 +58,8 @@ def plate_part(
         width=width,
         thickness=thickness,
         area=pattern.area,
-        volume=volume,
-        mass=site.material.mass(volume),
+        volume=body.volume,
+        material=site.material,
         vertices=vertices,
         face=face,
         family=family,

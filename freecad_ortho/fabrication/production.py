@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
@@ -77,6 +77,12 @@ class Production:
             words.append(
                 "flat.dxf is not written, as no part has a flat pattern; parts.csv says in words "
                 "how tubes are cut"
+            )
+        units = sum(part.material.thickness is not None for part in self.structure.parts)
+        if units and self.workshop.sheet is not None:
+            words.append(
+                f"sheets leave out {units} insulating units: they are ordered to size, by their "
+                "flat patterns"
             )
         on_bars = {name for bar in self.bars for name in bar.parts}
         parts = self.structure.parts
@@ -159,8 +165,7 @@ def produce(
     bars = stock_list(parts, chosen)
     sheets: tuple[Sheet, ...] = ()
     if chosen.sheet is not None:
-        nested = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
-        sheets = tuple(replace(sheet, material=structure.site.material.name) for sheet in nested)
+        sheets = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
     say(0.5, "nodes and families")
     joints = nodes(structure.site, parts)
     equal = families(parts, joints)

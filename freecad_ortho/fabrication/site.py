@@ -62,19 +62,23 @@ class Site:
     Attributes:
         mesh: near the origin, mm; there no digits are lost, wherever the model is.
         shift: (3,) brings the geometry into the place of the model, mm.
-        material: of all parts.
-        selection: which parameter lines are wanted.
+        axes: torsion-free, at the vertices.
+        lines: all parameter lines of the net.
+        selection: which of them are wanted.
+        material: of the parts that are being made.
         done: what the systems before made, by their names.
     """
 
     mesh: QuadMesh
     shift: FloatArray
-    material: Material = MATERIALS["steel"]
+    axes: Axes
+    lines: ParameterLines
     selection: Selection = Selection()
+    material: Material = MATERIALS["steel"]
     done: Mapping[str, SystemParts] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, mesh_mm: QuadMesh, material: Material, selection: Selection) -> Site:
+    def of(cls, mesh_mm: QuadMesh, selection: Selection) -> Site:
         """Make a site of a mesh in mm.
 
         Raises:
@@ -82,7 +86,9 @@ class Site:
         """
         _refuse_long_edges(mesh_mm)
         centre = mesh_mm.vertices[mesh_mm.connectivity.referenced].mean(axis=0)
-        site = cls(mesh_mm.with_vertices(mesh_mm.vertices - centre), centre, material, selection)
+        mesh = mesh_mm.with_vertices(mesh_mm.vertices - centre)
+        lines = ParameterLines(mesh.connectivity)
+        site = cls(mesh, centre, torsion_free_axes(mesh), lines, selection)
         site._refuse_missing_lines()
         return site
 
@@ -97,16 +103,6 @@ class Site:
             f"lines: the net has {' and '.join(counts)} lines, counted from 0, and no {named}; "
             "choose others"
         )
-
-    @cached_property
-    def axes(self) -> Axes:
-        """Torsion-free axes at the vertices."""
-        return torsion_free_axes(self.mesh)
-
-    @cached_property
-    def lines(self) -> ParameterLines:
-        """All parameter lines of the net."""
-        return ParameterLines(self.mesh.connectivity)
 
     @cached_property
     def chosen_lines(self) -> tuple[ParameterLine, ...]:

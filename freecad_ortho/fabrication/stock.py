@@ -24,6 +24,7 @@ class Bar:
 
     Attributes:
         name: ``S0001``.
+        material: its name.
         kind: of the parts that are sawn from it.
         width: that the strip must have, that of its widest part, mm; of a tube, its height.
         thickness: mm.
@@ -33,6 +34,7 @@ class Bar:
     """
 
     name: str
+    material: str
     kind: str
     width: float
     thickness: float
@@ -65,6 +67,7 @@ def stock_list(parts: Sequence[Part], workshop: Workshop) -> tuple[Bar, ...]:
             bars.append(
                 Bar(
                     f"S{len(bars) + 1:04d}",
+                    group[0].material.name,
                     group[0].kind,
                     max(_width(part) for part in group),
                     group[0].thickness,
@@ -80,11 +83,11 @@ def different_tubes(parts: Sequence[Part]) -> tuple[tuple[Part, ...], ...]:
     """Groups of the tubes among the parts that are as high as one another, the lowest first."""
     tubes = [part for part in parts if part.pattern is None and part.line is not None]
     groups: list[list[Part]] = []
-    for part in sorted(tubes, key=lambda part: (part.kind, part.thickness, part.width)):
+    for part in sorted(tubes, key=lambda part: (*_bar_kind(part), part.width)):
         first = groups[-1][0] if groups else None
         if (
             first is not None
-            and (first.kind, first.thickness) == (part.kind, part.thickness)
+            and _bar_kind(first) == _bar_kind(part)
             and part.width - first.width <= SAME_TUBE
         ):
             groups[-1].append(part)
@@ -93,17 +96,22 @@ def different_tubes(parts: Sequence[Part]) -> tuple[tuple[Part, ...], ...]:
     return tuple(tuple(group) for group in groups)
 
 
+def _bar_kind(part: Part) -> tuple[str, str, float]:
+    """What the parts on one bar have in common, whatever their width."""
+    return part.material.name, part.kind, part.thickness
+
+
 def is_along_line(part: Part) -> bool:
     """Whether a part lies along a parameter line, as beams and lamellas do."""
     return part.face is None and part.line is not None
 
 
 def _alike(parts: Sequence[Part]) -> list[Sequence[Part]]:
-    """Parts that may share a bar: plates by kind and thickness, then tubes by their section."""
-    plates: dict[tuple[str, float], list[Part]] = {}
+    """Parts that may share a bar: plates of one material, kind and thickness, then tubes."""
+    plates: dict[tuple[str, str, float], list[Part]] = {}
     for part in parts:
         if part.pattern is not None:
-            plates.setdefault((part.kind, part.thickness), []).append(part)
+            plates.setdefault(_bar_kind(part), []).append(part)
     return [*plates.values(), *different_tubes(parts)]
 
 

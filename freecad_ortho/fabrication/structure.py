@@ -33,13 +33,13 @@ class Structure:
         mesh: the mesh, mm.
         site: where the systems were built; its mesh lies near the origin.
         results: what each system made, by its name.
-        limits: what the parts are held against.
+        limits: what the parts of each system are held against, by its name.
     """
 
     mesh: QuadMesh
     site: Site
     results: Mapping[str, SystemParts]
-    limits: Limits
+    limits: Mapping[str, Limits]
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
@@ -54,7 +54,24 @@ class Structure:
     @cached_property
     def verdicts(self) -> tuple[str, ...]:
         """For each part "ok", or in one sentence what exceeds which limit."""
-        return tuple(verdict(part, self.limits, self.site.material) for part in self.parts)
+        return tuple(
+            verdict(part, self.limits[name])
+            for name, result in self.results.items()
+            for part in result.parts
+        )
+
+    def common_limit(self, measure: str) -> float | None:
+        """The limit of a measure that all systems share; None where they differ or have none."""
+        values = {getattr(self.limits[name], measure, None) for name in self.results}
+        return values.pop() if len(values) == 1 else None
+
+    @property
+    def masses(self) -> dict[str, float]:
+        """Mass of the parts of each material, kg, by its name, the heaviest first."""
+        found: dict[str, float] = {}
+        for part in self.parts:
+            found[part.material.name] = found.get(part.material.name, 0.0) + part.mass
+        return dict(sorted(found.items(), key=lambda entry: -entry[1]))
 
     def only(self, *names: str) -> Structure:
         """Return the parts of these systems alone, built as they are beside the others."""
@@ -96,7 +113,6 @@ class Structure:
 
     def report(self) -> dict[str, Any]:
         """Return counts, accuracy, masses, verdict and remarks, ready for JSON; lengths in mm."""
-        material = self.site.material
         return {
             "unit": "mm",
             "systems": list(self.results),
@@ -108,13 +124,25 @@ class Structure:
             },
             "planarity_gap_max_mm": float(diagonal_distances(self.site.mesh).max()),
             "lean_max_deg": float(self.axes.lean_deg.max()),
-            "material": material.name,
-            "density_kg_m3": material.density,
+            "materials": self._materials(),
             "volume_mm3": sum(part.volume for part in self.parts),
             "mass_kg": sum(part.mass for part in self.parts),
             "verdict": self._verdict(),
             **{name: result.report for name, result in self.results.items()},
             "messages": [word for result in self.results.values() for word in result.messages],
+        }
+
+    def _materials(self) -> dict[str, Any]:
+        """What is made of each material, by its name."""
+        known = {part.material.name: part.material for part in self.parts}
+        return {
+            name: {
+                "density_kg_m3": known[name].density,
+                "parts": sum(part.material.name == name for part in self.parts),
+                "volume_mm3": sum(p.volume for p in self.parts if p.material.name == name),
+                "mass_kg": mass,
+            }
+            for name, mass in self.masses.items()
         }
 
     def _verdict(self) -> dict[str, Any]:
@@ -128,8 +156,8 @@ def build(
     mesh_mm: QuadMesh,
     systems: Sequence[System],
     *,
-    material: Material = MATERIALS["steel"],
-    limits: Limits | None = None,
+    material: Material | Mapping[str, Material] = MATERIALS["steel"],
+    limits: Limits | Mapping[str, Limits] | None = None,
     selection: Selection | None = None,
     progress: Progress | None = None,
 ) -> Structure:
@@ -138,8 +166,9 @@ def build(
     Args:
         mesh_mm: the mesh, in mm.
         systems: in the order in which they are built; later ones may lie on earlier ones.
-        material: of all parts.
-        limits: what the parts are held against, by default those of ``Limits``.
+        material: of all parts, or of each system by its name.
+        limits: what all parts are held against, or those of each system by its name; by default
+            those of ``Limits``.
         selection: which parameter lines are built on, by default all.
         progress: called with a fraction and words; may raise to stop.
 
@@ -154,19 +183,33 @@ def build(
     say = progress or (lambda fraction, words: None)
     say(0.0, "net")
     results: dict[str, SystemParts] = {}
-    site = replace(Site.of(mesh_mm, material, selection or Selection()), done=results)
+    materials = material if isinstance(material, Mapping) else dict.fromkeys(names, material)
+    held = limits if isinstance(limits, Mapping) else dict.fromkeys(names, limits or Limits())
+    site = replace(Site.of(mesh_mm, selection or Selection()), done=results)
     for number, system in enumerate(systems):
         say(number / len(systems), system.name)
-        made = system.build(site)
+        made = system.build(replace(site, material=materials[system.name]))
         if not made.parts:
             raise InputError(f"{system.name}: nothing to build on this net; choose another system")
-        results[system.name] = replace(made, parts=_stressed(made.parts, material))
-    structure = Structure(mesh_mm, site, results, limits or Limits())
+        _refuse_thickness(system.name, made.parts)
+        results[system.name] = replace(made, parts=_stressed(made.parts))
+    structure = Structure(mesh_mm, site, results, held)
     say(1.0, f"{len(structure.parts)} parts")
     return structure
 
 
-def _stressed(parts: Sequence[Part], material: Material) -> tuple[Part, ...]:
+def _refuse_thickness(system: str, parts: Sequence[Part]) -> None:
+    """Refuse parts that are not as thick as the build-up that they are made of."""
+    for part in parts:
+        thickness = part.material.thickness
+        if thickness is not None and abs(part.thickness - thickness) > 1e-6:
+            raise InputError(
+                f"{system}: {part.material.name} is {thickness:g} mm thick and {part.name} "
+                f"{part.thickness:g} mm; set a thickness of {thickness:g} mm"
+            )
+
+
+def _stressed(parts: Sequence[Part]) -> tuple[Part, ...]:
     """Parts with the bending stress at their smallest radius."""
     return tuple(
         part
@@ -174,7 +217,7 @@ def _stressed(parts: Sequence[Part], material: Material) -> tuple[Part, ...]:
         else replace(
             part,
             measures=replace(
-                part.measures, stress_MPa=material.bending_stress(part.thickness, radius)
+                part.measures, stress_MPa=part.material.bending_stress(part.thickness, radius)
             ),
         )
         for part in parts

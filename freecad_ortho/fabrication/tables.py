@@ -13,7 +13,7 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.stock import Bar
 
-_SIZES = ("length", "width", "section_height", "thickness", "area", "volume", "mass")
+_LENGTHS, _AMOUNTS = ("length", "width", "section_height", "thickness"), ("area", "volume", "mass")
 _MEASURES = (
     "gap_mm",
     "twist_deg",
@@ -34,6 +34,7 @@ COLUMNS = (
     "width_mm",
     "height_mm",
     "thickness_mm",
+    "material",
     "area_mm2",
     "volume_mm3",
     "mass_kg",
@@ -50,7 +51,8 @@ NODE_COLUMNS = (
 )
 BEND_COLUMNS = ("part", "bend", "x1_mm", "y1_mm", "x2_mm", "y2_mm", "angle_deg")
 STOCK_COLUMNS = (
-    *("name", "kind", "width_mm", "thickness_mm", "length_mm", "parts", "used_mm", "left_mm"),
+    *("name", "kind", "material", "width_mm", "thickness_mm", "length_mm"),
+    *("parts", "used_mm", "left_mm"),
 )
 
 
@@ -79,7 +81,9 @@ def write_parts(
             part.kind,
             part.family,
             "" if part.line is None else part.line,
-            *(f"{getattr(part, size):.6f}" for size in _SIZES),
+            *(f"{getattr(part, size):.6f}" for size in _LENGTHS),
+            part.material.name,
+            *(f"{getattr(part, amount):.6f}" for amount in _AMOUNTS),
             *(_number(getattr(part.measures, name)) for name in _MEASURES),
             " ".join(map(str, part.vertices)),
             "" if part.face is None else part.face,
@@ -125,6 +129,7 @@ def write_stock(path: Path, bars: Sequence[Bar]) -> None:
         [
             bar.name,
             bar.kind,
+            bar.material,
             *(f"{size:.6f}" for size in (bar.width, bar.thickness, bar.length)),
             " ".join(bar.parts),
             f"{bar.used:.6f}",

@@ -45,7 +45,7 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
     whole = build(
         plan.mesh,
         plan.systems,
-        material=plan.material,
+        material=plan.materials,
         limits=plan.limits,
         selection=plan.selection,
     )
@@ -65,7 +65,7 @@ def recipe(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:
     plan = _plan(features)
     word = sha256(plan.mesh.vertices.tobytes() + plan.mesh.faces.tobytes())
     # Another version of the workbench may build the same in another way.
-    settings = (__version__, plan.systems, plan.material, plan.limits, plan.selection, plan.wanted)
+    settings = (__version__, plan.systems, plan.materials, plan.limits, plan.selection, plan.wanted)
     word.update(repr((settings, more)).encode())
     return word.hexdigest()
 
@@ -76,8 +76,8 @@ class _Plan:
 
     mesh: QuadMesh
     systems: list[System]
-    material: Material
-    limits: Limits
+    materials: dict[str, Material]
+    limits: dict[str, Limits]
     selection: Selection
     wanted: list[str]
 
@@ -91,15 +91,18 @@ def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
         by_system["beams"] = carrier
     ordered = [name for name in SYSTEMS if name in by_system]
     lines = _agreed(features, "lines", lambda feature: (feature.Family, tuple(feature.Lines)))
-    of_what = _agreed(features, "material", lambda feature: (feature.Material, feature.Density))
     return _Plan(
         convert.quad_mesh(net),
         [system_of(by_system[name], name) for name in ordered],
-        material(of_what[0].lower(), of_what[1] or None),
-        _agreed(features, "limits", limits_of),
+        {name: _material(by_system[name]) for name in ordered},
+        {name: limits_of(by_system[name]) for name in ordered},
         Selection(lines[0].lower(), lines[1] or None),
         [name for name in ordered if name in wanted],
     )
+
+
+def _material(feature: FreeCAD.DocumentObject) -> Material:
+    return material(feature.Material.lower(), feature.Density or None)
 
 
 def _by_system(features: Sequence[FreeCAD.DocumentObject]) -> dict[str, FreeCAD.DocumentObject]:

@@ -49,12 +49,16 @@ def ensure(owner: Any, properties: Sequence[Property]) -> None:
 
 
 def _add_choices(owner: Any, item: Property) -> None:
-    """Give an enumeration of an older document the choices that came later."""
+    """Give an enumeration of an older document the choices that came later; keep what is chosen."""
     if item.choices and owner.getEnumerationsOfProperty(item.name) != list(item.choices):
-        chosen = getattr(owner, item.name)
-        setattr(owner, item.name, list(item.choices))
-        if chosen in item.choices:
-            setattr(owner, item.name, chosen)
+        choose(owner, item, getattr(owner, item.name))
+
+
+def choose(owner: Any, item: Property, word: str) -> None:
+    """Set an enumeration to a word, also to one that is not among its usual choices."""
+    own = () if word in item.choices else (word,)
+    setattr(owner, item.name, [*item.choices, *own])
+    setattr(owner, item.name, word)
 
 
 class Stateless:

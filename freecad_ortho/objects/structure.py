@@ -11,7 +11,7 @@ import FreeCAD
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS
 from freecad_ortho.objects import outdated
 from freecad_ortho.objects.limit_properties import limit_properties
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, ensure
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, choose, ensure
 from freecad_ortho.objects.system_properties import options_of, system_property
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -24,6 +24,13 @@ TITLES = {name.capitalize(): name for name in SYSTEMS}
 ON_BEAMS = ("panels", "nodes")
 FAMILIES = ("Both", "U", "V")
 
+_MATERIAL = Property(
+    "App::PropertyEnumeration",
+    "Material",
+    "Material",
+    QT_TRANSLATE_NOOP("App::Property", "Material of all parts"),
+    choices=tuple(name.capitalize() for name in MATERIALS),
+)
 _PROPERTIES = (
     Property(
         "App::PropertyLink",
@@ -58,13 +65,7 @@ _PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Numbers of these parameter lines; empty: all"),
     ),
     *outdated.updating("Structure"),
-    Property(
-        "App::PropertyEnumeration",
-        "Material",
-        "Material",
-        QT_TRANSLATE_NOOP("App::Property", "Material of all parts"),
-        choices=tuple(name.capitalize() for name in MATERIALS),
-    ),
+    _MATERIAL,
     Property(
         "App::PropertyFloat",
         "Density",
@@ -147,7 +148,11 @@ def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD
     feature.setPropertyStatus("System", "ReadOnly")
     ensure_options(feature)
     for name, value in properties.items():
-        setattr(feature, name, value)
+        if name == _MATERIAL.name:
+            # Build-ups of insulating glass are as many as one likes.
+            choose(feature, _MATERIAL, value)
+        else:
+            setattr(feature, name, value)
     if FreeCAD.GuiUp:
         from freecad_ortho.view.structure_view import StructureView
 

@@ -100,16 +100,16 @@ def test_bending_stress_of_steel():
 
 
 def test_verdict_says_what_exceeds_which_limit(structure):
-    part, steel = structure.parts[0], material("steel")
-    assert verdict(part, Limits(), steel) == "ok"
+    part = structure.parts[0]
+    assert verdict(part, Limits()) == "ok"
     worse = replace(part, measures=Measures(gap_mm=0.8, twist_deg=2.0, stress_MPa=900.0))
     worse = replace(worse, measures=replace(worse.measures, min_bend_radius_mm=1400.0))
-    words = verdict(worse, Limits(gap_mm=0.5, twist_deg=None), steel)
+    words = verdict(worse, Limits(gap_mm=0.5, twist_deg=None))
     assert words == (
         "gap 0.8 mm exceeds 0.5 mm; bending stress 900 MPa exceeds 355 MPa of steel: bent to "
         "1400 mm, needs 3549 mm"
     )
-    assert "twist 2 degrees exceeds 1 degrees" in verdict(worse, Limits(), steel)
+    assert "twist 2 degrees exceeds 1 degrees" in verdict(worse, Limits())
     with pytest.raises(InputError, match="limit of gap: expected a number above 0 mm, got -1"):
         Limits(gap_mm=-1)
 

@@ -56,6 +56,20 @@ class TestSettings(StructureCase):
         own = json.loads(api.add_structure(self.net, "beams", density=1000.0).Report)
         self.assertAlmostEqual(own["mass_kg"] / steel["mass_kg"], 1000 / 7850, places=9)
 
+    def test_structures_of_different_materials_go_into_one_export(self):
+        beams = api.add_structure(self.net, "beams")
+        unit = "insulating-glass-5-14-5"
+        panels = api.add_structure(self.net, "panels", beams=beams, material=unit)
+        self.assertEqual((panels.Material, panels.Thickness.Value), (unit.capitalize(), 24.0))
+        panels.LimitGap = 5.0
+        folder = tools.SCRATCH / "mixed"
+        api.export_fabrication([beams, panels], folder)
+        report = json.loads((folder / "report.json").read_text())
+        self.assertEqual(set(report["materials"]), {"steel", unit})
+        self.assertEqual(report["clash_check"]["clashes"], [])
+        own = sum(json.loads(feature.Report)["mass_kg"] for feature in (beams, panels))
+        self.assertAlmostEqual(report["mass_kg"], own, places=6)
+
     def test_lengths_in_any_unit_and_bad_ones_refused(self):
         feature = api.add_structure(self.net, "beams", height="0.3 m", thickness="1 cm")
         self.assertEqual((feature.Height.Value, feature.Thickness.Value), (300.0, 10.0))

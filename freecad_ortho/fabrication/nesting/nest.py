@@ -38,10 +38,10 @@ def nest(
     patterns: Sequence[FlatPattern] | None = None,
     progress: Progress | None = None,
 ) -> tuple[Sheet, ...]:
-    """Lay the flat patterns of parts onto sheets, each thickness on sheets of its own.
+    """Lay the flat patterns of parts onto sheets, each material and thickness on its own.
 
     Args:
-        parts: those without a flat pattern are left out.
+        parts: those without a flat pattern are left out, and build-ups, which nobody cuts.
         workshop: with a sheet size.
         patterns: one a part, to nest instead of the parts' own, e.g. compensated ones.
         progress: called with a fraction and words; may raise to stop.
@@ -55,18 +55,26 @@ def nest(
     items = [
         _item(part, pattern, workshop)
         for part, pattern in zip(parts, chosen, strict=True)
-        if pattern is not None
+        if pattern is not None and part.material.thickness is None
     ]
     say = progress or (lambda fraction, words: None)
     sheets: list[Sheet] = []
-    for thickness in sorted({item.part.thickness for item in items}, reverse=True):
-        group = [item for item in items if item.part.thickness == thickness]
+    for (material, thickness), group in _alike(items):
         placed = _placed(group, workshop, lambda f, words: say(f, f"nesting {words}"))
         for placements in placed:
             name = f"sheet-{len(sheets) + 1:03d}"
-            sheets.append(Sheet(name, *workshop.sheet, thickness, placements))
+            sheets.append(Sheet(name, *workshop.sheet, thickness, placements, material))
     _nothing_lost([item.part.name for item in items], sheets)
     return tuple(sheets)
+
+
+def _alike(items: Sequence[_Item]) -> list[tuple[tuple[str, float], list[_Item]]]:
+    """Items of one material and thickness: materials as they come, the thickest plates first."""
+    groups: dict[tuple[str, float], list[_Item]] = {}
+    for item in items:
+        groups.setdefault((item.part.material.name, item.part.thickness), []).append(item)
+    materials = list(dict.fromkeys(material for material, _ in groups))
+    return sorted(groups.items(), key=lambda entry: (materials.index(entry[0][0]), -entry[0][1]))
 
 
 def _placed(items: list[_Item], workshop: Workshop, say: Progress) -> list[tuple[Placement, ...]]:

@@ -48,7 +48,7 @@ class Sheet:
         height: mm.
         thickness: of the plates on it, mm.
         placements: what is cut from it.
-        material: its name, "" where it is not known.
+        material: of these plates, its name.
     """
 
     name: str
@@ -56,20 +56,18 @@ class Sheet:
     height: float
     thickness: float
     placements: tuple[Placement, ...]
-    material: str = ""
+    material: str
 
     @property
     def title(self) -> str:
         """What to take from the store: ``sheet 001 steel 20 mm``."""
-        words = (self.name.replace("-", " "), self.material, f"{self.thickness:g} mm")
-        return " ".join(word for word in words if word)
+        return f"{self.name.replace('-', ' ')} {self.material} {self.thickness:g} mm"
 
     @property
     def file_name(self) -> str:
         """The same as the name of its file, ``sheet-001-steel-20mm.dxf``."""
         material = re.sub(r"[^\w.]+", "-", self.material)
-        words = (self.name, material, f"{self.thickness:g}mm")
-        return "-".join(word for word in words if word) + ".dxf"
+        return f"{self.name}-{material}-{self.thickness:g}mm.dxf"
 
     @property
     def used(self) -> float:

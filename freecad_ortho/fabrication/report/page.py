@@ -77,8 +77,7 @@ def _summary(production: Production) -> str:
     failed = sum(words != OK for words in verdicts)
     kinds = Counter(part.kind for part in parts)
     counts = ", ".join(f"{count} {kind}{'s' * (count > 1)}" for kind, count in kinds.items())
-    material = production.structure.site.material
-    mass = sum(part.mass for part in parts)
+    masses = production.structure.masses
     words = (
         f"All {len(parts)} parts are within the limits."
         if not failed
@@ -86,9 +85,13 @@ def _summary(production: Production) -> str:
     )
     return (
         f"<p>{escape(_kind_and_size(production))}</p>"
-        f"<p>{escape(counts)}; {mass:,.1f} kg of {escape(material.name)}</p>"
+        f"<p>{escape(counts)}; {escape(_of_materials(masses))}</p>"
         f'<p class="verdict{" bad" * bool(failed)}">{words}</p>'
     )
+
+
+def _of_materials(masses: dict[str, float]) -> str:
+    return " and ".join(f"{mass:,.1f} kg of {name}" for name, mass in masses.items())
 
 
 def _kind_and_size(production: Production) -> str:
@@ -126,14 +129,14 @@ def _messages(messages: Sequence[str]) -> str:
 
 
 def _plots(production: Production) -> str:
-    parts, limits = production.structure.parts, production.structure.limits
+    parts = production.structure.parts
     plots = [histogram("length", "mm", [part.length for part in parts])]
     for field in fields(Measures):
         values = [getattr(part.measures, field.name) for part in parts]
         known = [value for value in values if value is not None]
         if known:
             name, _, unit = field.name.rpartition("_")
-            limit = getattr(limits, field.name, None)
+            limit = production.structure.common_limit(field.name)
             plots.append(histogram(name.replace("_", " "), unit, known, limit))
     return f'<h2>Measures</h2><div class="row plots">{"".join(plots)}</div>'
 

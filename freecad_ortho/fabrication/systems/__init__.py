@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.systems.beams import Beams
 from freecad_ortho.fabrication.systems.bent_panels import BentPanels
 from freecad_ortho.fabrication.systems.lamellas import Lamellas
@@ -35,10 +36,13 @@ __all__ = [
 ]
 
 
-def systems_of(names: str, values: Mapping[str, Any]) -> list[System]:
+def systems_of(
+    names: str, values: Mapping[str, Any], materials: Mapping[str, Material] | None = None
+) -> list[System]:
     """Make systems by their names, joined by "+", from the values of their options.
 
     Options that are not given take their defaults; options of other systems are left out.
+    Panels of a build-up are as thick as it is unless told.
 
     Raises:
         InputError: an unknown system or one twice, an unknown option, a value that cannot be used.
@@ -54,7 +58,10 @@ def systems_of(names: str, values: Mapping[str, Any]) -> list[System]:
         if name not in known:
             raise InputError(f"{name}: no system has such a size; there are {', '.join(known)}")
     chosen = [system for name, system in SYSTEMS.items() if name in wanted]
-    return [
-        system.of({each.name: values.get(each.name, each.default) for each in system.options})
-        for system in chosen
-    ]
+    result = []
+    for system in chosen:
+        settings = {each.name: values.get(each.name, each.default) for each in system.options}
+        if "panel_thickness" in settings and settings["panel_thickness"] is None and materials:
+            settings["panel_thickness"] = materials[system.name].thickness
+        result.append(system.of(settings))
+    return result

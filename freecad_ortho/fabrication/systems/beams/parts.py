@@ -45,7 +45,6 @@ def edge_beams(
             pattern, origin = _pattern(geometry, piece, edge, name, edges[edge])
             turn = _LYING if piece.role == "flange" else _UPRIGHT
             body = piece.body(edge, origin, turn)
-            volume = body.volume
             parts.append(
                 Part(
                     name=name,
@@ -60,8 +59,8 @@ def edge_beams(
                     width=float(piece.width[edge]),
                     thickness=piece.thickness,
                     area=_skin(piece.corners[edge]) if pattern is None else pattern.area,
-                    volume=volume,
-                    mass=site.material.mass(volume),
+                    volume=body.volume,
+                    material=site.material,
                     vertices=tuple(edges[edge]),
                     family=families[edge],
                     line=lines[edge],

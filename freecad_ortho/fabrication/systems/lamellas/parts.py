@@ -118,7 +118,7 @@ def lamella_part(made: Cut, site: Site) -> Part:
         thickness=ribbon.thickness,
         area=pattern.area,
         volume=body.volume,
-        mass=site.material.mass(body.volume),
+        material=site.material,
         vertices=lamella.vertices,
         family=lamella.family,
         line=lamella.line,

@@ -152,7 +152,7 @@ class Nodes(System):
             thickness=self.diameter,
             area=0.0,
             volume=body.volume,
-            mass=site.material.mass(body.volume),
+            material=site.material,
             vertices=(vertex,),
             measures=Measures(lean_deg=float(site.axes.lean_deg[vertex])),
         )
