@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from solver.errors import InputError
+from solver.io.intake import refuse_missing_vertices
 from solver.io.polygons import READERS, read_polygons
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
@@ -25,6 +26,10 @@ def read_triangles(
     """
     if Path(path).suffix.lower() in READERS:
         data = read_polygons(path)
+        try:
+            refuse_missing_vertices(data.polygons, len(data.vertices), data.lines)
+        except InputError as error:
+            raise InputError(f"{path}: {error}") from None
         fans = [(p[0], p[k], p[k + 1]) for p in data.polygons for k in range(1, len(p) - 1)]
         return data.vertices, np.array(fans, dtype=np.int64).reshape(-1, 3), data.unit
     if not Path(path).is_file():

@@ -83,6 +83,7 @@ class Report:
         size_start: the same of the input.
         seconds_setup: pattern, numbering and symbolic analysis.
         solver: name of the sparse solver.
+        remarks: where the mesh meets itself without being joined, and by how much it came apart.
     """
 
     net: str
@@ -108,6 +109,7 @@ class Report:
     size: list[float]
     size_start: list[float]
     solver: str = ""
+    remarks: list[str] = field(default_factory=list)
     history: list[StepRecord] = field(default_factory=list, repr=False)
 
     @property

@@ -8,12 +8,15 @@ import numpy as np
 
 from solver.candidate import COLLAPSED, Candidate, spread_of
 from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.seams import seams
 from solver.report import CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
 
 if TYPE_CHECKING:
     from solver.gauss_newton import Optimisation
 
 
+# What was not joined and is now further apart than this many mean edges has come apart.
+_OPENED = 1e-4
 # Tolerances below this are out of reach wherever the model lies.
 _REACHABLE = 1e-15
 
@@ -49,6 +52,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         size=_size(best.mesh),
         size_start=_size(start),
         solver=run.backend,
+        remarks=_remarks(start, best.mesh),
         history=list(history),
     )
     return Outcome(best.mesh, report)
@@ -82,6 +86,16 @@ def _message(run: Optimisation, best: Candidate, status: str) -> str:
     verb = "ended" if status == STOPPED else "no further progress"
     where = f" at {best.worst_place}" if best.worst_place else ""
     return f"{verb} after {len(run.history)} steps, worst {_worst(best)}{where}{advice}"
+
+
+def _remarks(start: QuadMesh, end: QuadMesh) -> list[str]:
+    """Where the start meets itself without being joined, and what became of that."""
+    found = seams(start)
+    opened = found.opened(start, end)
+    said = found.remarks()
+    if opened > _OPENED:
+        said.append(f"what meets without being joined came apart by up to {opened:.2g} mean edges")
+    return said
 
 
 def _worst(best: Candidate) -> str:

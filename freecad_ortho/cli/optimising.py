@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> bool:
     api.write_mesh(options.output, outcome.mesh, loaded.unit)
     if options.report:
         write_text(options.report, json.dumps(outcome.report.as_dict(), indent=2) + "\n")
-    _tell(outcome, options.output, loaded.unit)
+    _tell(outcome, options.output, loaded)
     return outcome.report.status == CONVERGED
 
 
@@ -57,8 +57,8 @@ def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepR
     return follow
 
 
-def _tell(outcome: Outcome, path: str, unit: str) -> None:
-    report = outcome.report
+def _tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
+    report, unit = outcome.report, loaded.unit
     moved, edge = report.moved, report.mean_edge
     most = f"{_digits(moved.max * edge)} {unit}"
     stream = sys.stdout if report.status == CONVERGED else sys.stderr
@@ -73,6 +73,9 @@ def _tell(outcome: Outcome, path: str, unit: str) -> None:
             f"note: the shape moved by up to {most} ({moved.max:.1f} mean edges); its size was "
             f"{before} {unit} and is {after} {unit}\n"
         )
+    for remark in report.remarks:
+        if remark not in loaded.remarks:
+            stream.write(f"note: {remark}\n")
 
 
 def _digits(length: float) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Callable
 
 from freecad_ortho import api
@@ -14,6 +15,7 @@ from solver.mesh import coarsen, mirror, subdivide, transform
 from solver.mesh.diagonal import checkerboard, diagonal_meshes, medial_mesh
 from solver.mesh.primitives import PRIMITIVES, Parameter, primitive
 from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.seams import MEETING
 
 Change = Callable[[QuadMesh, argparse.Namespace], QuadMesh]
 
@@ -28,7 +30,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
             parser.add_argument(flag, **settings)  # type: ignore[arg-type]
         values.add_output(parser)
         parser.set_defaults(run=_changer(change))
-    _add_weld(commands.add_parser("weld", help="join patches into one net"))
+    _add_weld(commands.add_parser("weld", help="join patches, or one with itself, into one net"))
     forming.add(commands.add_parser("formfind", help="a membrane or cable net in equilibrium"))
     offsetting.add(commands.add_parser("offset", help="a parallel mesh at a distance"))
     fitting.add(commands.add_parser("fit-multinet", help="the multi-net nearest to a mesh"))
@@ -96,9 +98,10 @@ def _add_weld(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--tolerance",
         type=float,
-        default=mirror.SAME_PLACE,
+        default=MEETING,
         metavar="PART",
-        help="merge distance as a part of the size of the whole (default: 1e-9)",
+        help="merge distance as a part of the size of the whole, less than half the shortest edge "
+        "at each vertex (default: 1e-5)",
     )
     values.add_output(parser)
     parser.set_defaults(run=_weld)
@@ -112,8 +115,10 @@ def _weld(options: argparse.Namespace) -> int:
     unit = loaded[0].unit
     patches = [one.mesh.scaled(millimetres_per(one.unit) / millimetres_per(unit)) for one in loaded]
     mesh = mirror.welded(patches, options.tolerance)
-    parts = int(mesh.connectivity.components.max()) + 1
-    return values.write(options.output, mesh, unit, values.counted(parts, "component"))
+    merged, *remarks = mirror.weld_remarks(patches, mesh)
+    for remark in remarks:
+        sys.stderr.write(f"note: {remark}\n")
+    return values.write(options.output, mesh, unit, merged)
 
 
 def _diagonal(mesh: QuadMesh, options: argparse.Namespace) -> QuadMesh:

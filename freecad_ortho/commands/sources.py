@@ -28,7 +28,7 @@ class SourceCommand(Command):
         """Where there is what the sources need."""
         needs = source(GROUPS[self.group][0]).needs
         nets, faces = selected_nets(), selected_faces()
-        enough = {"": True, "net": len(nets) == 1, "nets": len(nets) > 1, "faces": bool(faces)}
+        enough = {"": True, "net": len(nets) == 1, "nets": bool(nets), "faces": bool(faces)}
         return super().IsActive() and enough[needs]
 
     def Activated(self) -> None:
@@ -171,7 +171,7 @@ class Weld(SourceCommand):
     group = "weld"
     icon = "weld"
     text = QT_TRANSLATE_NOOP("Ortho_Weld", "Weld nets")
-    tip = QT_TRANSLATE_NOOP("Ortho_Weld", "Join the selected nets into one where borders meet")
+    tip = QT_TRANSLATE_NOOP("Ortho_Weld", "Join nets, or one with itself, where borders meet")
 
 
 def edit_source(net: FreeCAD.DocumentObject) -> None:

@@ -190,16 +190,16 @@ def change_net(net: FreeCAD.DocumentObject, change: str, **options: Any) -> Free
 
 
 def weld_nets(
-    nets: Sequence[FreeCAD.DocumentObject], tolerance: Any = 0.001
+    nets: Sequence[FreeCAD.DocumentObject], tolerance: Any = 1.0
 ) -> FreeCAD.DocumentObject:
-    """Add one net of several whose borders meet.
+    """Add one net of several whose borders meet, or of one whose border meets itself.
 
     Args:
-        nets: at least two.
-        tolerance: vertices nearer than this become one.
+        nets: at least one.
+        tolerance: vertices nearer than this become one, unless an edge there is not twice as long.
 
     Raises:
-        InputError: too few nets, or faces that collapse; the document is unchanged.
+        InputError: no net, or edges with more than two faces; the document is unchanged.
     """
     return add_source("weld", list(nets), tolerance=tolerance)
 

@@ -17,6 +17,7 @@ from freecad_ortho.fabrication.workers import in_chunks
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.seams import seams
 from solver.offset.axes import Axes
 
 if TYPE_CHECKING:
@@ -129,7 +130,7 @@ class Structure:
             "mass_kg": sum(part.mass for part in self.parts),
             "verdict": self._verdict(),
             **{name: result.report for name, result in self.results.items()},
-            "messages": [word for result in self.results.values() for word in result.messages],
+            "messages": self._messages(),
         }
 
     def _materials(self) -> dict[str, Any]:
@@ -144,6 +145,11 @@ class Structure:
             }
             for name, mass in self.masses.items()
         }
+
+    def _messages(self) -> list[str]:
+        """What the systems say, after what is to be said about the mesh."""
+        said = [word for result in self.results.values() for word in result.messages]
+        return [*seams(self.mesh).remarks(), *said]
 
     def _verdict(self) -> dict[str, Any]:
         """How many parts pass, and why the others do not."""

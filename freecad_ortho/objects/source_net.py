@@ -249,7 +249,7 @@ def require_inputs(
     faces: Sequence[tuple[FreeCAD.DocumentObject, str]],
 ) -> None:
     """Raise InputError unless a source is given what it needs."""
-    wanted = {"net": 1, "nets": 2}.get(entry.needs, 0)
+    wanted = 1 if entry.needs in ("net", "nets") else 0
     if len(nets) < wanted or (entry.needs != "nets" and len(nets) > wanted):
         raise InputError(
             f"{entry.name}: expected {wanted or 'no'} net{'s' * (wanted != 1)}"

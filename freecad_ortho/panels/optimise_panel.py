@@ -174,7 +174,8 @@ class OptimisePanel:
             outcome = self.run.optimisation.outcome()
             # The best shape of all attempts, not always the last one.
             self.net.ViewObject.Proxy.show_vertices(outcome.mesh.vertices)
-            self._say("\n".join([outcome.report.message, *_how_far(outcome.report)]))
+            report = outcome.report
+            self._say("\n".join([report.message, *_how_far(report), *report.remarks]))
         else:
             self._say(error)
         self._show_state()

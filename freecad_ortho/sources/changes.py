@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
+
 from freecad_ortho.option import Option
 from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
@@ -71,10 +73,9 @@ def _moved(mesh: QuadMesh, **options: Any) -> QuadMesh:
 
 
 def _welded(meshes: Sequence[QuadMesh], tolerance: float) -> Made:
-    whole = max(mirror.size_of(mesh.vertices) for mesh in meshes)
+    whole = mirror.size_of(np.concatenate([mesh.vertices for mesh in meshes]))
     mesh = mirror.welded(meshes, max(tolerance / whole, mirror.SAME_PLACE))
-    parts = int(mesh.connectivity.components.max()) + 1
-    return Made(mesh, (f"{parts} separate parts",) if parts > 1 else ())
+    return Made(mesh, tuple(mirror.weld_remarks(meshes, mesh)))
 
 
 def _offset(meshes: Sequence[QuadMesh], distance: float, kind: str) -> Made:
@@ -206,8 +207,8 @@ CHANGES = (
     ),
     Source(
         "weld",
-        "Several nets joined into one where their borders meet",
-        (Option("tolerance", 0.001, "length", "Merge vertices nearer than this"),),
+        "Nets joined into one where borders meet, also within one net",
+        (Option("tolerance", 1.0, "length", "Merge vertices nearer than this"),),
         _welded,
         "nets",
     ),

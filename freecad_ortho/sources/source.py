@@ -35,7 +35,7 @@ class Source:
         meaning: one sentence.
         options: what it asks for, in the order of a form.
         build: from the options by name (and ``meshes`` or ``patches``) to the net.
-        needs: ``""``, ``net`` (one), ``nets`` (several) or ``faces`` (of CAD shapes).
+        needs: ``""``, ``net`` (one), ``nets`` (one or more) or ``faces`` (of CAD shapes).
     """
 
     name: str

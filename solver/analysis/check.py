@@ -15,6 +15,7 @@ from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.grid import grid_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.seams import seams
 from solver.multinet.inverse import multi_net_residual_of
 
 # Name, function, and what one value belongs to.
@@ -42,7 +43,8 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         Plain numbers for JSON: counts, ``measures`` with ``max``, ``mean`` and ``worst`` (the
         number of the face, edge or star centre) each, ``edge_ratio``, ``flipped_faces``, ``size``
         (lengths of the bounding box) and ``mean_edge`` in the mesh's unit, ``advice`` on which
-        net to optimise for, and ``multi_net``, None where the mesh is not of grid type.
+        net to optimise for, ``multi_net``, None where the mesh is not of grid type, and
+        ``remarks`` on where it meets itself without being joined.
     """
     net = mesh.connectivity
     used = mesh.vertices[net.referenced]
@@ -62,6 +64,7 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         "advice": advice_as_dict(mesh, values),
         "measures": {name: _entry(mesh, values[name], where) for name, _, where in MEASURES},
         "multi_net": _multi_net(mesh),
+        "remarks": seams(mesh).remarks(),
     }
 
 

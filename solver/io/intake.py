@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.io.orientation import oriented
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.seams import seams
 
 # A face whose area vector is below this part of its squared diagonals has no direction.
 _ZERO_AREA = 1e-12
@@ -39,11 +39,11 @@ def quad_mesh(
     Raises:
         InputError: faces that are not quads, bad numbers, non-manifold or non-orientable edges.
     """
-    faces = _quads(polygons, len(vertices), lines)
+    remarks: list[str] = []
+    faces = _quads(polygons, len(vertices), lines, remarks)
     _refuse_wild_numbers(vertices)
     Connectivity.check_corners(faces, len(vertices))
-    _refuse_double_faces(faces)
-    remarks: list[str] = []
+    faces = _without_doubles(faces, remarks)
     faces = oriented(vertices, faces, remarks)
     mesh = QuadMesh(vertices, Connectivity(faces, len(vertices)))
     refuse_empty_faces(mesh)
@@ -56,48 +56,73 @@ def quad_mesh(
         )
     parts = int(mesh.connectivity.components.max()) + 1
     if parts > 1:
-        remark = f"{parts} separate components; each is treated on its own"
-        together = _together(mesh)
-        if together:
-            remark += f"; {together} vertices lie where another does: merge them with 'weld'"
-        remarks.append(remark)
-    return mesh, remarks
+        remarks.append(f"{parts} separate components; each is treated on its own")
+    return mesh, [*remarks, *seams(mesh).remarks()]
 
 
-def _together(mesh: QuadMesh) -> int:
-    """How many vertices have another at the same place."""
-    points = mesh.vertices[mesh.connectivity.referenced]
-    size = np.linalg.norm(points.max(axis=0) - points.min(axis=0))
-    apart = cKDTree(points).query(points, k=2)[0][:, 1]
-    return int((apart <= SAME_PLACE * size).sum())
-
-
-def _quads(polygons: Sequence[Sequence[int]], vertex_count: int, lines: Sequence[int]) -> IntArray:
+def _quads(
+    polygons: Sequence[Sequence[int]],
+    vertex_count: int,
+    lines: Sequence[int],
+    remarks: list[str],
+) -> IntArray:
     if not len(polygons):
         raise InputError("faces: expected at least one, got none; export the mesh's faces")
+    given, polygons = polygons, [_without_repeats(polygon) for polygon in polygons]
+    _refuse_other_sizes(given, polygons, lines)
+    repeats = [k for k, polygon in enumerate(given) if len(polygon) > 4]
+    if repeats:
+        remarks.append(
+            f"{len(repeats)} faces name a corner twice in a row (first: face {repeats[0]}); read "
+            "as quads"
+        )
+    refuse_missing_vertices(polygons, vertex_count, lines)
+    return np.array(polygons, dtype=np.int64).reshape(-1, 4)
+
+
+def _refuse_other_sizes(
+    given: Sequence[Sequence[int]], polygons: Sequence[Sequence[int]], lines: Sequence[int]
+) -> None:
+    """Refuse faces that are no quads once no corner is repeated."""
     sizes = np.array([len(polygon) for polygon in polygons])
     wrong = np.flatnonzero(sizes != 4)
-    if len(wrong):
-        triangles = int((sizes == 3).sum())
-        larger = int((sizes > 4).sum())
-        first = int(wrong[0])
-        counts = [f"{triangles} triangle{'s' * (triangles > 1)}"] * (triangles > 0)
-        counts += [f"{larger} face{'s' * (larger > 1)} with more than 4 corners"] * (larger > 0)
-        counts += ["faces with fewer than 3 corners"] * bool((sizes < 3).any())
-        raise InputError(
-            f"faces: expected 4 vertices a face, found {' and '.join(counts)} among "
-            f"{len(sizes)}; face {first}{_line(lines, first)} has {sizes[first]}; make quads of "
-            "them first ('quads', in FreeCAD 'Quads from triangles')"
-        )
-    highest = max(max(polygon) for polygon in polygons)
-    if highest >= vertex_count:
-        face = next(k for k, polygon in enumerate(polygons) if max(polygon) >= vertex_count)
-        shown = str(highest) if highest < 10**12 else "with a far too large number"
-        raise InputError(
-            f"faces: face {face}{_line(lines, face)} names vertex {shown}, but vertices are "
-            f"numbered 0 to {vertex_count - 1}; mend the face or add the vertices"
-        )
-    return np.array(polygons, dtype=np.int64).reshape(-1, 4)
+    if not len(wrong):
+        return
+    triangles, larger, first = int((sizes == 3).sum()), int((sizes > 4).sum()), int(wrong[0])
+    counts = [f"{triangles} triangle{'s' * (triangles > 1)}"] * (triangles > 0)
+    counts += [f"{larger} face{'s' * (larger > 1)} with more than 4 corners"] * (larger > 0)
+    counts += ["faces with fewer than 3 corners"] * bool((sizes < 3).any())
+    twice = ", one of them named twice" if len(given[first]) > len(polygons[first]) else ""
+    raise InputError(
+        f"faces: expected 4 vertices a face, found {' and '.join(counts)} among {len(sizes)}; face "
+        f"{first}{_line(lines, first)} has {sizes[first]}{twice}; make quads of them first "
+        "('quads', in FreeCAD 'Quads from triangles')"
+    )
+
+
+def _without_repeats(polygon: Sequence[int]) -> Sequence[int]:
+    """Corners without those that are the same as the one before."""
+    if len(set(polygon)) == len(polygon):
+        return polygon
+    return [corner for k, corner in enumerate(polygon) if corner != polygon[k - 1]]
+
+
+def refuse_missing_vertices(
+    polygons: Sequence[Sequence[int]], vertex_count: int, lines: Sequence[int] = ()
+) -> None:
+    """Refuse faces that name vertices which do not exist.
+
+    Raises:
+        InputError: naming the first.
+    """
+    for face, polygon in enumerate(polygons):
+        for corner in polygon:
+            if not 0 <= corner < vertex_count:
+                shown = str(corner) if abs(corner) < 10**12 else "with a far too large number"
+                raise InputError(
+                    f"faces: face {face}{_line(lines, face)} names vertex {shown}, but vertices "
+                    f"are numbered 0 to {vertex_count - 1}; mend the face or add the vertices"
+                )
 
 
 def _line(lines: Sequence[int], face: int) -> str:
@@ -118,15 +143,24 @@ def _refuse_wild_numbers(vertices: FloatArray) -> None:
         )
 
 
-def _refuse_double_faces(faces: IntArray) -> None:
-    _, first, counts = np.unique(
-        np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True
-    )
-    if (counts > 1).any():
-        raise InputError(
-            f"faces: {int((counts > 1).sum())} have the same four corners as another, the first is "
-            f"face {int(first[counts > 1].min())}; delete the doubles"
+def _without_doubles(faces: IntArray, remarks: list[str]) -> IntArray:
+    """Faces without those that have the corners of an earlier one, in the same or reverse order."""
+    least = np.argmin(faces, axis=1)[:, None]
+    turned = np.take_along_axis(faces, (least + np.arange(4)) % 4, axis=1)
+    other = turned[:, [0, 3, 2, 1]]
+    rows = np.where((turned[:, 1] < turned[:, 3])[:, None], turned, other)
+    first = np.sort(np.unique(rows, axis=0, return_index=True)[1])
+    count = len(faces) - len(first)
+    if count:
+        double = int(np.setdiff1d(np.arange(len(faces)), first)[0])
+        remarks.append(
+            f"{count} faces have the corners of another (first: face {double}); left out, the "
+            "others are numbered without them"
+            if count > 1
+            else f"face {double} has the corners of another; left out, the others are numbered "
+            "without it"
         )
+    return faces[first]
 
 
 def refuse_empty_faces(mesh: QuadMesh) -> None:

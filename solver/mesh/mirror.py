@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.io.intake import SAME_PLACE as SAME_PLACE
@@ -14,6 +13,7 @@ from solver.io.intake import quad_mesh
 from solver.mesh.grid import grid_mesh, grid_of
 from solver.mesh.merge import merged
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.seams import MEETING, meeting, seams
 
 
 def size_of(vertices: FloatArray) -> float:
@@ -77,27 +77,36 @@ def reflection(mesh: QuadMesh, normal: ArrayLike, point: ArrayLike = (0, 0, 0)) 
     return QuadMesh.from_arrays(image, mesh.faces[:, [1, 0, 3, 2]])
 
 
-def welded(patches: Sequence[QuadMesh], tolerance: float = SAME_PLACE) -> QuadMesh:
+def welded(patches: Sequence[QuadMesh], tolerance: float = MEETING) -> QuadMesh:
     """One mesh of several patches, vertices at the same place merged, orientation made consistent.
 
     Vertices keep the order in which the patches are given; a merged vertex stays at the place and
-    number of its first copy. Where other than four faces meet there is an irregular vertex.
+    number of its first copy. Where other than four faces meet there is an irregular vertex. No
+    vertex is merged with one as far away as half the shortest edge at either.
 
     Args:
-        patches: at least one mesh.
+        patches: at least one mesh, which may be joined with itself.
         tolerance: merge distance as a part of the size of the whole.
 
     Raises:
-        InputError: no patch, a face that collapses, or edges with more than two faces.
+        InputError: no patch, or edges with more than two faces.
     """
     if not patches:
         raise InputError("weld: expected at least one patch, got none")
     vertices = np.concatenate([patch.vertices for patch in patches])
     offsets = np.cumsum([0] + [len(patch.vertices) for patch in patches[:-1]])
     faces = np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=True)])
-    pairs = cKDTree(vertices).query_pairs(tolerance * size_of(vertices), output_type="ndarray")
-    kept, number = merged(pairs, len(vertices))
+    kept, number = merged(meeting(vertices, faces, tolerance), len(vertices))
     return quad_mesh(vertices[kept], number[faces].tolist())[0]
+
+
+def weld_remarks(patches: Sequence[QuadMesh], whole: QuadMesh) -> list[str]:
+    """What is to be said about a mesh made of patches by :func:`welded`, in plain words."""
+    count = sum(len(patch.vertices) for patch in patches) - len(whole.vertices)
+    parts = int(whole.connectivity.components.max()) + 1
+    said = [f"{count} vertices merged" if count != 1 else "1 vertex merged"]
+    said += [f"{parts} separate components"] if parts > 1 else []
+    return [*said, *seams(whole).remarks()]
 
 
 def reversed_orientation(mesh: QuadMesh) -> QuadMesh:

@@ -71,7 +71,7 @@ class TestPrimitives(SourceCase):
             lambda: api.change_source(net, length="wide"),
             lambda: api.change_net(net, "mirror"),
             lambda: api.change_net(net, "sphere"),
-            lambda: api.weld_nets([net]),
+            lambda: api.weld_nets([]),
             lambda: api.form_net(net, supports="0,1000"),
             lambda: api.form_net(net, lift="40:100"),
             lambda: api.net_from_faces(net),

@@ -57,16 +57,21 @@ def test_components_and_loose_vertices_are_kept_and_said():
         (lambda p, f: (p, [*f, [0, 1, 4]]), "1 triangle among 5; face 4 has 3"),
         (lambda p, f: (p, [*f, [0, 1, 2, 5, 4]]), "1 face with more than 4 corners"),
         (lambda p, f: (p, [*f, [0, 1, 2, 77]]), "numbered 0 to 8"),
-        (lambda p, f: (p, [*f, [0, 1, 1, 2]]), "repeat a vertex, the first is face 4"),
+        (
+            lambda p, f: (p, [*f, [0, 1, 1, 2]]),
+            "1 triangle among 5; face 4 has 3, one of them named",
+        ),
         (lambda p, f: (np.where(p == 2, np.nan, p), f), "NaN or infinite"),
         (lambda p, f: (p @ [[1, 0, 0], [0.3, 0, 0], [0, 0, 1]], f), "no area, the first is face 0"),
         (lambda p, f: (p * [1, 0, 1], f), "have no length, the first is edge 0 - 1"),
         (lambda p, f: (p, [*f, [0, 1, 2, 10**20]]), "far too large number"),
         (lambda p, f: (p * 1e200, f), "beyond 1e\\+100"),
-        (
-            lambda p, f: (p, [*f, *f]),
-            "4 have the same four corners as another, the first is face 0",
-        ),
+        (lambda p, f: (p, [*f, [0, 1, 4, 4]]), "face 4 has 3, one of them named twice; make quads"),
+        (lambda p, f: (p, [*f, [0, 0, 4, 4]]), "fewer than 3 corners among 5; face 4 has 2"),
+        (lambda p, f: (p, [*f, [0, 1, 0, 4]]), "repeat a vertex, the first is face 4"),
+        (lambda p, f: (p, [*f, [0, 1, 2, -1]]), "face 4 names vertex -1, but vertices are"),
+        (lambda p, f: (p, [*f, [0, 1, 2, -(10**20)]]), "far too large number"),
+        (lambda p, f: (p, [*f, [0, 4, 1, 3]]), "more than two faces"),
         (lambda p, f: (np.vstack([p, p + 0.7]), [*f, [1, 4, 13, 10]]), "more than two faces"),
     ],
 )
@@ -215,11 +220,32 @@ def test_loose_quads_are_told_of_weld():
     points, faces = flat_grid(4, 5)
     corners = points[np.array(faces)].reshape(-1, 3)
     loose = np.arange(len(corners)).reshape(-1, 4).tolist()
-    (remark,) = quad_mesh(corners, loose)[1]
+    components, remark = quad_mesh(corners, loose)[1]
+    assert components == "12 separate components; each is treated on its own"
     # All but the four corners of the grid are there more than once.
-    assert f"{len(corners) - 4} vertices lie where another does: merge them with 'weld'" in remark
+    assert remark.startswith(f"{len(corners) - 4} border vertices lie where another does")
+    assert "'weld --tolerance 2e-09'" in remark
     apart = quad_mesh(np.vstack([points, points + 9]), faces + (np.array(faces) + 20).tolist())[1]
-    assert "weld" not in apart[0]
+    assert len(apart) == 1 and "weld" not in apart[0]
+
+
+def test_doubled_faces_are_left_out_and_said():
+    points, faces = flat_grid(4, 4)
+    mesh, remarks = quad_mesh(points, [*faces, faces[3][::-1], faces[5][2:] + faces[5][:2]])
+    assert mesh.faces.tolist() == faces
+    assert remarks == [
+        "2 faces have the corners of another (first: face 9); left out, the others are numbered "
+        "without them"
+    ]
+    _, remarks = quad_mesh(points, [faces[0], *faces])
+    assert remarks[0].startswith("face 1 has the corners of another")
+
+
+def test_a_quad_written_with_five_corners_is_read_and_said():
+    points, faces = flat_grid()
+    mesh, remarks = quad_mesh(points, [[face[0], *face] for face in faces[:2]] + faces[2:])
+    assert mesh.faces.tolist() == faces
+    assert remarks == ["2 faces name a corner twice in a row (first: face 0); read as quads"]
 
 
 @pytest.mark.parametrize(
