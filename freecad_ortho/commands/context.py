@@ -62,7 +62,7 @@ def selected_nets_and_structures() -> list[FreeCAD.DocumentObject]:
 
 
 def run(function: str, *arguments: Any, **settings: Any) -> None:
-    """Run a function of freecad_ortho.api so that it is recorded in macros as one line.
+    """Run a function of freecad_ortho.api so that macros record it, with all that it needs.
 
     Args:
         function: its name.
@@ -72,8 +72,9 @@ def run(function: str, *arguments: Any, **settings: Any) -> None:
     """
     words = [_source(value) for value in arguments]
     words += [f"{name}={_source(value)}" for name, value in settings.items()]
-    FreeCADGui.addModule("freecad_ortho.api")
-    FreeCADGui.doCommand(f"freecad_ortho.api.{function}({', '.join(words)})")
+    # FreeCAD's addModule records an import once a session: a macro begun later would lack it.
+    line = f"freecad_ortho.api.{function}({', '.join(words)})"
+    FreeCADGui.doCommand(f"import freecad_ortho.api\n{line}")
 
 
 def _net_of(feature: Any) -> FreeCAD.DocumentObject | None:

@@ -8,6 +8,8 @@ import FreeCADGui
 from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command, NetCommand
 from freecad_ortho.objects import outdated
+from freecad_ortho.objects.net import is_net
+from solver.errors import InputError
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -115,6 +117,19 @@ class UpdateStructures(Command):
     def Activated(self) -> None:
         """Build them."""
         update_waiting()
+
+
+def edit_structure(structure: FreeCAD.DocumentObject) -> None:
+    """Open the panel with the settings of a structure."""
+    if FreeCADGui.Control.activeDialog():
+        messages.show_status(FreeCAD.Qt.translate("Ortho", "Close the open task panel first."))
+        return
+    from freecad_ortho.panels.structure_edit_panel import StructureEditPanel
+
+    with messages.errors_shown():
+        if not is_net(structure.Net):
+            raise InputError(f"{structure.Label}: stands on no net; set its property 'Net' first")
+        FreeCADGui.Control.showDialog(StructureEditPanel(structure))
 
 
 def update_waiting() -> None:

@@ -35,6 +35,7 @@ from freecad_ortho.documents.structures import (
     add_beams,
     add_panels,
     add_structure,
+    change_structure,
     export_fabrication,
     update_structures,
 )
@@ -52,6 +53,7 @@ __all__ = [
     "bake",
     "change_net",
     "change_source",
+    "change_structure",
     "drag_net",
     "dragging",
     "export_fabrication",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,12 +23,21 @@ from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, flat_patterns, outdated
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.objects.system_properties import options_of
+from freecad_ortho.objects.system_properties import options_of, property_values, values
 from solver.errors import InputError
 
 if TYPE_CHECKING:
     Length = float | str | FreeCAD.Units.Quantity
     Progress = Callable[[float, str], None]
+
+# Settings that every system has -> the property and its value for one.
+_COMMON: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "beams": ("OnBeams", lambda beams: beams),
+    "family": ("Family", str.capitalize),
+    "lines": ("Lines", list),
+    "material": ("Material", str.capitalize),
+    "density": ("Density", float),
+}
 
 
 def add_structure(
@@ -63,30 +72,99 @@ def add_structure(
     require_net(net)
     if system not in SYSTEMS:
         raise InputError(f"system: expected one of {', '.join(SYSTEMS)}, got '{system}'")
-    Selection(family, tuple(lines) or None)
-    thickness = known_material(material, density or None).thickness
-    own = {} if thickness is None else {"thickness": thickness}
-    properties = _option_properties(system, own | sizes)
+    common = {"beams": beams, "family": family, "lines": lines, "material": material}
+    properties = _properties(system, {**common, "density": density, **sizes})
     title = next(title for title, name in structure_object.TITLES.items() if name == system)
     document = net.Document
     with transaction(document, FreeCAD.Qt.translate("Ortho", title)):
-        feature = structure_object.create(
-            document,
-            title,
-            Net=net,
-            OnBeams=beams,
-            Family=family.capitalize(),
-            Lines=list(lines),
-            Material=material.capitalize(),
-            Density=density,
-            **properties,
-        )
+        feature = structure_object.create(document, title, Net=net, **properties)
         with removed_on_failure(feature), progress(FreeCAD.Qt.translate("Ortho", title)) as say:
             structure_object.rebuild(feature, say)
         feature.purgeTouched()
         # As Part does with what a shape is made of: otherwise both are drawn into each other.
         net.Visibility = False
     return feature
+
+
+def change_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
+    """Give a Structure other settings and build it anew; what stands on it follows.
+
+    Args:
+        target: the Structure.
+        settings: as for :func:`add_structure`; what is not given stays, and None stands for what
+            a setting is without being given.
+
+    Raises:
+        InputError: not a structure, an unknown setting, or sizes that do not fit the mesh; the
+            structure is unchanged.
+        OrthoError: Esc was pressed; the structure is unchanged.
+    """
+    document = _document_of(target)
+    with _unmarked_on_failure(target), transaction(document, _change_title(target)):
+        _change(target, settings)
+
+
+def try_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
+    """Do as :func:`change_structure` in an undo step that stays open: to be committed or aborted.
+
+    Raises:
+        OrthoError: as there; a step that was not open before is not open after it.
+    """
+    document = _document_of(target)
+    before = document.HasPendingTransaction
+    if not before:
+        document.openTransaction(_change_title(target))
+    with _unmarked_on_failure(target):
+        try:
+            _change(target, settings)
+        except BaseException:
+            if not before:
+                document.abortTransaction()
+            raise
+
+
+@contextmanager
+def _unmarked_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
+    """Putting properties back marks an object as changed; that is no more than it was before."""
+    marked = target.State != ["Up-to-date"]
+    try:
+        yield
+    except BaseException:
+        if not marked:
+            target.purgeTouched()
+        raise
+
+
+def _document_of(target: FreeCAD.DocumentObject) -> FreeCAD.Document:
+    if not structure_object.is_structure(target):
+        label = getattr(target, "Label", target)
+        raise InputError(f"structure: {label} is none; add beams or panels to a net, for one")
+    return target.Document
+
+
+def _change_title(target: FreeCAD.DocumentObject) -> str:
+    return FreeCAD.Qt.translate("Ortho", "Change {}").format(target.Label)
+
+
+def _change(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
+    system = structure_object.TITLES[target.System]
+    properties = _properties(system, settings, values(target, system))
+    before = {name: getattr(target, name) for name in properties}
+    try:
+        for name, value in properties.items():
+            setattr(target, name, value)
+        if target.BuiltFrom != build.recipe([target]):
+            with progress(_change_title(target)) as say:
+                structure_object.rebuild(target, say)
+    except BaseException:
+        for name, value in before.items():
+            setattr(target, name, value)
+        raise
+    # It is built; what stands on it is still to follow.
+    target.purgeTouched()
+    for item in target.InList:
+        item.touch()
+    target.Document.recompute()
 
 
 def add_beams(
@@ -231,8 +309,33 @@ def _one_stock(features: Sequence[Any], wanted: float | None) -> Iterator[float 
         document.recompute()
 
 
-def _option_properties(system: str, sizes: dict[str, Any]) -> dict[str, Any]:
-    """Values of the properties of a system's options, checked as far as the net does not matter."""
+def _properties(
+    system: str, settings: Mapping[str, Any], present: Mapping[str, Any] | None = None
+) -> dict[str, Any]:
+    """Values of a structure's properties, checked as far as the net does not matter.
+
+    Args:
+        system: its system.
+        settings: what is given, by the words of :func:`add_structure`.
+        present: values of the system's options that those not given have; without it the defaults.
+    """
+    sizes = {word: value for word, value in settings.items() if word not in _COMMON}
+    if "lines" in settings or "family" in settings:
+        Selection(settings.get("family", "both"), tuple(settings.get("lines", ())) or None)
+    if "material" in settings or "density" in settings:
+        chosen = known_material(settings.get("material", "steel"), settings.get("density") or None)
+        if "material" in settings and chosen.thickness is not None:
+            sizes = {"thickness": chosen.thickness, **sizes}
+    properties = _option_properties(system, sizes, present or {})
+    for word, (name, write) in _COMMON.items():
+        if word in settings:
+            properties[name] = write(settings[word])
+    return properties
+
+
+def _option_properties(
+    system: str, sizes: Mapping[str, Any], present: Mapping[str, Any]
+) -> dict[str, Any]:
     options = {option.name: option for option in options_of(system)}
     for name in sizes:
         if name not in options:
@@ -240,12 +343,15 @@ def _option_properties(system: str, sizes: dict[str, Any]) -> dict[str, Any]:
                 f"{name}: {system} have no such setting; there are {', '.join(options)}"
             )
     given = {
-        name: convert.millimetres(value, name) if options[name].kind == "length" else value
+        name: convert.millimetres(value, name)
+        if options[name].kind == "length" and value is not None
+        else value
         for name, value in sizes.items()
     }
     defaults = {option.name: option.default for option in SYSTEMS[system].options}
-    SYSTEMS[system].of(defaults | given)
+    SYSTEMS[system].of({**defaults, **present, **given})
     return {
-        options[name].parts[0]: value.capitalize() if options[name].choices else value
-        for name, value in given.items()
+        part: value
+        for name, each in given.items()
+        for part, value in property_values(options[name], each).items()
     }

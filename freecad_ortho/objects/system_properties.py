@@ -40,6 +40,14 @@ def values(feature: FreeCAD.DocumentObject, system: str) -> dict[str, Any]:
     return {option.name: _value(feature, option) for option in options_of(system)}
 
 
+def property_values(option: Option, value: Any) -> dict[str, Any]:
+    """Values of the properties of an option; None is written as what stands for it, 0 or empty."""
+    if value is None:
+        value = "" if option.kind in ("choice", "text") else 0
+    (part,) = option.parts
+    return {part: value.capitalize() if option.choices else value}
+
+
 def system_of(feature: FreeCAD.DocumentObject, system: str) -> System:
     """The system with the settings that a structure has.
 

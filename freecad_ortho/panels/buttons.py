@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from PySide import QtGui
 
 
-def close_only() -> int:
-    """Give the number of the one button Close; Qt 6 has it as an enumeration's value."""
-    button = QtGui.QDialogButtonBox.Close
+def number(button: Any) -> int:
+    """Give the number of a standard button; Qt 6 has it as an enumeration's value."""
     return int(getattr(button, "value", button))
+
+
+def close_only() -> int:
+    """Give the number of the one button Close."""
+    return number(QtGui.QDialogButtonBox.Close)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from solver.errors import InputError
 
@@ -24,6 +24,35 @@ def form_rows(parent: QtGui.QWidget | None = None) -> QtGui.QFormLayout:
 def leave_room(box: QtGui.QComboBox) -> None:
     """Make a list of words as wide as its longest word, as far as the task panel allows."""
     box.setMinimumWidth(min(max(box.sizeHint().width(), NARROW), _BROAD))
+
+
+class _Elided(QtGui.QLabel):
+    """A text of the user's that may be long: it ends in dots where the room does."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.setToolTip(text)
+
+    def minimumSizeHint(self) -> QtCore.QSize:
+        """No wider than anything else in a task panel; Qt asks for it."""
+        return QtCore.QSize(NARROW, super().minimumSizeHint().height())
+
+    def sizeHint(self) -> QtCore.QSize:
+        """As wide as the text, as far as the task panel allows; Qt asks for it."""
+        hint = super().sizeHint()
+        return QtCore.QSize(min(hint.width(), _BROAD), hint.height())
+
+    def paintEvent(self, event: object) -> None:
+        """Draw as much of the text as there is room for; Qt calls this."""
+        painter = QtGui.QPainter(self)
+        room = self.fontMetrics().elidedText(self.text(), QtCore.Qt.ElideRight, self.width())
+        painter.drawText(self.rect(), QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, room)
+        painter.end()
+
+
+def elided(text: str) -> QtGui.QLabel:
+    """Give a label for a name that the user chose, which may be longer than a panel is wide."""
+    return _Elided(text)
 
 
 class LengthField:

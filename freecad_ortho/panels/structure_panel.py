@@ -11,7 +11,7 @@ from freecad_ortho import preferences
 from freecad_ortho.commands import context, messages
 from freecad_ortho.fabrication import MATERIALS
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.objects.system_properties import options_of
+from freecad_ortho.objects.system_properties import options_of, values
 from freecad_ortho.option import NUMBERS, Option
 from freecad_ortho.panels.fields import (
     ChoiceField,
@@ -19,6 +19,7 @@ from freecad_ortho.panels.fields import (
     NumberField,
     SwitchField,
     TextField,
+    elided,
     form_rows,
     leave_room,
 )
@@ -39,27 +40,46 @@ _PREFERRED = {
 # Units that a field does not show by itself.
 _UNITS = {"angle": "°", "percent": "%"}
 
+# Settings of every system that a structure has without being told.
+_COMMON: dict[str, Any] = {"beams": None, "family": "both", "lines": [], "material": "steel"}
+
 Field = LengthField | ChoiceField | NumberField | SwitchField | TextField
 
 
 class StructurePanel(WorkPanel):
     """One field an option of the system; OK makes the structure.
 
+    Args:
+        net: what it stands on.
+        system: name of the system.
+        title: of the panel.
+        edited: a structure to change instead of making one.
+
     Attributes:
         fields: by the option's name.
     """
 
-    def __init__(self, net: FreeCAD.DocumentObject, system: str, title: str) -> None:
+    def __init__(
+        self,
+        net: FreeCAD.DocumentObject,
+        system: str,
+        title: str,
+        edited: FreeCAD.DocumentObject | None = None,
+    ) -> None:
         self._document, self._net, self._system = net.Document.Name, net.Name, system
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title)
         self.form.setWindowIcon(QtGui.QIcon(icon(system)))
         self._rows = form_rows(self.form)
-        self._rows.addRow(translate("Ortho", "Net"), QtGui.QLabel(net.Label))
+        self._rows.addRow(translate("Ortho", "Net"), elided(net.Label))
         self.fields = {option.name: _field(system, option) for option in options_of(system)}
         for option in options_of(system):
             self._add_row(option)
         self._add_common_fields(net)
+        # Without one: what a structure has of which nothing is said.
+        self._before = dict(_COMMON) | {item.name: item.default for item in options_of(system)}
+        if edited is not None:
+            self._take_over(edited)
 
     @property
     def net(self) -> FreeCAD.DocumentObject | None:
@@ -80,25 +100,40 @@ class StructurePanel(WorkPanel):
         return True
 
     def settings(self) -> dict[str, Any]:
-        """What was chosen, as ``freecad_ortho.api.add_structure`` takes it; no defaults.
+        """What was chosen, as ``freecad_ortho.api.add_structure`` takes it; only what is new.
 
         Raises:
             InputError: a field does not hold a number.
         """
-        settings: dict[str, Any] = {}
-        for option in options_of(self._system):
-            value = _value(self.fields[option.name])
-            if value != option.default:
-                settings[option.name] = value
-        if self.on_beams is not None and self.on_beams.currentIndex() > 0:
-            settings["beams"] = self._beams[self.on_beams.currentIndex() - 1]
-        if self.family.word != "both":
-            settings["family"] = self.family.word
-        if self.lines.text:
-            settings["lines"] = _numbers(self.lines.text)
-        if self.material.word != "steel":
-            settings["material"] = self.material.word
-        return settings
+        chosen = self._chosen()
+        return {word: chosen[word] for word in chosen if chosen[word] != self._before[word]}
+
+    def _chosen(self) -> dict[str, Any]:
+        """All that the fields say."""
+        chosen = {option.name: _value(self.fields[option.name]) for option in self._options}
+        if self.on_beams is not None:
+            chosen["beams"] = [None, *self._beams][self.on_beams.currentIndex()]
+        chosen["family"] = self.family.word
+        chosen["lines"] = _numbers(self.lines.text)
+        chosen["material"] = self.material.word
+        return chosen
+
+    @property
+    def _options(self) -> tuple[Option, ...]:
+        return options_of(self._system)
+
+    def _take_over(self, edited: FreeCAD.DocumentObject) -> None:
+        """Show what a structure has, and take it for what is there already."""
+        for name, value in values(edited, self._system).items():
+            _show(self.fields[name], value)
+        if self.on_beams is not None and edited.OnBeams in self._beams:
+            self.on_beams.setCurrentIndex(self._beams.index(edited.OnBeams) + 1)
+        elif self.on_beams is not None:
+            self.on_beams.setCurrentIndex(0)
+        self.family.choose(edited.Family.lower())
+        self.lines.widget.setText(", ".join(map(str, edited.Lines)))
+        self.material.choose(edited.Material.lower())
+        self._before = self._chosen()
 
     def _add_row(self, option: Option) -> None:
         field, words = self.fields[option.name], translate("Ortho", option.label)
@@ -158,6 +193,20 @@ def _value(field: Field) -> Any:
     if isinstance(field, NumberField):
         return field.number
     return field.checked if isinstance(field, SwitchField) else field.text or None
+
+
+def _show(field: Field, value: Any) -> None:
+    """The other way: let a field show a value."""
+    if isinstance(field, LengthField):
+        field.millimetres = value or 0.0
+    elif isinstance(field, ChoiceField):
+        field.choose(value)
+    elif isinstance(field, SwitchField):
+        field.widget.setChecked(value)
+    elif isinstance(field, NumberField):
+        field.widget.setText("" if value is None else f"{value:g}")
+    else:
+        field.widget.setText(value or "")
 
 
 def _numbers(text: str) -> list[int]:

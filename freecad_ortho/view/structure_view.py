@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
+from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.objects.properties import Property, Stateless, ensure
@@ -69,6 +70,19 @@ class StructureView(Stateless):
     def getIcon(self) -> str:
         """Icon in the tree: the same picture as on the command."""
         return icon(self.Object.System.lower())
+
+    def doubleClicked(self, view_object: Any) -> bool:
+        """Open the settings of the structure."""
+        from freecad_ortho.commands.structures import edit_structure
+
+        edit_structure(view_object.Object)
+        return True
+
+    def setupContextMenu(self, view_object: Any, menu: Any) -> None:
+        """Offer the settings in the tree."""
+        action = QtGui.QAction(FreeCAD.Qt.translate("Ortho", "Edit settings"), menu)
+        action.triggered.connect(lambda: self.doubleClicked(view_object))
+        menu.addAction(action)
 
     def _colour(self) -> None:
         """Give every face the colour of its part's verdict, or all the same again."""

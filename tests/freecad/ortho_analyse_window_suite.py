@@ -59,7 +59,7 @@ class TestDisplay(AnalyseCase):
         self.assertEqual(len(lines), 1)
         self.net.ColourMap = "None"
         self.net.ViewObject.Diagonals = False
-        exec(lines[0], {"freecad_ortho": __import__("freecad_ortho.api"), "FreeCAD": FreeCAD})
+        exec(lines[0], {"FreeCAD": FreeCAD})
         self.assertEqual(self.net.ColourMap, "Edge length")
         self.assertTrue(self.net.ViewObject.Diagonals)
 

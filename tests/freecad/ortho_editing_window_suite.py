@@ -116,7 +116,7 @@ class TestDragging(EditingCase):
         self.assertFalse(beams.Outdated)
         self.assertNotEqual(beams.Shape.Volume, volume)
         self.assertEqual(net.Document.UndoCount, steps + 1)
-        self.assertEqual(self.lines[-1], "freecad_ortho.api.update_structures()")
+        self.assertTrue(self.lines[-1].endswith("freecad_ortho.api.update_structures()"))
         self.assertFalse(FreeCADGui.isCommandActive("Ortho_UpdateStructures"))
         self.assertEqual(self.errors, [])
 

@@ -12,7 +12,7 @@ from PySide import QtGui
 
 from freecad_ortho import api
 from freecad_ortho.commands import dialogs
-from freecad_ortho.panels import workshop_panels
+from freecad_ortho.panels import structure_edit_panel, workshop_panels
 
 LANGUAGES = ("English", "German", "French")
 # Lists at the top of these panels choose what fields there are.
@@ -57,6 +57,86 @@ class TestWidths(WindowCase):
         if FreeCADGui.Control.activeDialog():
             FreeCADGui.Control.closeDialog()
         wait(seconds=0.05)
+
+
+class TestSettings(WindowCase):
+    """A double click on a structure opens what it was made with."""
+
+    def setUp(self):
+        super().setUp()
+        self.net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(self.net)
+        self.document = self.net.Document
+        self.watch_panel(structure_edit_panel, "StructureEditPanel")
+
+    def opened(self, structure):
+        self.assertTrue(structure.ViewObject.Proxy.doubleClicked(structure.ViewObject))
+        wait()
+        return self.panel
+
+    def test_every_structure_opens_its_own_and_changes_nothing_by_ok(self):
+        beams = api.add_beams(self.net, height=150.0)
+        made = {
+            "beams": beams,
+            "panels": api.add_panels(self.net, beams=beams),
+            "nodes": api.add_structure(self.net, "nodes", beams=beams),
+            "lamellas": api.add_structure(self.net, "lamellas", family="u", lines=[0, 2]),
+            "louvres": api.add_structure(self.net, "louvres"),
+        }
+        steps, self.lines[:] = self.document.UndoCount, []
+        for system, structure in made.items():
+            before = [getattr(structure, name) for name in structure.PropertiesList]
+            panel = self.opened(structure)
+            self.assertEqual(panel._system, system)
+            self.assertEqual(panel.settings(), {}, system)
+            press("Ok")
+            after = [getattr(structure, name) for name in structure.PropertiesList]
+            for old, new in zip(before, after, strict=True):
+                if isinstance(old, (bool, int, float, str, list)):
+                    self.assertEqual(new, old)
+        self.assertEqual((self.document.UndoCount, self.lines, self.errors), (steps, [], []))
+
+    def test_apply_shows_cancel_restores_and_ok_is_one_step_that_replays(self):
+        beams = api.add_beams(self.net, height=150.0)
+        panels = api.add_panels(self.net, beams=beams)
+        volumes, steps = (beams.Shape.Volume, panels.Shape.Volume), self.document.UndoCount
+        self.assertEqual(self.opened(beams).fields["height"].millimetres, 150.0)
+        self.panel.fields["height"].millimetres = 300.0
+        press("Apply")
+        self.assertEqual(beams.Height.Value, 300.0)
+        self.assertGreater(beams.Shape.Volume, 1.9 * volumes[0])
+        press("Cancel")
+        self.assertEqual((beams.Height.Value, self.document.UndoCount), (150.0, steps))
+        self.assertEqual((beams.Shape.Volume, panels.Shape.Volume), volumes)
+        self.assertEqual({item.State[0] for item in (beams, panels)}, {"Up-to-date"})
+        self.opened(beams)
+        self.panel.fields["height"].millimetres = 300.0
+        press("Apply")
+        self.panel.fields["height"].millimetres = 150.0
+        self.panel.fields["thickness"].millimetres = 20.0
+        lifted = panels.Shape.BoundBox.ZMax
+        press("Ok")
+        self.assertEqual((beams.Height.Value, beams.Thickness.Value), (150.0, 20.0))
+        self.assertLess(panels.Shape.BoundBox.ZMax, lifted)
+        self.assertEqual((self.document.UndoCount, self.errors), (steps + 1, []))
+        changed = beams.Shape.Volume
+        self.document.undo()
+        self.assertEqual((beams.Shape.Volume, panels.Shape.Volume), volumes)
+        self.replay()
+        self.assertEqual(beams.Shape.Volume, changed)
+
+    def test_sizes_that_do_not_fit_are_said_and_leave_it_as_it_was(self):
+        beams = api.add_beams(self.net)
+        volume, steps = beams.Shape.Volume, self.document.UndoCount
+        self.opened(beams)
+        self.panel.fields["thickness"].millimetres = 1e5
+        for button in ("Apply", "Ok"):
+            press(button)
+            self.assertIn("thickness", self.errors.pop())
+            self.assertTrue(FreeCADGui.Control.activeDialog())
+        press("Cancel")
+        self.assertEqual((beams.Shape.Volume, beams.Thickness.Value), (volume, 12.0))
+        self.assertEqual((self.document.UndoCount, beams.State), (steps, ["Up-to-date"]))
 
 
 class TestStock(WindowCase):

@@ -49,7 +49,7 @@ class TestPanels(SourceWindowCase):
         self.assertIn("add_primitive('sphere'", line)
         points = tools.vertices(net).tobytes()
         self.document.undo()
-        exec(line, {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        exec(line, {"FreeCAD": FreeCAD})
         self.assertEqual(tools.vertices(self.document.Objects[0]).tobytes(), points)
         self.assertEqual(self.errors, [])
 

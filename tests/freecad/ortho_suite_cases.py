@@ -104,7 +104,7 @@ class WindowCase(unittest.TestCase):
 
     def replay(self):
         """Run the line again that was recorded last."""
-        exec(self.lines[-1], {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+        exec(self.lines[-1], {"FreeCAD": FreeCAD})
 
     def shown(self, net):
         """Positions that are on the screen."""

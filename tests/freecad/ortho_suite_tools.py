@@ -87,7 +87,7 @@ def wait(condition=lambda: False, seconds=0.2):
 
 
 def press(name):
-    """Press OK or Cancel of the task panel."""
+    """Press a standard button of the task panel, such as Ok or Cancel."""
     import FreeCADGui
     from PySide import QtGui
 

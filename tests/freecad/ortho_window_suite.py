@@ -204,7 +204,7 @@ class TestCommands(WorkbenchCase):
         self.assertEqual(len(lines), 4)
         FreeCAD.closeDocument(name)
         for line in lines:
-            exec(line, {"FreeCAD": FreeCAD, "freecad_ortho": __import__("freecad_ortho.api")})
+            exec(line, {"FreeCAD": FreeCAD})
         again = FreeCAD.getDocument(name)
         self.assertEqual(vertices(again.Net).tobytes(), points.tobytes())
         self.assertEqual([again.Beams.Shape.Volume, again.Panels.Shape.Volume], volumes)
