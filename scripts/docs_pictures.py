@@ -65,7 +65,7 @@ def patterns(source: Path, target: Path) -> None:
     """Draw two beams and two panels of a DXF file, its layers in their colours."""
     drawing = ezdxf.readfile(source)
     space = drawing.modelspace()
-    places = {"B0001": (0, 0), "B0002": (0, -420), "P0001": (1500, -1100), "P0002": (2650, -1100)}
+    places = {"B0000": (0, 0), "B0001": (0, -420), "P0000": (1500, -1100), "P0001": (2650, -1100)}
     for insert in list(space):
         if insert.dxf.name in places:
             insert.dxf.insert = places[insert.dxf.name]

@@ -18,7 +18,7 @@ class Node:
     """A mesh vertex at which parts meet.
 
     Attributes:
-        name: ``N0001`` is vertex 0.
+        name: ``N0000`` is vertex 0.
         vertex: number of the mesh vertex, counted from 0.
         point: (3,) in the place of the model, mm.
         axis: (3,) unit vector that all beams share.

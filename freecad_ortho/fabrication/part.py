@@ -49,7 +49,7 @@ class Part:
     """One beam, lamella, panel, node ...
 
     Attributes:
-        name: depends on the connectivity only (``B0001`` is edge 0, ``P0001`` is face 0); the same
+        name: depends on the connectivity only (``B0000`` is edge 0, ``P0000`` is face 0); the same
             name in every file.
         kind: what it is, in one word: "beam", "panel" ...
         body: in the part's own coordinates, mm; where there is a flat pattern, x and y are those of
@@ -138,6 +138,9 @@ class Part:
 
 
 def part_names(letter: str, count: int) -> list[str]:
-    """Names of the parts numbered 0 to count - 1: four digits, more when there are more."""
-    width = max(4, len(str(count)))
-    return [f"{letter}{number + 1:0{width}d}" for number in range(count)]
+    """Names of the parts numbered 0 to count - 1: four digits, more when there are more.
+
+    The number in a name is that of the edge, face or vertex in messages and lists.
+    """
+    width = max(4, len(str(count - 1)))
+    return [f"{letter}{number:0{width}d}" for number in range(count)]

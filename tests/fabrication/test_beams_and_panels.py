@@ -176,11 +176,11 @@ def test_names_follow_the_numbers(structure, roof):
     beams = [part for part in structure.parts if part.kind == "beam"]
     panels = [part for part in structure.parts if part.kind == "panel"]
     assert [part.vertices for part in beams] == [tuple(row) for row in roof.connectivity.edges]
-    assert [part.name for part in beams] == [f"B{k + 1:04d}" for k in range(len(beams))]
-    assert [part.name for part in panels] == [f"P{k + 1:04d}" for k in range(len(panels))]
+    assert [part.name for part in beams] == [f"B{k:04d}" for k in range(len(beams))]
+    assert [part.name for part in panels] == [f"P{k:04d}" for k in range(len(panels))]
     assert [part.face for part in panels] == list(range(len(roof.faces)))
-    assert {len(name) for name in part_names("B", 9999)} == {5}
-    assert {len(name) for name in part_names("B", 10000)} == {6}
+    assert {len(name) for name in part_names("B", 10000)} == {5}
+    assert {len(name) for name in part_names("B", 10001)} == {6}
 
 
 def test_masses_follow_the_density(roof):

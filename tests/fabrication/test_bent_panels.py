@@ -82,7 +82,7 @@ def test_on_a_cylinder_a_row_unrolls_to_its_rectangle():
     chord = 2 * RADIUS * math.sin(TURN / 20)
     structure = build(cylinder(), [BentPanels(6, 10)], selection=U)
     part = structure.parts[0]
-    assert part.name == "R-U001"
+    assert part.name == "R-U000"
     width = 3000 / 7 - 10
     assert part.length == pytest.approx(10 * chord - 10, rel=1e-9)
     assert part.width == pytest.approx(width, rel=1e-9)

@@ -38,7 +38,7 @@ def test_files_that_only_an_earlier_run_wrote_go_and_others_stay(lapped, small, 
     assert (
         "bends.csv" in names
         and "sheets/sheet-001-steel-12mm.dxf" in names
-        and "joints/N0001.stl" in names
+        and "joints/N0000.stl" in names
     )
     for name in ("mine.csv", "sheets/mine.dxf"):
         (tmp_path / name).write_text("kept")

@@ -166,7 +166,7 @@ def test_beams_carry_bevel_lines_and_vertices(structure, drawing):
                 gap = np.linalg.norm(solid_corners - [end.x, end.y], axis=1)
                 assert gap.min() <= 1e-7
         texts = {text.dxf.text for text in block.query('TEXT[layer=="ENGRAVE"]')}
-        assert texts == {f"V{vertex}" for vertex in part.vertices}
+        assert texts == {f"N{vertex:04d}" for vertex in part.vertices}
 
 
 def test_panels_name_their_neighbours(structure, drawing, roof):

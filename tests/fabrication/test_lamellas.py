@@ -179,7 +179,7 @@ def test_names_and_neighbours_are_on_the_pattern_and_depend_on_connectivity_only
     again = build(moved, [Lamellas(40, 3, pattern="free")])
     assert [part.name for part in again.parts] == [part.name for part in structure.parts]
     by_name = {part.name: part for part in structure.parts}
-    part = by_name["L-U003"]
+    part = by_name["L-U002"]
     assert (part.family, part.line) == ("u", 2)
     for other in (mark.text for mark in part.pattern.marks if mark.text):
         assert set(by_name[other].vertices) & set(part.vertices)

@@ -54,7 +54,7 @@ def test_no_clash_with_the_beams(meshes, name, ends, nodes):
     made = build(meshes[name], [beams, nodes])
     joints = made.results["nodes"].parts
     assert [part.name for part in joints] == [
-        f"N{vertex + 1:04d}" for vertex in range(len(meshes[name].vertices))
+        f"N{vertex:04d}" for vertex in range(len(meshes[name].vertices))
     ]
     for part in joints[::7]:
         assert part.solid().isValid()
@@ -106,8 +106,8 @@ def test_equal_nodes_are_one_file(tmp_path):
     "values, words",
     [
         ({"node": "glue"}, "node: expected one of hub, socket, got 'glue'"),
-        ({"hub_diameter": 6}, "hub: N0001 has .* take at least .* mm hub diameter"),
-        ({"hub_diameter": 12, "node": "socket"}, "hub: the socket N0001 leaves no pillars"),
+        ({"hub_diameter": 6}, "hub: N0000 has .* take at least .* mm hub diameter"),
+        ({"hub_diameter": 12, "node": "socket"}, "hub: the socket N0000 leaves no pillars"),
         ({"bore": 99}, "bore: expected 0 to 80 mm in a hub of 100 mm, got 99"),
         ({"socket_depth": -1}, "socket depth: expected a number above 0 mm"),
     ],

@@ -51,7 +51,7 @@ def test_a_cylinder_unrolls_to_its_rectangle():
     assert part.volume == pytest.approx(6 * part.area, rel=1e-9)
     assert part.measures.gap_mm <= 1e-6
     assert part.measures.min_bend_radius_mm == pytest.approx(RADIUS, rel=0.01)
-    assert part.name == "D0001"
+    assert part.name == "D0000"
 
 
 @pytest.mark.parametrize("turn", [0.8, 2.5])
@@ -73,10 +73,10 @@ def test_cut_along_lines_the_pieces_are_the_whole():
     whole = build(cylinder(), [Patches(6)]).parts[0]
     lines = Selection("v", (2, 6))
     structure = build(cylinder(), [Patches(6)], selection=lines)
-    assert [part.name for part in structure.parts] == ["D0001", "D0002", "D0003"]
+    assert [part.name for part in structure.parts] == ["D0000", "D0001", "D0002"]
     assert sum(part.area for part in structure.parts) == pytest.approx(whole.area, rel=1e-9)
     texts = {mark.text for mark in structure.parts[1].pattern.marks if mark.text}
-    assert {"D0001", "D0003", "V004", "U002"} <= texts
+    assert {"D0000", "D0002", "V003", "U001"} <= texts
     check_solids(structure)
     assert not check_clashes(structure.parts).clashes
 
@@ -130,7 +130,7 @@ def test_chebyshev_sphere_unrolls_in_one_piece(sphere_files):
     assert report["distortion_max_mm"] <= 0.03
     check_solids(structure)
     ((name, solid),) = read_step(folder / "structure.step")
-    assert name == "D0001"
+    assert name == "D0000"
     assert solid.isValid()
     assert solid.Volume() == pytest.approx(structure.parts[0].volume, rel=1e-6)
     with (folder / "distortion.csv").open(encoding="utf-8") as stream:
@@ -142,7 +142,7 @@ def test_chebyshev_sphere_unrolls_in_one_piece(sphere_files):
 
 def test_the_pattern_reads_back(sphere_files):
     structure, folder = sphere_files
-    block = ezdxf.readfile(folder / "flat.dxf").blocks["D0001"]
+    block = ezdxf.readfile(folder / "flat.dxf").blocks["D0000"]
     (outline,) = block.query('LWPOLYLINE[layer=="CUT"]')
     points = np.array([point[:2] for point in outline.get_points()])
     assert polygon_area(points) == pytest.approx(structure.parts[0].area, rel=1e-6)

@@ -73,7 +73,7 @@ def test_families_of_a_plane_grid(plane):
     equal = families(structure.parts, nodes(structure.site, structure.parts))
     assert [len(group) for group in equal.lengths["beam"]] == [31]
     assert [len(group) for group in equal.shapes["panel"]] == [12]
-    assert set(equal.equal_to[part.name] for part in structure.parts) == {"B0001", "P0001"}
+    assert set(equal.equal_to[part.name] for part in structure.parts) == {"B0000", "P0000"}
 
 
 def test_no_member_of_a_family_is_beyond_the_tolerance(roof):
@@ -177,10 +177,10 @@ def test_kerf_moves_every_cut_by_half_of_it():
 
 def test_kerf_that_closes_something_is_refused():
     slotted = [[0, 0], [49, 0], [49, 60], [51, 60], [51, 0], [100, 0], [100, 100], [0, 100]]
-    with pytest.raises(InputError, match="kerf: 3 mm closes a slot of B0007"):
-        compensated("B0007", plate(slotted), 3.0)
-    with pytest.raises(InputError, match="kerf: 3 mm closes a hole of 2 mm in B0007"):
-        compensated("B0007", plate(slotted, holes=(Hole(np.ones(2), 2.0),)), 3.0)
+    with pytest.raises(InputError, match="kerf: 3 mm closes a slot of B0006"):
+        compensated("B0006", plate(slotted), 3.0)
+    with pytest.raises(InputError, match="kerf: 3 mm closes a hole of 2 mm in B0006"):
+        compensated("B0006", plate(slotted, holes=(Hole(np.ones(2), 2.0),)), 3.0)
 
 
 @pytest.mark.parametrize("name", ["roof", "skewed", "dodecahedron"])
@@ -252,7 +252,7 @@ def test_lists_read_back(written):
     structure, folder = written
     rows = table(folder / "nodes.csv")
     assert [int(row["vertex"]) for row in rows] == list(range(36))
-    assert rows[7]["name"] == "N0008"
+    assert rows[7]["name"] == "N0007"
     assert len(rows[7]["angles_deg"].split()) == len(rows[7]["neighbours"].split()) == 4
     bars = table(folder / "stock.csv")
     names = [name for bar in bars for name in bar["parts"].split()]

@@ -40,8 +40,8 @@ class Crossings:
 
 
 def line_name(line: ParameterLine) -> str:
-    """Name of the beam along a line: ``B-U001`` for line 0 of u, ``B-001`` without families."""
-    return f"B-{line.family.upper()}{line.number + 1:03d}"
+    """Name of the beam along a line: ``B-U000`` for line 0 of u, ``B-000`` without families."""
+    return f"B-{line.family.upper()}{line.number:03d}"
 
 
 def half_laps(site: Site, around: Around, thickness: float, clearance: float) -> Crossings:

@@ -37,12 +37,14 @@ def edge_beams(
     names = part_names("B", len(edges))
     families, lines = site.edge_family, site.lines.edge_line.tolist()
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
+    nodes = part_names("N", len(site.mesh.vertices))
     made = pieces(geometry, section)
     parts = []
     for edge in np.flatnonzero(chosen).tolist():
         for piece in made:
             name = names[edge] + piece.suffix
-            pattern, origin = _pattern(geometry, piece, edge, name, edges[edge])
+            ends = [nodes[vertex] for vertex in edges[edge]]
+            pattern, origin = _pattern(geometry, piece, edge, name, ends)
             turn = _LYING if piece.role == "flange" else _UPRIGHT
             body = piece.body(edge, origin, turn)
             parts.append(
@@ -86,7 +88,7 @@ def line_beams(
         InputError: sizes that do not fit, or a flat pattern that overlaps itself.
     """
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
-    across = _names_across(site)
+    across, nodes = _names_across(site), part_names("N", len(site.mesh.vertices))
     parts = []
     for line in lines:
         form = chain(site, geometry, line, thickness / 2, laps)
@@ -104,7 +106,7 @@ def line_beams(
                 "beam",
                 plate.body,
                 (form.vertices[0], form.frame[0]),
-                _folded_pattern(name, plate, line, across),
+                _folded_pattern(name, plate, line, across, nodes),
                 thickness,
                 vertices=tuple(line.vertices.tolist()),
                 family=line.family,
@@ -129,7 +131,7 @@ def _names_across(site: Site) -> dict[int, list[str]]:
 
 
 def _pattern(
-    geometry: BeamGeometry, piece: Piece, edge: int, name: str, ends: list[int]
+    geometry: BeamGeometry, piece: Piece, edge: int, name: str, ends: list[str]
 ) -> tuple[FlatPattern | None, FloatArray]:
     """Flat pattern of a part, and the origin of its coordinates in those of the beam."""
     corners = piece.corners[edge]
@@ -173,7 +175,7 @@ def _cut_angles(geometry: BeamGeometry, section: Section, edge: int) -> str:
 
 
 def _plate_pattern(
-    name: str, corner: FloatArray, setback: FloatArray, ends: list[int]
+    name: str, corner: FloatArray, setback: FloatArray, ends: list[str]
 ) -> FlatPattern:
     """Outline of the plate seen from its right side, the edge running to the right."""
     height = float(corner[:, 1].max())
@@ -196,7 +198,7 @@ def _plate_pattern(
     return FlatPattern(corner, (*marks, *texts), label, size)
 
 
-def _plain(name: str, outline: FloatArray, ends: list[int]) -> FlatPattern:
+def _plain(name: str, outline: FloatArray, ends: list[str]) -> FlatPattern:
     """Outline of a flange seen from above, the edge running to the right."""
     low, high = outline.min(axis=0), outline.max(axis=0)
     middle = float(outline[:, 1].mean())
@@ -213,16 +215,15 @@ def _texts(
     length: float,
     middle: float,
     height: float,
-    ends: list[int],
+    ends: list[str],
 ) -> tuple[tuple[Mark, ...], FloatArray, float]:
-    """Vertex numbers at both ends; place and size of the name."""
-    # A third of the clear length for the name, a quarter at each end for its vertex.
+    """Names of the nodes at both ends; place and size of the name."""
+    # A third of the clear length for the name, a quarter at each end for its node.
     clear = max(end - start, 0.2 * length)
     centre = (start + end) / 2
     marks = []
-    for vertex, sign in zip(ends, (-1.0, 1.0), strict=True):
+    for text, sign in zip(ends, (-1.0, 1.0), strict=True):
         place = np.array([[centre + sign * 0.36 * clear, middle]])
-        text = f"V{vertex}"
         size = fitted_text_size(text, 0.24 * clear, 0.5 * height, 15.0)
         marks.append(Mark(place, text, size))
     label_size = fitted_text_size(name, 0.4 * clear, height)
@@ -230,9 +231,13 @@ def _texts(
 
 
 def _folded_pattern(
-    name: str, plate: FoldedPlate, line: ParameterLine, across: dict[int, list[str]]
+    name: str,
+    plate: FoldedPlate,
+    line: ParameterLine,
+    across: dict[int, list[str]],
+    nodes: list[str],
 ) -> FlatPattern:
-    """The unrolled plate, its ends level, with the names of crossing beams beside the bends."""
+    """The unrolled plate, its ends level, with the names of nodes and beams beside the bends."""
     along = plate.axis[-1] - plate.axis[0]
     length = float(np.linalg.norm(along))
     along = along / length if length > 0 else np.array([1.0, 0.0])
@@ -245,7 +250,7 @@ def _folded_pattern(
     marks = []
     for node, vertex in enumerate(line.vertices.tolist()):
         step, ahead = (node, -1.0) if node < len(steps) else (node - 1, 1.0)
-        text = " ".join([f"V{vertex}", *(other for other in across[vertex] if other != name)])
+        text = " ".join([nodes[vertex], *(other for other in across[vertex] if other != name)])
         size = fitted_text_size(text, 0.3 * lengths[step], 0.3 * plate.height, 12.0)
         place = middles[step] + 0.22 * ahead * steps[step]
         marks.append(Mark(place[None], text, size, angles[step]))

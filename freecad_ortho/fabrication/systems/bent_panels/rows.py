@@ -16,7 +16,7 @@ class Row:
     """One row of faces.
 
     Attributes:
-        name: ``R-U003`` is row 2 of family u; rows are counted in the order of their smallest
+        name: ``R-U002`` is row 2 of family u; rows are counted in the order of their smallest
             faces.
         faces: (K,) from one end to the other.
         first_sides: (K,) side of each face across which the row enters it; it leaves it across the
@@ -62,7 +62,7 @@ def _row(
     faces, sides = np.array(steps, dtype=np.int64).T
     entered = np.stack([net.faces[faces, sides], net.faces[faces, (sides + 1) % 4]], axis=1)
     last = net.faces[faces[-1], [(sides[-1] + 3) % 4, (sides[-1] + 2) % 4]]
-    name = f"R-{family.upper()}{number + 1:03d}"
+    name = f"R-{family.upper()}{number:03d}"
     return Row(name, faces, sides, np.concatenate([entered, last[None]]), closed)
 
 

@@ -43,7 +43,7 @@ class Splice:
     """A plate that joins two pieces of a lamella.
 
     Attributes:
-        name: ``S-U003-1`` joins ``L-U003-1`` and ``L-U003-2``.
+        name: ``S-U002-1`` joins ``L-U002-1`` and ``L-U002-2``.
         lamella: the whole one, before it was cut.
         joint: that it covers.
         pieces: names of the pieces; those of a ring in one piece are the same.

@@ -143,8 +143,8 @@ def _exactly(pattern: Pattern) -> str:
 
 
 def lamella_name(line: ParameterLine) -> str:
-    """``L-U003`` is line 2 of family u; ``L-003`` where there are no families."""
-    return f"L-{line.family.upper()}{line.number + 1:03d}"
+    """``L-U002`` is line 2 of family u; ``L-002`` where there are no families."""
+    return f"L-{line.family.upper()}{line.number:03d}"
 
 
 def _values(parts: tuple[Part, ...], measure: str) -> list[float]:

@@ -76,7 +76,7 @@ class _Writer:
                 yield Mark(np.stack(step))
             edge = self._edge(int(line[0]), int(line[1]))
             family = self.site.edge_family[edge].upper()
-            name = f"{family}{int(self.site.lines.edge_line[edge]) + 1:03d}"
+            name = f"{family}{int(self.site.lines.edge_line[edge]):03d}"
             yield self._beside(path[0], path[1], name, 8.0)
 
     def neighbours(self, around: IntArray, piece_of_face: Mapping[int, str]) -> Iterator[Mark]:
