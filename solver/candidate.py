@@ -12,13 +12,15 @@ from solver.problem import Detail, Problem
 from solver.report import Spread
 
 # A result with a shorter shortest edge, relative to the input's, is a collapse.
-COLLAPSED = 0.25
+SHRUNK = 0.25
 # Below this, another attempt with other guides is worth its time,
 CRAMPED = 0.5
 # and so it is where faces meet at more than this angle in degrees and twice that of the input.
 CREASED = 30.0
 # and where a shape that was no plane, but at least so thick, has lost most of its thickness.
 THICK, FLATTENED = 0.02, 0.4
+# A shape that was no plane to so much of its size, and of whose thickness less than that is left.
+_SOLID, _GONE = 5e-3, 0.05
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,7 @@ class Candidate:
         crease: sharpest angle between neighbouring faces, in degrees; ``crease_start`` likewise.
         thickness: smallest extent over the largest; ``thickness_start`` likewise.
         flipped: number of folded faces; ``flipped_start`` the same of the input.
+        may_flatten: a plane is as good as any other shape.
         met: every measure is within the tolerance on every face or star.
     """
 
@@ -49,6 +52,7 @@ class Candidate:
     thickness_start: float
     flipped: int
     flipped_start: int
+    may_flatten: bool
     met: bool
 
     @property
@@ -59,7 +63,7 @@ class Candidate:
     @property
     def sound(self) -> bool:
         """Nothing collapsed and no face folded that was not folded at the start."""
-        return self.kept >= COLLAPSED and self.flipped <= self.flipped_start
+        return self.kept >= SHRUNK and self.flipped <= self.flipped_start
 
     @property
     def valid(self) -> bool:
@@ -76,6 +80,12 @@ class Candidate:
         """The shape was given up for a plane, which is every net but not what was drawn."""
         thick = self.thickness_start >= THICK
         return thick and self.thickness < FLATTENED * self.thickness_start
+
+    @property
+    def gone(self) -> bool:
+        """Nothing but a plane or a line is left of the shape, and that was not asked for."""
+        solid = self.thickness_start >= _SOLID and not self.may_flatten
+        return solid and self.thickness < _GONE * self.thickness_start
 
     @property
     def creased(self) -> bool:
@@ -116,6 +126,7 @@ def judge(
         thickness_start=start.thickness_start,
         flipped=int(flipped(mesh).sum()),
         flipped_start=start.flipped_start,
+        may_flatten=start.may_flatten,
         met=all(spread.max <= tolerance for spread in residuals.values()),
     )
 

@@ -12,13 +12,14 @@ Form-finding with polyhedral meshes made simple.
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import cast
 
 import numpy as np
 
+from solver.analysis.start import Remark
 from solver.assembly import NormalEquations
 from solver.best import Best
 from solver.candidate import Candidate, judge
@@ -28,7 +29,7 @@ from solver.linear.threads import one_thread
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.relaxation import Relaxation
-from solver.report import CONVERGED, STALLED, STOPPED, Outcome, StepRecord
+from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
 from solver.terms.base import FollowingTerm, Linearisation, Term, follows
 from solver.terms.pull import Pull
@@ -86,6 +87,8 @@ class Optimisation:
         backend: name of the sparse solver, by default the fastest installed.
         accept_start: a start that already is the net is returned untouched.
         original: the problem against whose start results are judged, by default the first.
+        remarks: what stands in the way of the net, for the report and its advice.
+        held: what keeps vertices from moving freely, such as "fixed vertices", for the advice.
     """
 
     def __init__(
@@ -96,10 +99,13 @@ class Optimisation:
         backend: str | None = None,
         accept_start: bool = True,
         original: Problem | None = None,
+        remarks: Sequence[Remark] = (),
+        held: Sequence[str] = (),
     ) -> None:
         begin = time.perf_counter()
         self._problems = [problems] if isinstance(problems, Problem) else list(problems)
         self.original = original or self._problems[0]
+        self.remarks, self.held = tuple(remarks), tuple(held)
         self.tolerance = tolerance
         self.max_steps = max_steps
         self.backend = backend or default_backend(int(self._problems[0].free.sum()))
@@ -243,10 +249,19 @@ class Optimisation:
         if not self.finished:
             self._conclude(STOPPED)
 
-    def run(self) -> Outcome:
-        """Take all steps that are left and return the outcome."""
-        while not self.finished:
-            self.step()
+    def run(self, callback: Callable[[StepRecord], bool | None] | None = None) -> Outcome:
+        """Take all steps that are left and return the outcome.
+
+        ``callback`` is called after each step; returning True stops. So does a
+        ``KeyboardInterrupt``, in the same clean way.
+        """
+        try:
+            while not self.finished:
+                record = self.step()
+                if callback is not None and callback(record):
+                    self.stop()
+        except KeyboardInterrupt:
+            self.stop()
         return self.outcome()
 
     def outcome(self) -> Outcome:
@@ -389,4 +404,4 @@ class Optimisation:
 
     def _conclude(self, status: str) -> None:
         best = self._best.consider(self._judge(self._state.x))
-        self.status = CONVERGED if best.valid else status
+        self.status = (COLLAPSED if best.gone else CONVERGED) if best.valid else status

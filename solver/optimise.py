@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from solver.analysis.start import start_remarks
 from solver.errors import InputError
 from solver.gauss_newton import Optimisation
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import RECIPES
-from solver.nets.constraints import Constraints, corners_that_stay, settled
+from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, fixed_vertices
 from solver.plan import Plan
@@ -46,15 +47,7 @@ def optimise(
     Raises:
         InputError: a setting that cannot be used.
     """
-    run = start_optimisation(mesh, net, **settings)
-    try:
-        while not run.finished:
-            record = run.step()
-            if callback is not None and callback(record):
-                run.stop()
-    except KeyboardInterrupt:
-        run.stop()
-    return run.outcome()
+    return start_optimisation(mesh, net, **settings).run(callback)
 
 
 def start_optimisation(
@@ -109,16 +102,25 @@ def start_optimisation(
     )
     wanted = constraints or Constraints()
     fixed = fixed_vertices(mesh, fix)
+    held = _held(net, bool(fixed.any()), wanted)
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
+    chosen = options or NetOptions()
+    remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
 
-    plan = Plan(net, fixed, options or NetOptions(), wanted, weights)
+    plan = Plan(net, fixed, chosen, wanted, weights)
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     problems = plan.problems(mesh) if fairness is None else [plan.single(mesh)]
     original = next(problem for problem in problems if problem.mesh is mesh)
     _refuse_contradictions(original)
     stay = fairness is None and not wanted.handles and wanted.close_to is None
-    return Optimisation(problems, tolerance, max_steps, backend, stay, original)
+    return Optimisation(problems, tolerance, max_steps, backend, stay, original, remarks, held)
+
+
+def _held(net: str, fixed: bool, wanted: Constraints) -> list[str]:
+    """What a user holds, in the words in which it was asked for."""
+    words = ["supports" if net == "stress" else "fixed vertices"] if fixed else []
+    return [*words, "gliding vertices"] if wanted.glide else words
 
 
 def _refuse_contradictions(problem: Problem) -> None:

@@ -11,7 +11,7 @@ from solver.mesh.bend import central_directions, doubly_curved, unbent
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import CONTINUED, DEVELOPABLE, GUARDED, RECIPES, RIGID, Stage
-from solver.nets.constraints import Constraints, add_constraints
+from solver.nets.constraints import Constraints, SurfaceGlide, add_constraints
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides
 from solver.problem import Problem
@@ -55,21 +55,29 @@ class Plan:
         return [self.pose(mesh, ladder[:1]), *others, self.pose(mesh, ladder[1:])]
 
     def single(self, mesh: QuadMesh) -> Problem:
-        """Return the net from the mesh with the weights as they are."""
-        return self.pose(mesh, self._ladder()[:1])
+        """Return the net from the mesh with the guides of its first attempt only."""
+        sheet = self.net in DEVELOPABLE
+        return self.pose(mesh, (self._of_sheet(mesh)[0] if sheet else self._ladder())[:1])
 
     def pose(self, mesh: QuadMesh, attempts: Sequence[Weights], net: str | None = None) -> Problem:
         """Pose this net, or another with the same options, from a start."""
         name = net or self.net
-        problem = RECIPES[name](Problem(name, mesh, self.fixed), self.options)
+        empty = Problem(name, mesh, self.fixed, may_flatten=self._may_flatten)
+        problem = RECIPES[name](empty, self.options)
         add_constraints(problem, self.constraints, attempts[0].closeness)
         return add_guides(problem, attempts)
+
+    @property
+    def _may_flatten(self) -> bool:
+        """Whether a plane was asked for: by a net of sheets, or by saying where vertices are."""
+        sheet = self.net in (*DEVELOPABLE, "isometric")
+        wanted = self.constraints
+        surface = any(isinstance(glide, SurfaceGlide) for glide in wanted.glide)
+        return bool(sheet or wanted.handles or wanted.close_to is not None or surface)
 
     def _ladder(self) -> list[Weights]:
         """Weights of the attempts, the first ones as asked for."""
         first, *rest = self.weights.ladder()
-        if self.net in DEVELOPABLE:
-            return [*self._even(_SHEETS), first, *rest]
         if self.net in GUARDED:
             guarded = [replace(one, edge_guard=_GUARD, face_guard=_GUARD) for one in (first, *rest)]
             # Some differ by their guards only.
@@ -81,20 +89,24 @@ class Plan:
 
     def _sheets(self, mesh: QuadMesh) -> list[Problem]:
         """The net from the mesh as it is and from the mesh bent in one direction only."""
-        double = doubly_curved(mesh)
-        rest = self.weights.ladder()
-        even = self._even(_DOMES if double else _SHEETS)
-        own, first = [*even, *rest], 1 if double else len(_SHEETS)
-        if not double and self.net not in RIGID and _unevenness(mesh) < _SMOOTH:
-            own, first = [rest[0], *even, *rest[1:]], 1
+        own, first, double = self._of_sheet(mesh)
         bent = []
         if not self.fixed.any() and self.constraints == Constraints():
-            ladder = [*self._even(_BENT), *rest]
+            ladder = [*self._even(_BENT), *self.weights.ladder()]
             bent = [self.pose(unbent(mesh, way), ladder) for way in central_directions(mesh)]
         before, after = self.pose(mesh, own[:first]), self.pose(mesh, own[first:])
         if double and self.net in RIGID:
             return [*bent, before, after]
         return [before, *bent, after]
+
+    def _of_sheet(self, mesh: QuadMesh) -> tuple[list[Weights], int, bool]:
+        """Weights for a sheet as it is, how many come before bending it, whether it is a dome."""
+        double = doubly_curved(mesh)
+        rest = self.weights.ladder()
+        even = self._even(_DOMES if double else _SHEETS)
+        if not double and self.net not in RIGID and _unevenness(mesh) < _SMOOTH:
+            return [rest[0], *even, *rest[1:]], 1, double
+        return [*even, *rest], 1 if double else len(_SHEETS), double
 
     def _easier(self, mesh: QuadMesh, ladder: list[Weights], stage: Stage) -> Problem:
         smoother = [replace(one, fairness=stage.fairness * one.fairness) for one in ladder]

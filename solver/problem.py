@@ -65,6 +65,7 @@ class Problem:
         net: name of the recipe.
         mesh: the start, in model units.
         fixed: (V,) true for vertices that must not move; they are eliminated.
+        may_flatten: whether a plane is a shape as good as any other.
         easier: where this net is a step on the way only, makes the wanted problem from its result.
     """
 
@@ -75,6 +76,7 @@ class Problem:
     guides: list[Guide] = field(default_factory=list)
     measures: dict[str, Measure] = field(default_factory=dict)
     details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
+    may_flatten: bool = False
     easier: Callable[[QuadMesh], Problem] | None = None
     places: dict[str, Callable[[int], str]] = field(default_factory=dict)
 

@@ -10,6 +10,7 @@ import numpy as np
 from solver.mesh.quadmesh import QuadMesh
 
 CONVERGED = "converged"
+COLLAPSED = "collapsed"
 STALLED = "stalled"
 STOPPED = "stopped"
 
@@ -64,8 +65,10 @@ class Report:
 
     Attributes:
         net: name of the recipe.
-        status: converged, stalled or stopped.
+        status: converged; collapsed, where it is the net but nothing is left of its shape; stalled;
+            or stopped.
         message: one sentence: what happened and what to do next.
+        warnings: what stood in the way before the first step, one sentence each.
         variables: unknowns as the paper counts them, auxiliary ones included.
         constraints: equations as the paper counts them.
         iterations: steps of all attempts.
@@ -89,6 +92,7 @@ class Report:
     net: str
     status: str
     message: str
+    warnings: list[str]
     vertices: int
     faces: int
     variables: int

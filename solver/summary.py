@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from solver.candidate import COLLAPSED, Candidate, spread_of
+from solver.candidate import SHRUNK, Candidate, spread_of
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.seams import seams
-from solver.report import CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
+from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
 
 if TYPE_CHECKING:
     from solver.gauss_newton import Optimisation
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 _OPENED = 1e-4
 # Tolerances below this are out of reach wherever the model lies.
 _REACHABLE = 1e-15
+# A plane that is narrower than this part of its length is a line.
+_THIN = 1e-2
 
 
 def summarise(run: Optimisation, best: Candidate) -> Outcome:
@@ -32,6 +34,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         net=problem.net,
         status=status,
         message=_message(run, best, status),
+        warnings=[str(remark) for remark in run.remarks],
         vertices=len(start.vertices),
         faces=len(start.faces),
         variables=problem.variables,
@@ -59,33 +62,52 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
 
 
 def _message(run: Optimisation, best: Candidate, status: str) -> str:
+    steps = len(run.history)
     if status == CONVERGED:
-        if not run.history:
+        if not steps:
             return f"the mesh is {with_article(run.original.net)} net already: worst {_worst(best)}"
+        return f"{run.original.net} net reached: worst {_worst(best)} after {steps} steps"
+    remedies = _remedies(run, best, status)
+    advice = "; try: " + "; ".join(remedies) if remedies else ""
+    if status == COLLAPSED:
         return (
-            f"{run.original.net} net reached: worst {_worst(best)} after {len(run.history)} steps"
+            f"{run.original.net} net reached as {_remains(best.mesh)} only: after {steps} steps "
+            f"nothing is left of the shape{advice}"
         )
-    remedies = []
+    verb = "ended" if status == STOPPED else "no further progress"
+    where = f" at {best.worst_place}" if best.worst_place else ""
+    return f"{verb} after {steps} steps, worst {_worst(best)}{where}{advice}"
+
+
+def _remedies(run: Optimisation, best: Candidate, status: str) -> list[str]:
+    """What to try, by what was asked and what came of it."""
+    remedies = [remark.remedy for remark in run.remarks]
     if not best.sound:
         trouble = []
-        if best.kept < COLLAPSED:
+        if best.kept < SHRUNK:
             trouble.append(f"the shortest edge shrank to {best.kept:.2f} of its start ratio")
         if best.flipped > best.flipped_start:
             trouble.append(f"{best.flipped} faces are folded")
         remedies.append(" and ".join(trouble) + ": raise fairness or closeness")
-    if run.original.fixed.any():
-        remedies.append("fewer fixed vertices give the net room")
+    if not any(remark.cause == "border" for remark in run.remarks):
+        remedies += [f"fewer {what} give the net room" for what in run.held]
     spacing = np.spacing(np.abs(run.original.mesh.vertices).max()) / run.original.scale
     if 100 * spacing > run.tolerance >= _REACHABLE:
         remedies.append("coordinates are far from the origin: move the model near it")
     if status == STOPPED and len(run.history) >= run.max_steps:
         remedies.insert(0, f"more than {run.max_steps} steps")
+    if status == COLLAPSED and not remedies:
+        remedies.append("a border that is fixed or glides, or a surface to stay close to")
     if status == STALLED and not remedies:
         remedies.append("more fairness, or a start mesh nearer to the net")
-    advice = "; try: " + "; ".join(remedies) if remedies else ""
-    verb = "ended" if status == STOPPED else "no further progress"
-    where = f" at {best.worst_place}" if best.worst_place else ""
-    return f"{verb} after {len(run.history)} steps, worst {_worst(best)}{where}{advice}"
+    return remedies
+
+
+def _remains(mesh: QuadMesh) -> str:
+    """What a shape without thickness is called."""
+    points = mesh.vertices[mesh.connectivity.referenced]
+    extents = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return "a line" if extents[1] < _THIN * extents[0] else "a plane"
 
 
 def _remarks(start: QuadMesh, end: QuadMesh) -> list[str]:

@@ -114,7 +114,12 @@ def test_commands_of_sources_run(workplace):
 def test_commands_of_nets_run(workplace):
     lines = re.findall(r"^    python -m freecad_ortho (.+)", text("docs/nets.md"), re.MULTILINE)
     assert len(lines) > len(RECIPES)
+    # A dome is no minimal surface: all that would be left of it is a plane.
+    minimal = {"asymptotic -o": "helicoid", "asymptotic --diagonal": "catenoid"}
+    dome = api.read_mesh("in.obj").mesh
     for line in lines:
+        found = [primitive(name, 11, 9) for words, name in minimal.items() if words in line]
+        api.write_mesh("in.obj", found[0] if found else dome, "m")
         assert main(shlex.split(line)) == 0, line
 
 

@@ -172,7 +172,7 @@ def test_the_other_variant_is_named_where_it_is_much_closer(tmp_path, capsys):
     main(
         ["optimise", str(start), "--net", "asymptotic", "--diagonal", "-o", str(tmp_path / "n.obj")]
     )
-    assert "try without --diagonal" in capsys.readouterr().err
+    assert "try: without --diagonal" in capsys.readouterr().err
     main(["optimise", str(start), "--net", "asymptotic", "-o", str(tmp_path / "n.obj")])
     assert "diagonal" not in capsys.readouterr().err
 

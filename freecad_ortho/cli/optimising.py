@@ -11,7 +11,6 @@ from collections.abc import Callable
 from freecad_ortho import api
 from freecad_ortho.cli import net_options, reporting, values
 from solver import Outcome, StepRecord
-from solver.analysis.advisor import closer_variant
 from solver.io.atomic import write_text
 from solver.report import CONVERGED
 
@@ -21,20 +20,20 @@ def run(options: argparse.Namespace) -> bool:
     loaded = reporting.load(options)
     settings = net_options.settings(options, loaded)
     values.refuse_unwritable(options.output, options.report)
-    warning = closer_variant(loaded.mesh, options.net, options.diagonal)
-    if warning is not None:
-        sys.stderr.write(f"note: {warning}\n")
+    optimisation = api.start_optimisation(
+        loaded.mesh,
+        options.net,
+        fairness=options.fairness,
+        closeness=options.closeness,
+        **settings,
+        tolerance=options.tolerance,
+        max_steps=options.max_steps,
+    )
+    # Before the first step: whoever reads it need not wait for the end.
+    for remark in optimisation.remarks:
+        sys.stderr.write(f"note: {remark}\n")
     with reporting.Progress(options.verbose) as progress:
-        outcome = api.optimise(
-            loaded.mesh,
-            options.net,
-            fairness=options.fairness,
-            closeness=options.closeness,
-            **settings,
-            tolerance=options.tolerance,
-            max_steps=options.max_steps,
-            callback=_follower(progress, options.tolerance),
-        )
+        outcome = optimisation.run(_follower(progress, options.tolerance))
     api.write_mesh(options.output, outcome.mesh, loaded.unit)
     if options.report:
         write_text(options.report, json.dumps(outcome.report.as_dict(), indent=2) + "\n")

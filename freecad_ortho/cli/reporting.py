@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from freecad_ortho import api
 from freecad_ortho.cli.values import counted
+from freecad_ortho.units import millimetres_per
 
 if TYPE_CHECKING:
     from freecad_ortho.fabrication import Structure
@@ -91,15 +92,18 @@ def check_table(result: dict[str, Any]) -> str:
     ]
     for name, entry in result["measures"].items():
         place = "-" if entry["worst"] is None else f"{entry['where']} {entry['worst']}"
+        if name == "planarity":
+            gap = result["planarity_gap"] * millimetres_per(result["unit"])
+            place += f"; the largest gap is {gap:.2g} mm"
         lines.append(f"{name:<16}{entry['max']:>12.3e}{entry['mean']:>12.3e}   {place}")
     lines.append(f"{'edge ratio':<16}{result['edge_ratio']:>12.3f}")
     lines.append(f"{'folded faces':<16}{result['flipped_faces']:>12d}")
     lines.append(_multi_net_line(result["multi_net"]))
-    lines.append(f"{'net':<24}{'mean distance':>14}   can it be near?")
+    lines.append(f"{'net':<24}{'beyond orthogonality':>22}   can it be near?")
     for advice in result["advice"]["nets"]:
         title = advice["net"] + (" --diagonal" if advice["diagonal"] else "")
         verdict = "yes" if advice["possible"] else "no"
         reason = f": {advice['reason']}" if advice["reason"] else ""
-        lines.append(f"{title:<24}{advice['distance']:>14.1e}   {verdict}{reason}")
+        lines.append(f"{title:<24}{advice['beyond']:>22.1e}   {verdict}{reason}")
     lines.append(result["advice"]["recommendation"])
     return "\n".join(lines)

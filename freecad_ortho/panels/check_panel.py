@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 from freecad_ortho import convert
 from freecad_ortho.commands import context
 from freecad_ortho.panels.buttons import close_only
+from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import reason_words, short_word
 from freecad_ortho.resources import icon
 from freecad_ortho.view.place_marks import PlaceMarks
@@ -58,7 +59,7 @@ class CheckPanel:
             _advice(self.result),
         )
         for row, advice in enumerate(self.result["advice"]["nets"]):
-            reason = reason_words(advice["possible"], advice["reason"])
+            reason = reason_words(advice["cause"])
             for column_ in range(3 if reason else 0):
                 self.nets.item(row, column_).setToolTip(reason)
         self.multi_net = _wrapped(_multi_net(self.result["multi_net"]))
@@ -128,6 +129,8 @@ def _measures(result: dict[str, Any]) -> list[list[str]]:
     rows = []
     for name, entry in result["measures"].items():
         place = "" if entry["worst"] is None else f"{places[entry['where']]} {entry['worst']}"
+        if name == "planarity":
+            place += f" ({length_words(result['planarity_gap'])})"
         title = name.capitalize()
         known = translate("Ortho", title) if title in RESIDUALS else name.upper()
         rows.append([known, f"{entry['max']:.1e}", place])
@@ -137,7 +140,7 @@ def _measures(result: dict[str, Any]) -> list[list[str]]:
 def _advice(result: dict[str, Any]) -> list[list[str]]:
     yes, no = translate("Ortho", "yes"), translate("Ortho", "no")
     return [
-        [_title(advice), f"{advice['distance']:.1e}", yes if advice["possible"] else no]
+        [_title(advice), f"{advice['beyond']:.1e}", yes if advice["possible"] else no]
         for advice in result["advice"]["nets"]
     ]
 
@@ -152,7 +155,7 @@ def _recommendation(advice: dict[str, Any]) -> str:
     if advice["already"]:
         return translate("Ortho", "The net is this already: {}").format(_title(best))
     words = translate("Ortho", "Optimise for: {} (off by {:.1e} on average)")
-    reason = reason_words(best["possible"], best["reason"])
+    reason = reason_words(best["cause"])
     return "; ".join([words.format(_title(best), best["distance"]), *([reason] if reason else [])])
 
 

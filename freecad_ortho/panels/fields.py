@@ -156,3 +156,8 @@ class TextField:
     def text(self) -> str:
         """What was typed, without blanks around it."""
         return self.widget.text().strip()
+
+
+def length_words(millimetres: float) -> str:
+    """A length in the user's units."""
+    return str(FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString)

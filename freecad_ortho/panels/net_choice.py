@@ -19,7 +19,7 @@ from freecad_ortho.panels.fields import (
     form_rows,
     leave_room,
 )
-from freecad_ortho.panels.net_words import explain, net_words
+from freecad_ortho.panels.net_words import explain, net_words, reason_words
 from solver.analysis.advisor import Advice, advise
 
 translate = FreeCAD.Qt.translate
@@ -152,7 +152,7 @@ class NetChoice:
     def _doubt(self, chosen: str) -> str:
         for advice in self._advice:
             if advice.net == chosen and advice.diagonal == self.diagonal.isChecked():
-                return advice.reason
+                return reason_words(advice.cause)
         return ""
 
     def _use_best(self) -> None:

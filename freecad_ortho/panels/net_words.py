@@ -6,6 +6,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from solver.analysis.advisor import advise
+from solver.analysis.start import Remark
 
 translate = FreeCAD.Qt.translate
 
@@ -57,23 +58,48 @@ def outlook(net: FreeCAD.DocumentObject, kind: str) -> str:
     """One sentence on how the net's shape suits a kind of net; empty where all is well."""
     for advice in advise(convert.quad_mesh(net)):
         if advice.net == kind and advice.diagonal == net.DiagonalNet:
-            reason = reason_words(advice.possible, advice.reason)
+            reason = reason_words(advice.cause)
             if not advice.possible:
                 return translate("Ortho", "Hardly possible: {}").format(reason)
             return reason
     return ""
 
 
-def reason_words(possible: bool, reason: str) -> str:
+def reason_words(cause: str) -> str:
     """The advisor's reason in the user's language; empty where it has none."""
-    if not reason:
-        return ""
-    if possible:
-        return translate(
+    return {
+        "": "",
+        "bends": translate(
             "Ortho", "the shape is doubly curved and will be bent towards a developable surface"
-        )
+        ),
+        "bulges": translate(
+            "Ortho",
+            "most of the surface bulges (positive Gauss curvature), and there it has no asymptotic "
+            "lines",
+        ),
+        "diagonal": translate(
+            "Ortho",
+            "the lines do not follow the curvature of the surface, as this net has to, but those "
+            "of its diagonal mesh do: make a diagonal mesh first",
+        ),
+        "oblique": translate(
+            "Ortho",
+            "the lines do not follow the curvature of the surface, as this net has to: take a "
+            "start whose lines do",
+        ),
+        "variant": translate(
+            "Ortho", "the other variant of this net, on or off the diagonals, is much nearer"
+        ),
+    }[cause]
+
+
+def remark_words(remark: Remark) -> str:
+    """What stands in the way of a run, in the user's language."""
+    if remark.cause != "border":
+        return reason_words(remark.cause)
     return translate(
         "Ortho",
-        "most of the surface bulges (positive Gauss curvature), and there it has no asymptotic "
-        "lines",
-    )
+        "the border that is held twists the surface by {:.1f} degrees between the vertices {} and "
+        "{}, where this net allows hardly any: let the border leave its curve and trim it "
+        "afterwards",
+    ).format(*remark.numbers)

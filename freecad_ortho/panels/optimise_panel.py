@@ -14,8 +14,9 @@ from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import net_settings
 from freecad_ortho.panels.advanced_box import AdvancedBox
 from freecad_ortho.panels.constraint_box import ConstraintBox
-from freecad_ortho.panels.fields import NARROW
+from freecad_ortho.panels.fields import NARROW, length_words
 from freecad_ortho.panels.net_choice import NetChoice
+from freecad_ortho.panels.net_words import remark_words
 from freecad_ortho.panels.residual_plot import ResidualPlot
 from freecad_ortho.panels.run import Run
 from freecad_ortho.panels.watch import NetWatch, cover, uncover
@@ -53,7 +54,8 @@ class OptimisePanel:
         """Start a run, or resume the stopped one when the settings are still the same."""
         with messages.errors_shown():
             self._prepare()
-            self._say(translate("Ortho", "Running ..."))
+            remarks = map(remark_words, self.run.optimisation.remarks)
+            self._say("\n".join([translate("Ortho", "Running ..."), *remarks]))
             self.run.resume()
         self._show_state()
 
@@ -286,14 +288,11 @@ def _how_far(report: Any) -> list[str]:
     """A sentence on how far the shape is from the start, where that is far; lengths in mm."""
     if not report.far:
         return []
-    before, after = (" x ".join(map(_length, size)) for size in (report.size_start, report.size))
+    before, after = (
+        " x ".join(map(length_words, size)) for size in (report.size_start, report.size)
+    )
     words = translate(
         "Ortho", "The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}."
     )
-    most = _length(report.moved.max * report.mean_edge)
+    most = length_words(report.moved.max * report.mean_edge)
     return [words.format(most, report.moved.max, before, after)]
-
-
-def _length(millimetres: float) -> str:
-    """A length in the user's units."""
-    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString

@@ -7,17 +7,14 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from typing import Any
 
-import numpy as np
-
 from solver.analysis import measures
-from solver.analysis.spheres import cmc
+from solver.analysis.curvature import angle_defects, inner_vertices
+from solver.analysis.start import CURVATURE_LINES, STAR_NETS, twisted_lines
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.report import with_article
 
 # A mesh that is less than this from a net on average is that net.
 _IS = 1e-10
-# A variant of a net that starts this many times closer deserves a warning.
-CLOSER = 10.0
 # Angle defects below this, in radians, count as flat.
 _FLAT = 1e-4
 # Share of curved vertices on the wrong side that rules a net out.
@@ -32,16 +29,20 @@ class Advice:
         net: name of the recipe.
         diagonal: whether the star property is asked of the diagonal net.
         distance: mean of the net's measures, the largest of its parts, dimensionless.
-        own: mean of the measure that tells this net from others.
+        beyond: the same without orthogonality, which nearly every net asks for: what tells this
+            net from others.
         possible: whether a mesh of this shape can be near such a net.
+        cause: one word for the reason, empty where there is none: ``bulges``, ``bends``,
+            ``diagonal`` or ``oblique``.
         reason: why not, or what will happen to the shape, in one sentence.
     """
 
     net: str
     diagonal: bool
     distance: float
-    own: float
+    beyond: float
     possible: bool
+    cause: str
     reason: str
 
     @property
@@ -50,15 +51,11 @@ class Advice:
         return f"{self.net} --diagonal" if self.diagonal else self.net
 
 
-_STAR_NETS: dict[str, Callable[..., FloatArray]] = {
-    "geodesic": measures.geodesic,
-    "asymptotic": measures.asymptotic,
-    "cmc": cmc,
-}
-
-
 def advise(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> list[Advice]:
     """Compare a mesh with every net and diagonal net, the nearest possible one first.
+
+    Nets that it is already come before all others, those that would bend it after those that would
+    not.
 
     ``known`` may hold measures of the mesh by name, so that they are not taken twice.
     """
@@ -69,13 +66,21 @@ def advise(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> lis
 
     orthogonal = float(value("orthogonality", measures.orthogonality).mean())
     flat = float(value("planarity", measures.planarity).mean())
-    curved = _curved_shares(mesh)
+    positive, negative = _curved_shares(mesh)
+    twisted = twisted_lines(mesh)
 
     def advice(net: str, diagonal: bool, values: FloatArray) -> Advice:
-        own = float(values.mean())
         planar = net in ("circular", "conical")
-        distance = max(own, flat if planar else orthogonal)
-        return Advice(net, diagonal, distance, own, *_possible(net, *curved))
+        beyond = max(float(values.mean()), flat if planar else 0.0)
+        distance = beyond if planar else max(beyond, orthogonal)
+        possible, cause, reason = True, "", ""
+        if net == "asymptotic" and positive > _MOST:
+            possible, cause, reason = False, "bulges", _bulges(positive)
+        elif net in ("geodesic", "chebyshev") and positive + negative > _MOST:
+            cause, reason = "bends", _BENDS
+        elif net in CURVATURE_LINES and twisted is not None:
+            possible, cause, reason = False, twisted.cause, str(twisted)
+        return Advice(net, diagonal, distance, beyond, possible, cause, reason)
 
     found = [
         advice("principal", False, value("planarity", measures.planarity)),
@@ -84,10 +89,15 @@ def advise(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> lis
     ]
     if len(mesh.connectivity.stars):
         found.append(advice("conical", False, value("conical", measures.conical)))
-        for net, measure in _STAR_NETS.items():
+        for net, measure in STAR_NETS.items():
             found.append(advice(net, False, value(net, partial(measure, diagonal=False))))
             found.append(advice(net, True, measure(mesh, diagonal=True)))
-    return sorted(found, key=lambda one: (not one.possible, one.distance, one.own))
+    return sorted(found, key=_order)
+
+
+def _order(advice: Advice) -> tuple[bool, bool, bool, float, float]:
+    there = advice.distance < _IS
+    return not there, not advice.possible, bool(advice.cause), advice.beyond, advice.distance
 
 
 def advice_as_dict(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> dict[str, Any]:
@@ -111,40 +121,19 @@ def advice_as_dict(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None
     return {"nets": nets, "recommendation": recommendation, "already": already}
 
 
-def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> str | None:
-    """Return a warning where the other variant of a net starts ten times closer."""
-    if net not in _STAR_NETS or not len(mesh.connectivity.stars):
-        return None
-    asked = float(_STAR_NETS[net](mesh, diagonal=diagonal).mean())
-    other = float(_STAR_NETS[net](mesh, diagonal=not diagonal).mean())
-    if asked <= CLOSER * other:
-        return None
-    words = "without --diagonal" if diagonal else "with --diagonal"
+_BENDS = "the shape is doubly curved and will be bent towards a developable surface"
+
+
+def _bulges(share: float) -> str:
     return (
-        f"{net}: the start is {asked:.1e} from this net but {other:.1e} from the other variant; "
-        f"try {words}"
+        f"{100 * share:.0f} % of the inner vertices lie where the Gauss curvature is positive, "
+        "where a surface has no asymptotic lines"
     )
-
-
-def _possible(net: str, positive: float, negative: float) -> tuple[bool, str]:
-    """Whether a shape with such shares of its vertices curved can be near a net, and why not."""
-    if net == "asymptotic" and positive > _MOST:
-        return False, (
-            f"{100 * positive:.0f} % of the inner vertices lie where the Gauss curvature is "
-            "positive, where a surface has no asymptotic lines"
-        )
-    if net in ("geodesic", "chebyshev") and positive + negative > _MOST:
-        return True, "the shape is doubly curved and will be bent towards a developable surface"
-    return True, ""
 
 
 def _curved_shares(mesh: QuadMesh) -> tuple[float, float]:
     """Shares of inner vertices with positive and with negative Gauss curvature."""
-    net = mesh.connectivity
-    inner = ~net.boundary_vertices & net.referenced
-    if not inner.any():
+    defect = angle_defects(mesh)[inner_vertices(mesh)]
+    if not len(defect):
         return 0.0, 0.0
-    angles = measures.face_angles(mesh)
-    total = np.bincount(net.faces.ravel(), angles.ravel(), minlength=net.vertex_count)
-    defect = 2 * np.pi - total[inner]
     return float((defect > _FLAT).mean()), float((defect < -_FLAT).mean())

@@ -41,7 +41,8 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
 
     Returns:
         Plain numbers for JSON: counts, ``measures`` with ``max``, ``mean`` and ``worst`` (the
-        number of the face, edge or star centre) each, ``edge_ratio``, ``flipped_faces``, ``size``
+        number of the face, edge or star centre) each, ``planarity_gap`` (largest distance between
+        the diagonals of a face) in the mesh's unit, ``edge_ratio``, ``flipped_faces``, ``size``
         (lengths of the bounding box) and ``mean_edge`` in the mesh's unit, ``advice`` on which
         net to optimise for, ``multi_net``, None where the mesh is not of grid type, and
         ``remarks`` on where it meets itself without being joined.
@@ -59,6 +60,7 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         "components": int(net.components.max()) + 1,
         "size": (used.max(axis=0) - used.min(axis=0)).tolist(),
         "mean_edge": mesh.mean_edge,
+        "planarity_gap": float(measures.diagonal_distances(mesh).max()),
         "edge_ratio": measures.edge_ratio(mesh),
         "flipped_faces": int(measures.flipped(mesh).sum()),
         "advice": advice_as_dict(mesh, values),

@@ -117,6 +117,15 @@ def corners_that_stay(mesh: QuadMesh, wanted: Constraints) -> IntArray:
     return np.zeros(0, dtype=np.int64)
 
 
+def on_curves(mesh: QuadMesh, wanted: Constraints) -> BoolArray:
+    """(V,) true for vertices that glide along a curve; ``wanted`` is settled."""
+    found = np.zeros(len(mesh.vertices), dtype=bool)
+    for glide in wanted.glide:
+        if isinstance(glide, CurveGlide):
+            found[glide.vertices] = True
+    return found
+
+
 def _add_handles(problem: Problem, handles: Mapping[int, FloatArray]) -> None:
     count = problem.mesh.connectivity.vertex_count
     for vertex, target in handles.items():

@@ -5,11 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from solver import InputError, QuadMesh, optimise, start_optimisation
+from solver import Constraints, InputError, QuadMesh, optimise, start_optimisation
 from solver.analysis import measures
 from solver.analysis.advisor import advice_as_dict
+from solver.mesh.diagonal import diagonal_meshes
+from solver.nets import DEVELOPABLE
 from tests.conftest import demo_roof, grid_faces, shared_mesh, wavy_grid
-from tests.meshes import grid, parameters
+from tests.meshes import grid, noisy, parameters
+from tests.solver.analysis.test_directions import saddle
 
 # Name and largest mean move, in mean edges.
 REQUIRED = {
@@ -217,7 +220,8 @@ def test_shape_that_was_given_up_is_told_in_numbers():
     x, y = parameters(11, 9, 10.0, 8.0)
     dome = grid(x, y, 3.7 - 0.09 * (x**2 + y**2))
     report = optimise(dome, "asymptotic").report
-    assert report.status == "converged" and report.far
+    assert report.status == "collapsed" and report.far
+    assert "as a plane only" in report.message and "fixed or glides" in report.message
     assert report.size_start[2] == np.ptp(dome.vertices[:, 2])
     assert report.size[2] < 0.5 * report.size_start[2]
     assert report.mean_edge == dome.mean_edge
@@ -231,3 +235,32 @@ def test_net_that_is_there_already_is_called_so():
     assert found.report.message.startswith("the mesh is a principal net already")
     assert advice_as_dict(found.mesh)["already"]
     assert advice_as_dict(found.mesh)["recommendation"].endswith("net already")
+
+
+def test_a_collapse_to_a_plane_is_no_success_and_names_the_start_that_keeps_its_height():
+    start = saddle()
+    found = optimise(start, "principal")
+    assert np.ptp(found.mesh.vertices[:, 2]) < 1e-6 * np.ptp(start.vertices[:, 2])
+    assert found.report.status == "collapsed"
+    assert "as a plane only" in found.report.message
+    assert "its diagonal mesh (diagonal IN.obj -o OUT.obj)" in found.report.message
+    other = diagonal_meshes(start).first
+    kept = optimise(other, "principal")
+    assert kept.report.status == "converged"
+    assert np.ptp(kept.mesh.vertices[:, 2]) > 0.9 * np.ptp(other.vertices[:, 2])
+
+
+def test_a_plane_that_was_asked_for_is_a_success():
+    start = saddle(rows=7, columns=7)
+    x, y = parameters(3, 3, 30.0, 30.0)
+    level = grid(x, y, 0 * x)
+    triangles = level.faces[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)
+    near = Constraints(close_to=(level.vertices, triangles))
+    found = optimise(start, "principal", constraints=near)
+    assert measures.thickness(found.mesh) < 0.05 * measures.thickness(start)
+    assert found.report.status == "converged", found.report.message
+    for net in (*DEVELOPABLE, "isometric"):
+        assert start_optimisation(start, net).original.may_flatten
+    assert not start_optimisation(start, "asymptotic").original.may_flatten
+    flat = noisy(grid(*parameters(7, 7, 6.0, 6.0), np.zeros((7, 7))), 0.02)
+    assert optimise(flat, "principal").report.status == "converged"

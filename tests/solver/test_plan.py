@@ -13,11 +13,15 @@ from tests.conftest import wavy_grid
 from tests.meshes import bent_sheet
 
 
-def planned(net, mesh):
+def planner(net, mesh, weights):
     fixed = np.zeros(len(mesh.vertices), dtype=bool)
     if net == "stress":
         fixed = mesh.connectivity.boundary_vertices
-    return Plan(net, fixed, NetOptions(), Constraints(), Weights()).problems(mesh)
+    return Plan(net, fixed, NetOptions(), Constraints(), weights)
+
+
+def planned(net, mesh):
+    return planner(net, mesh, Weights()).problems(mesh)
 
 
 def attempts(problem):
@@ -39,6 +43,16 @@ def test_no_attempt_is_made_twice(net, build):
             straight.setdefault(id(problem.mesh), []).extend(attempts(problem))
     for tried in (*straight.values(), *ways_round):
         assert len(set(tried)) == len(tried) > 0
+
+
+@pytest.mark.parametrize("build", [lambda: wavy_grid(7, 6), bent_sheet], ids=["wave", "sheet"])
+@pytest.mark.parametrize("net", RECIPES)
+def test_a_given_fairness_changes_no_other_guide(net, build):
+    mesh = build()
+    own = next(problem for problem in planned(net, mesh) if problem.mesh is mesh)
+    usual = dict(next(attempts(own)))
+    given = dict(next(attempts(planner(net, mesh, Weights(fairness=0.5)).single(mesh))))
+    assert given == {**usual, "fairness": 0.5}
 
 
 def test_the_start_itself_is_tried_before_it_is_bent():

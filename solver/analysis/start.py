@@ -1,0 +1,176 @@
+"""What is to be known of a start before the first step: why a net will be hard to reach from it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from solver.analysis import measures
+from solver.analysis.directions import directions
+from solver.analysis.spheres import cmc
+from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+
+STAR_NETS: dict[str, Callable[..., FloatArray]] = {
+    "geodesic": measures.geodesic,
+    "asymptotic": measures.asymptotic,
+    "cmc": cmc,
+}
+# Nets whose lines follow the principal directions. Where more than this part of the bending is
+# twist along the lines they flatten the shape or stall; where the diagonals have less than that of
+# it, the diagonal mesh is a start for them.
+CURVATURE_LINES = ("principal", "circular", "conical")
+_TWISTED, _FOLLOWING = 0.45, 0.2
+# Degrees that the normal may turn about a border that is held: more were not made up for.
+_TURN = 1.0
+# Sine of the angle of a border that makes a corner.
+_CORNER = 0.2
+# Least divisor where a border runs back on itself.
+_BACK = 1e-9
+# A variant of a net that starts this many times closer deserves a remark.
+_CLOSER = 10.0
+
+
+@dataclass(frozen=True)
+class Remark:
+    """Something about a start that stands in the way of a net.
+
+    Attributes:
+        cause: one word for programs: ``diagonal``, ``oblique``, ``border`` or ``variant``.
+        fact: what is so, in words that end no sentence.
+        remedy: what to do, likewise.
+        numbers: of a border: degrees, and the vertices at both its ends.
+    """
+
+    cause: str
+    fact: str
+    remedy: str
+    numbers: tuple[float, int, int] = (0.0, 0, 0)
+
+    def __str__(self) -> str:
+        """Fact and remedy in one sentence."""
+        return f"{self.fact}; try: {self.remedy}"
+
+
+def start_remarks(
+    mesh: QuadMesh, net: str, diagonal: bool = False, held: BoolArray | None = None
+) -> tuple[Remark, ...]:
+    """Say what stands in the way of a net.
+
+    Args:
+        mesh: the start.
+        net: name of the recipe.
+        diagonal: whether the star property is asked of the diagonal net.
+        held: (V,) true for vertices that are fixed or glide along a curve; none by default.
+    """
+    found = [closer_variant(mesh, net, diagonal)]
+    if net in CURVATURE_LINES:
+        found.append(twisted_lines(mesh))
+        if held is not None:
+            found.append(_turned_border(mesh, held))
+    return tuple(remark for remark in found if remark is not None)
+
+
+def twisted_lines(mesh: QuadMesh) -> Remark | None:
+    """Say where lines run so far from the principal directions that they will not turn there."""
+    lines = directions(mesh)
+    if lines.twist <= _TWISTED:
+        return None
+    fact = (
+        f"the lines run at {lines.angle:.0f} degrees to the curvature directions of the surface, "
+        "which this net has to follow"
+    )
+    if directions(mesh, diagonal=True).twist < _FOLLOWING:
+        return Remark("diagonal", fact, "its diagonal mesh (diagonal IN.obj -o OUT.obj)")
+    return Remark("oblique", fact, "a start whose lines follow them")
+
+
+def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> Remark | None:
+    """Say where the other variant of a net starts ten times closer."""
+    if net not in STAR_NETS or not len(mesh.connectivity.stars):
+        return None
+    asked = float(STAR_NETS[net](mesh, diagonal=diagonal).mean())
+    other = float(STAR_NETS[net](mesh, diagonal=not diagonal).mean())
+    if asked <= _CLOSER * other:
+        return None
+    fact = f"{net}: the start is {asked:.1e} from this net but {other:.1e} from the other variant"
+    return Remark("variant", fact, "without --diagonal" if diagonal else "with --diagonal")
+
+
+def _turned_border(mesh: QuadMesh, held: BoolArray) -> Remark | None:
+    """Say where a border that is held cannot be a line of curvature.
+
+    The normals along a line of curvature are parallel in the sense of Bishop: they turn no more
+    about it than its bending makes them. On a border that is held the normals at its corners are
+    known, and so is the turn between them, whatever the surface in between.
+
+    Source: Bishop (1975), There is more than one way to frame a curve.
+    """
+    turns = []
+    for side in _sides(mesh):
+        closed = side[0] == side[-1]
+        if held[side].all():
+            turns.append((abs(_turn(mesh.vertices[side], closed)), side))
+    if not turns:
+        return None
+    turn, side = max(turns, key=lambda each: each[0])
+    if turn <= _TURN:
+        return None
+    first, last = (side[0], side[0]) if side[0] == side[-1] else (side[1], side[-2])
+    where = f"between corners {first} and {last}" if first != last else f"once around from {first}"
+    return Remark(
+        "border",
+        f"the border that is held twists the surface by {turn:.1f} degrees {where}, where this net "
+        "allows hardly any",
+        "a border that may leave its curve, to be trimmed afterwards",
+        (turn, int(first), int(last)),
+    )
+
+
+def _sides(mesh: QuadMesh) -> Iterator[IntArray]:
+    """Vertices of each border from corner to corner, and one more beyond each of the two corners.
+
+    A loop without corners comes whole and begins and ends with the same vertex.
+    """
+    corner = mesh.connectivity.corners
+    for loop in mesh.connectivity.boundary_loops:
+        corners = np.flatnonzero(corner[loop])
+        if not len(corners):
+            yield np.append(loop, loop[0])
+            continue
+        turned = np.roll(loop, -corners[0])
+        places = [*np.flatnonzero(corner[turned]).tolist(), len(loop)]
+        for first, last in pairwise(places):
+            yield turned[np.arange(first - 1, last + 2) % len(loop)]
+
+
+def _turn(points: FloatArray, closed: bool) -> float:
+    """Degrees by which the normals at both ends of a side differ about it, -90 to 90.
+
+    Zero where a border has no angle at a corner, so that no normal is known.
+    """
+    edges = unit_rows(np.diff(points, axis=0))
+    if closed:
+        edges = np.concatenate([edges, edges[:1]])
+        first = last = np.cross(edges[0], np.eye(3)[np.argmin(np.abs(edges[0]))])
+    else:
+        first, last = np.cross(edges[0], edges[1]), np.cross(edges[-2], edges[-1])
+        if min(np.linalg.norm(first), np.linalg.norm(last)) < _CORNER:
+            return 0.0
+        edges = edges[1:-1]
+    for before, after in pairwise(edges):
+        first = _parallel(first, before, after)
+    turn = np.arctan2(np.cross(first, last) @ edges[-1], first @ last)
+    # A corner that points inwards has its normal on the other side.
+    return float((np.degrees(turn) + 90) % 180 - 90)
+
+
+def _parallel(normal: FloatArray, before: FloatArray, after: FloatArray) -> FloatArray:
+    """The normal of a curve, turned by the smallest rotation of one of its edges to the next."""
+    axis = np.cross(before, after)
+    turned = normal * (before @ after) + np.cross(axis, normal)
+    along = float(axis @ normal) / max(1.0 + float(before @ after), _BACK)
+    return np.asarray(turned + along * axis)
