@@ -23,8 +23,10 @@ Loops = tuple[tuple[int, ...], ...]
 BOX_SIDES: Loops = ((4, 5, 6, 7), (3, 2, 1, 0)) + tuple(
     (k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4) for k in range(4)
 )
-# These corners, true where the upper bound is meant.
-_BOX = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]) == 1
+# The corners of a box in this order, true where its upper bound is meant.
+BOX_CORNERS = np.array(
+    [(x, y, upper) for upper in (False, True) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+).astype(bool)
 
 
 class Body(ABC):
@@ -60,7 +62,14 @@ class Body(ABC):
         By default its box in its own coordinates.
         """
         low, high = self.points.min(axis=0), self.points.max(axis=0)
-        return (Polyhedron(np.where(_BOX, high, low), BOX_SIDES),)
+        return (Polyhedron(np.where(BOX_CORNERS, high, low), BOX_SIDES),)
+
+    def filling(self) -> tuple[Polyhedron, ...]:
+        """The same as exactly as the body can tell: at best these are the body without its holes.
+
+        They are where their volumes add up to its own.
+        """
+        return self.pieces()
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,6 +125,21 @@ class Divided(Polyhedron):
     def pieces(self) -> tuple[Polyhedron, ...]:
         """The blocks."""
         return self.blocks
+
+
+@dataclass(frozen=True, eq=False)
+class Hollow(Polyhedron):
+    """A tube: few corners from outside, several convex walls when looked into.
+
+    Attributes:
+        walls: convex polyhedra that together are the body.
+    """
+
+    walls: tuple[Polyhedron, ...]
+
+    def filling(self) -> tuple[Polyhedron, ...]:
+        """The walls."""
+        return self.walls
 
 
 @dataclass(frozen=True, eq=False)

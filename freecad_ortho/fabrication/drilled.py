@@ -66,6 +66,10 @@ class DrilledBody(Body):
         """Those of the whole body."""
         return self.whole.pieces()
 
+    def filling(self) -> tuple[Polyhedron, ...]:
+        """That of the whole body."""
+        return self.whole.filling()
+
     def solid(self) -> cadquery.Solid:
         """Build the whole and cut all holes from it at once."""
         import cadquery

@@ -19,6 +19,7 @@ from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.report import report_page
 from freecad_ortho.fabrication.stock import different_tubes, stock_list
+from freecad_ortho.fabrication.systems import Nodes
 from solver.errors import InputError
 from solver.mesh.grid import grid_faces
 from solver.mesh.quadmesh import QuadMesh
@@ -192,7 +193,7 @@ def test_parts_that_touch_do_not_clash(meshes, name):
 
 
 def test_twisted_beams_cut_into_each_other_a_little(twisted):
-    """Their mitre planes are not one plane; what the kernel finds is well below a part's volume."""
+    """Their mitre planes are not one plane; what they share is well below a part's volume."""
     parts = {part.name: part for part in build(twisted, [Beams(200, 12)]).parts}
     clashes = check_clashes(list(parts.values())).clashes
     assert clashes
@@ -217,13 +218,21 @@ def test_clashes_are_found_with_their_volume(plane):
     assert failed[x.name].startswith(f"cuts {first.name} by 369375.0 mm3")
 
 
-def test_a_pair_that_the_kernel_cannot_cut_is_said(twisted, monkeypatch):
+def test_pairs_of_parts_that_only_the_kernel_can_judge(plane, monkeypatch):
+    """Of drilled parts half-spaces tell the most that they can share, the kernel what they do."""
+    structure = build(plane, [Beams(200, 12, ends="hub"), Nodes("hub", bore=60)])
+    hubs = list(structure.results["nodes"].parts)
+    hubs[1] = replace(hubs[1], origin=hubs[0].origin + np.array([0.0, 0.0, 150.0]))
+    (clash,) = (each for each in check_clashes(hubs).clashes if each.first == hubs[0].name)
+    assert clash.volume == pytest.approx(hubs[0].volume / 4, rel=1e-9)
+
     class Failing(BRepAlgoAPI_Common):
         def IsDone(self):
             return False
 
     monkeypatch.setattr("OCP.BRepAlgoAPI.BRepAlgoAPI_Common", Failing)
-    production = produce(build(twisted, [Beams(200, 12)]))
+    results = {"nodes": replace(structure.results["nodes"], parts=tuple(hubs))}
+    production = produce(replace(structure, results=results))
     report = production.report()
     checked = report["clash_check"]
     assert checked["clashes"] == [] and len(checked["pairs_open"]) == checked["pairs_cut"] > 0

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Loops, Polyhedron
+from freecad_ortho.fabrication.bodies import BOX_SIDES, Hollow, Loops, Polyhedron
 from freecad_ortho.fabrication.sizes import check_size
 from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
 from solver.errors import InputError
@@ -35,6 +35,13 @@ def _hollow_loops() -> Loops:
 
 
 HOLLOW_LOOPS = _hollow_loops()
+# Corners and sides of the walls: below, above, on the right, on the left.
+_HOLLOW_WALLS = (
+    ((*range(6), *range(12, 18)), LOOPS),
+    ((*range(18, 24), *range(6, 12)), LOOPS),
+    ((13, 1, 2, 14, 19, 7, 8, 20), BOX_SIDES),
+    ((16, 4, 5, 17, 22, 10, 11, 23), BOX_SIDES),
+)
 
 
 @dataclass(frozen=True)
@@ -113,7 +120,11 @@ class Piece:
 
     def body(self, edge: int, origin: FloatArray, turn: FloatArray) -> Polyhedron:
         """Body of one beam's part; ``turn`` has the part's directions in the beam's, one a row."""
-        return Polyhedron((self.corners[edge] - origin) @ turn.T, self.loops)
+        corners = (self.corners[edge] - origin) @ turn.T
+        if self.role != "tube":
+            return Polyhedron(corners, self.loops)
+        walls = (Polyhedron(corners[list(wall)], loops) for wall, loops in _HOLLOW_WALLS)
+        return Hollow(corners, self.loops, tuple(walls))
 
 
 def pieces(geometry: BeamGeometry, section: Section) -> tuple[Piece, ...]:
