@@ -10,6 +10,7 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +24,7 @@ from solver.errors import InputError
 from solver.formfinding import find_form
 from solver.io.polygons import quads_of, read_polygons, write_polygons
 from solver.mesh.diagonal import diagonal_meshes
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.primitives import primitive
 from solver.mesh.remesh import quads_from_triangles
 from solver.multinet import Quadric, elliptic_net, multi_net
@@ -71,6 +73,16 @@ class LoadedMesh:
     mesh: QuadMesh
     unit: str
     remarks: tuple[str, ...]
+
+    @cached_property
+    def origin(self) -> LocalOrigin:
+        """Point near the mesh where it is far from the origin, in the file's unit."""
+        return LocalOrigin.of_mesh(self.mesh)
+
+    @cached_property
+    def near(self) -> QuadMesh:
+        """The mesh about that point; the mesh itself where it is not far."""
+        return self.origin.near_mesh(self.mesh)
 
 
 def read_mesh(path: str | os.PathLike[str], unit: str | None = None) -> LoadedMesh:

@@ -26,6 +26,7 @@ from solver.candidate import Candidate, judge
 from solver.damped_step import DAMPING_START, Stepper
 from solver.linear.backends import default_backend, symmetric_solver
 from solver.linear.threads import one_thread
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.relaxation import Relaxation
@@ -89,6 +90,7 @@ class Optimisation:
         original: the problem against whose start results are judged, by default the first.
         remarks: what stands in the way of the net, for the report and its advice.
         held: what keeps vertices from moving freely, such as "fixed vertices", for the advice.
+        origin: what the problems' coordinates are measured from; what comes out is in the model's.
     """
 
     def __init__(
@@ -101,11 +103,13 @@ class Optimisation:
         original: Problem | None = None,
         remarks: Sequence[Remark] = (),
         held: Sequence[str] = (),
+        origin: LocalOrigin | None = None,
     ) -> None:
         begin = time.perf_counter()
         self._problems = [problems] if isinstance(problems, Problem) else list(problems)
         self.original = original or self._problems[0]
         self.remarks, self.held = tuple(remarks), tuple(held)
+        self.origin = origin or LocalOrigin(np.zeros(3))
         self.tolerance = tolerance
         self.max_steps = max_steps
         self.backend = backend or default_backend(int(self._problems[0].free.sum()))
@@ -138,7 +142,7 @@ class Optimisation:
     @property
     def mesh(self) -> QuadMesh:
         """Current shape in model units."""
-        return self.problem.mesh_at(self._state.x)
+        return self.origin.back_mesh(self.problem.mesh_at(self._state.x))
 
     @property
     def vertices(self) -> FloatArray:
@@ -203,7 +207,7 @@ class Optimisation:
     def hold(self) -> None:
         """Go on from the shape reached, with handles that have moved: for live editing."""
         if self.finished or self._turn or self._attempt > 1:
-            mesh = self.outcome().mesh if self.finished else self.mesh
+            mesh = self._found().mesh if self.finished else self.problem.mesh_at(self._state.x)
             self.restart()
             problem, state = self.problem, self._state
             points = (mesh.vertices - problem.centre) / problem.scale
@@ -266,7 +270,10 @@ class Optimisation:
 
     def outcome(self) -> Outcome:
         """Best mesh so far and its report; the status is ``stopped`` while steps are left."""
-        return summarise(self, self._best.so_far() or self._judge(self._state.x))
+        return summarise(self, self._found())
+
+    def _found(self) -> Candidate:
+        return self._best.so_far() or self._judge(self._state.x)
 
     def _prepare(self) -> None:
         """Lay out the equations of the current problem and stand at its start."""

@@ -12,6 +12,7 @@ import numpy as np
 from solver.analysis.start import start_remarks
 from solver.errors import InputError
 from solver.gauss_newton import Optimisation
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import RECIPES
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
@@ -67,6 +68,8 @@ def start_optimisation(
 ) -> Optimisation:
     """Prepare an optimisation that the caller advances step by step.
 
+    The work is done about a local origin where the mesh is far from the origin.
+
     Args:
         mesh: the start, in any unit; it is not changed.
         net: name of the recipe, see ``solver.nets.RECIPES``.
@@ -100,12 +103,18 @@ def start_optimisation(
     weights = replace(
         Weights(), **{key: value for key, value in given.items() if value is not None}
     )
-    wanted = constraints or Constraints()
+    origin = LocalOrigin.of_mesh(mesh)
+    mesh = origin.near_mesh(mesh)
+    chosen = options or NetOptions()
+    if chosen.reference is not None:
+        # It counts by its shape, wherever it lies.
+        reference = np.asarray(chosen.reference, dtype=np.float64)
+        chosen = replace(chosen, reference=LocalOrigin.of(reference).near(reference))
+    wanted = (constraints or Constraints()).about(origin)
     fixed = fixed_vertices(mesh, fix)
     held = _held(net, bool(fixed.any()), wanted)
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
-    chosen = options or NetOptions()
     remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
 
     plan = Plan(net, fixed, chosen, wanted, weights)
@@ -114,7 +123,9 @@ def start_optimisation(
     original = next(problem for problem in problems if problem.mesh is mesh)
     _refuse_contradictions(original)
     stay = fairness is None and not wanted.handles and wanted.close_to is None
-    return Optimisation(problems, tolerance, max_steps, backend, stay, original, remarks, held)
+    return Optimisation(
+        problems, tolerance, max_steps, backend, stay, original, remarks, held, origin
+    )
 
 
 def _held(net: str, fixed: bool, wanted: Constraints) -> list[str]:

@@ -84,6 +84,8 @@ class Report:
         mean_edge: of the input, in model units.
         size: lengths of the bounding box along x, y and z, in model units.
         size_start: the same of the input.
+        origin: point about which was computed, in model units: zero near the origin, a round number
+            near the input far from it.
         seconds_setup: pattern, numbering and symbolic analysis.
         solver: name of the sparse solver.
         remarks: where the mesh meets itself without being joined, and by how much it came apart.
@@ -112,6 +114,7 @@ class Report:
     mean_edge: float
     size: list[float]
     size_start: list[float]
+    origin: list[float] = field(default_factory=lambda: [0.0, 0.0, 0.0])
     solver: str = ""
     remarks: list[str] = field(default_factory=list)
     history: list[StepRecord] = field(default_factory=list, repr=False)

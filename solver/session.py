@@ -133,6 +133,9 @@ class Session:
         """Draw the handles to their targets, from the (n, 3) points ``begin`` on."""
         problem = self._run.problem
         goals = np.array(list(self.targets.values()))
-        begin, goals = ((places - problem.centre) / problem.scale for places in (begin, goals))
+        begin, goals = (
+            (self._run.origin.near(places) - problem.centre) / problem.scale
+            for places in (begin, goals)
+        )
         vertices = np.array(list(self.targets), dtype=np.int64)
         self._run.retarget("handles", Pull(vertices, begin, goals=goals))

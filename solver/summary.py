@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 # What was not joined and is now further apart than this many mean edges has come apart.
 _OPENED = 1e-4
-# Tolerances below this are out of reach wherever the model lies.
-_REACHABLE = 1e-15
 # A plane that is narrower than this part of its length is a line.
 _THIN = 1e-2
 
@@ -54,11 +52,12 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         mean_edge=start.mean_edge,
         size=_size(best.mesh),
         size_start=_size(start),
+        origin=cast(list[float], run.origin.shift.tolist()),
         solver=run.backend,
         remarks=_remarks(start, best.mesh),
         history=list(history),
     )
-    return Outcome(best.mesh, report)
+    return Outcome(run.origin.back_mesh(best.mesh), report)
 
 
 def _message(run: Optimisation, best: Candidate, status: str) -> str:
@@ -91,9 +90,6 @@ def _remedies(run: Optimisation, best: Candidate, status: str) -> list[str]:
         remedies.append(" and ".join(trouble) + ": raise fairness or closeness")
     if not any(remark.cause == "border" for remark in run.remarks):
         remedies += [f"fewer {what} give the net room" for what in run.held]
-    spacing = np.spacing(np.abs(run.original.mesh.vertices).max()) / run.original.scale
-    if 100 * spacing > run.tolerance >= _REACHABLE:
-        remedies.append("coordinates are far from the origin: move the model near it")
     if status == STOPPED and len(run.history) >= run.max_steps:
         remedies.insert(0, f"more than {run.max_steps} steps")
     if status == COLLAPSED and not remedies:

@@ -9,7 +9,15 @@ import sys
 from collections.abc import Sequence
 
 from freecad_ortho import api
-from freecad_ortho.cli import fabricating, multinet, net_options, optimising, reporting, sources
+from freecad_ortho.cli import (
+    fabricating,
+    multinet,
+    net_options,
+    optimising,
+    reporting,
+    sources,
+    values,
+)
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import OrthoError
@@ -69,6 +77,7 @@ def _add_optimise(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--tolerance", type=float, default=1e-10)
     parser.add_argument("--max-steps", type=int, default=1000, metavar="N")
+    values.add_origin(parser)
     net_options.add(parser)
     parser.add_argument("-v", "--verbose", action="store_true", help="one line a step")
     parser.set_defaults(run=_optimise)

@@ -49,4 +49,4 @@ def run(options: argparse.Namespace) -> int:
     )
     for remark in net.remarks:
         sys.stderr.write(f"{remark}\n")
-    return values.write(options.output, net.mesh.scaled(1.0 / scale), unit)
+    return values.write(options, net.mesh.scaled(1.0 / scale), unit)

@@ -27,19 +27,20 @@ def run(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output)
     counts = values.sampling(options.sampling) if options.sampling else None
     loaded = reporting.load(options)
-    before = multi_net_residual(loaded.mesh).worst
-    fit = fit_multi_net(loaded.mesh)
+    before = multi_net_residual(loaded.near).worst
+    fit = fit_multi_net(loaded.near)
     mesh = fit.mesh
     if counts:
         mesh = fit.net.sampled(*counts, (float(fit.t.min()), float(fit.t.max())))
     with np.errstate(divide="ignore"):
         lengths = 1.0 / np.sqrt(np.abs(fit.quadric.curvatures))
+    centre = loaded.origin.back(fit.quadric.centre)
     words = (
-        f"{fit.quadric.kind}, semi-axes {_list(lengths)}, centre {_list(fit.quadric.centre)} "
+        f"{fit.quadric.kind}, semi-axes {_list(lengths)}, centre {_list(centre)} "
         f"{loaded.unit}; rectangles off by {before:.1e} of the squared size before; vertices moved "
         f"by at most {fit.deviation:.3g} {loaded.unit}"
     )
-    return values.write(options.output, mesh, loaded.unit, words)
+    return values.write(options, mesh, loaded.unit, words, loaded.origin)
 
 
 def _list(numbers: np.ndarray) -> str:

@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     if options.max_steps < 1 or not options.tolerance > 0:
         raise InputError("--max-steps and --tolerance: expected positive numbers")
     loaded = reporting.load(options)
-    mesh = loaded.mesh
+    mesh = loaded.near
     held = supported(mesh, options.supports)
     if options.lift:
         points = mesh.vertices.copy()
@@ -83,5 +83,5 @@ def run(options: argparse.Namespace) -> int:
         if found.unbalanced > 1:
             return EXIT_NOT_CONVERGED
     words = f"{found.message}, {found.iterations} solves, unbalanced {found.unbalanced:.1e}"
-    values.write(options.output, found.mesh, loaded.unit, words)
+    values.write(options, found.mesh, loaded.unit, words, loaded.origin)
     return EXIT_OK if found.converged else EXIT_NOT_CONVERGED

@@ -77,7 +77,7 @@ def run(options: argparse.Namespace) -> int:
         mesh = reflected(mesh, options.reflect.replace(",", ""), net.quadric)
     low, high = net.admissible
     words = f"admissible t from {low:.6g} to {high:.6g}"
-    return values.write(options.output, mesh, options.unit, words)
+    return values.write(options, mesh, options.unit, words)
 
 
 def _placed(quadric: Quadric, options: argparse.Namespace) -> Quadric:

@@ -82,7 +82,7 @@ def add(parser: argparse.ArgumentParser) -> None:
 
 
 def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, Any]:
-    """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh.
+    """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh near its origin.
 
     Raises:
         InputError: an option that the net does not have, or one that cannot be used.
@@ -118,7 +118,7 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
             load_length=options.load_length,
             forces=forces,
         ),
-        "constraints": _constraints(options, loaded.unit),
+        "constraints": _constraints(options, loaded),
     }
 
 
@@ -140,7 +140,9 @@ def _in_unit(points: FloatArray, named: str | None, wanted: str) -> FloatArray:
     return points if named is None else points * (millimetres_per(named) / millimetres_per(wanted))
 
 
-def _constraints(options: argparse.Namespace, unit: str) -> Constraints | None:
+def _constraints(options: argparse.Namespace, loaded: api.LoadedMesh) -> Constraints | None:
+    """What the options hold, about the local origin of the mesh."""
+    unit = loaded.unit
     handles = dict(_handle(text) for text in options.handle)
     glide = tuple(_glide(text, unit) for text in options.glide)
     near = None
@@ -149,7 +151,8 @@ def _constraints(options: argparse.Namespace, unit: str) -> Constraints | None:
     symmetry = options.symmetry.replace(",", "").replace(" ", "").lower()
     if not (handles or glide or near or symmetry):
         return None
-    return Constraints(handles=handles, glide=glide, close_to=near, symmetry=symmetry)
+    wanted = Constraints(handles=handles, glide=glide, close_to=near, symmetry=symmetry)
+    return wanted.about(loaded.origin)
 
 
 def _handle(text: str) -> tuple[int, FloatArray]:

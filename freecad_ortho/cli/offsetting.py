@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
         raise InputError(f"--distance: expected a finite number of mm, got {options.distance}")
     loaded = reporting.load(options)
     scale = millimetres_per(loaded.unit)
-    found = api.offset_mesh(loaded.mesh.scaled(scale), options.distance, options.kind)
+    found = api.offset_mesh(loaded.near.scaled(scale), options.distance, options.kind)
     if options.report:
         report = {
             "kind": found.kind,
@@ -52,6 +52,5 @@ def run(options: argparse.Namespace) -> int:
             "distances_mm": found.distances.tolist(),
         }
         write_text(options.report, json.dumps(report, indent=2) + "\n")
-    return values.write(
-        options.output, found.mesh.scaled(1 / scale), loaded.unit, f"in mm: {found.message}"
-    )
+    mesh, words = found.mesh.scaled(1 / scale), f"in mm: {found.message}"
+    return values.write(options, mesh, loaded.unit, words, loaded.origin)

@@ -21,7 +21,7 @@ def run(options: argparse.Namespace) -> bool:
     settings = net_options.settings(options, loaded)
     values.refuse_unwritable(options.output, options.report)
     optimisation = api.start_optimisation(
-        loaded.mesh,
+        loaded.near,
         options.net,
         fairness=options.fairness,
         closeness=options.closeness,
@@ -34,10 +34,14 @@ def run(options: argparse.Namespace) -> bool:
         sys.stderr.write(f"note: {remark}\n")
     with reporting.Progress(options.verbose) as progress:
         outcome = optimisation.run(_follower(progress, options.tolerance))
-    api.write_mesh(options.output, outcome.mesh, loaded.unit)
+    wanted = values.write_mesh(options, outcome.mesh, loaded.unit, loaded.origin)
     if options.report:
-        write_text(options.report, json.dumps(outcome.report.as_dict(), indent=2) + "\n")
+        places = {"origin": loaded.origin.shift.tolist(), "file_origin": wanted.shift.tolist()}
+        report = outcome.report.as_dict() | places
+        write_text(options.report, json.dumps(report, indent=2) + "\n")
     _tell(outcome, options.output, loaded)
+    if wanted.far:
+        sys.stdout.write(f"{values.about(wanted, loaded.unit)}\n")
     return outcome.report.status == CONVERGED
 
 

@@ -8,6 +8,7 @@ from freecad_ortho import api
 from freecad_ortho.cli import values
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.remesh import quads_from_triangles
 
 
@@ -35,8 +36,9 @@ def run(options: argparse.Namespace) -> int:
     vertices, triangles, unit = read_triangles(options.input)
     unit = options.unit or unit or api.DEFAULT_UNIT
     millimetres_per(unit)
+    origin = LocalOrigin.of(vertices)
     made = quads_from_triangles(
-        vertices,
+        origin.near(vertices),
         triangles,
         faces=options.faces,
         edge=options.edge,
@@ -48,4 +50,4 @@ def run(options: argparse.Namespace) -> int:
         f"{len(made.irregular)} irregular vertices, mean edge {made.mesh.mean_edge:.4g} {unit}, "
         f"border within {made.border_gap:.2g} {unit}"
     )
-    return values.write(options.output, made.mesh, unit, words)
+    return values.write(options, made.mesh, unit, words, origin)

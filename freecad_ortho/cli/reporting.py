@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho import api
-from freecad_ortho.cli.values import counted
+from freecad_ortho.cli.values import about, counted
 from freecad_ortho.units import millimetres_per
 
 if TYPE_CHECKING:
@@ -24,6 +24,9 @@ def load(options: argparse.Namespace) -> api.LoadedMesh:
     loaded = api.read_mesh(options.input, options.unit)
     for remark in loaded.remarks:
         sys.stderr.write(f"note: {remark}\n")
+    if loaded.origin.far:
+        words = about(loaded.origin, loaded.unit).replace("coordinates", "all work is done", 1)
+        sys.stderr.write(f"note: the mesh is far from the origin: {words}\n")
     return loaded
 
 

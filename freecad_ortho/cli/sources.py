@@ -29,7 +29,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         for flag, settings in options.items():
             parser.add_argument(flag, **settings)  # type: ignore[arg-type]
         values.add_output(parser)
-        parser.set_defaults(run=_changer(change))
+        parser.set_defaults(run=_changer(change, name not in _PLACED))
     _add_weld(commands.add_parser("weld", help="join patches, or one with itself, into one net"))
     forming.add(commands.add_parser("formfind", help="a membrane or cable net in equilibrium"))
     offsetting.add(commands.add_parser("offset", help="a parallel mesh at a distance"))
@@ -38,11 +38,16 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     remeshing.add(commands.add_parser("quads", help="a triangle mesh remeshed to quads"))
 
 
-def _changer(change: Change) -> Callable[[argparse.Namespace], int]:
+def _changer(change: Change, anywhere: bool) -> Callable[[argparse.Namespace], int]:
+    """The run of a change; one that is the same ``anywhere`` is made about the local origin."""
+
     def run(options: argparse.Namespace) -> int:
         values.refuse_unwritable(options.output)
         loaded = reporting.load(options)
-        return values.write(options.output, change(loaded.mesh, options), loaded.unit)
+        origin = loaded.origin
+        made = change(loaded.near if anywhere else loaded.mesh, options)
+        made = made if anywhere else origin.near_mesh(made)
+        return values.write(options, made, loaded.unit, origin=origin)
 
     return run
 
@@ -81,7 +86,7 @@ def _primitive(options: argparse.Namespace) -> int:
             )
         given[key] = _setting(known[key], text)
     mesh = primitive(options.name, m, n, **given)
-    return values.write(options.output, mesh, options.unit)
+    return values.write(options, mesh, options.unit)
 
 
 def _setting(parameter: Parameter, text: str) -> object:
@@ -114,11 +119,13 @@ def _weld(options: argparse.Namespace) -> int:
     loaded = [api.read_mesh(path, options.unit) for path in options.inputs]
     unit = loaded[0].unit
     patches = [one.mesh.scaled(millimetres_per(one.unit) / millimetres_per(unit)) for one in loaded]
+    origin = loaded[0].origin
+    patches = [origin.near_mesh(patch) for patch in patches]
     mesh = mirror.welded(patches, options.tolerance)
     merged, *remarks = mirror.weld_remarks(patches, mesh)
     for remark in remarks:
         sys.stderr.write(f"note: {remark}\n")
-    return values.write(options.output, mesh, unit, merged)
+    return values.write(options, mesh, unit, merged, origin)
 
 
 def _diagonal(mesh: QuadMesh, options: argparse.Namespace) -> QuadMesh:
@@ -185,6 +192,8 @@ def _turned(mesh: QuadMesh, options: argparse.Namespace) -> QuadMesh:
     return mirror.swapped(mesh) if options.swap else mesh
 
 
+# Changes whose options name places.
+_PLACED = ("mirror", "transform")
 _CHANGES: dict[str, tuple[str, Change, dict[str, dict[str, object]]]] = {
     "diagonal": (
         "one of the two diagonal meshes",

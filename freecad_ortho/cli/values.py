@@ -7,10 +7,13 @@ import os
 import re
 import sys
 
+import numpy as np
+
 from freecad_ortho import api
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import InputError, OutputError
 from solver.io.polygons import refuse_unknown_extension
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
 
 
@@ -66,10 +69,46 @@ def sampling(text: str, option: str = "--sampling") -> tuple[int, int]:
 def add_output(parser: argparse.ArgumentParser) -> None:
     """Options that every source of meshes has."""
     parser.add_argument("-o", "--output", required=True, metavar="OUT.obj")
+    add_origin(parser)
     parser.add_argument(
         "--unit", choices=tuple(MILLIMETRES), help="unit of the coordinates, noted in the file"
     )
+
+
+def add_origin(parser: argparse.ArgumentParser) -> None:
+    """The option that says what coordinates in files are measured from."""
     allow_negative_lists(parser)
+    parser.add_argument(
+        "--origin",
+        type=_origin,
+        default=LocalOrigin(np.zeros(3)),
+        metavar="keep|local|X,Y,Z",
+        help="where files have a mesh that is far from the origin: where it is (keep, the default) "
+        "or about a round point near it, or near any mesh a point of yours",
+    )
+
+
+def origin_of(options: argparse.Namespace, automatic: LocalOrigin) -> LocalOrigin:
+    """What is taken off coordinates in files, in the unit of the mesh.
+
+    Args:
+        options: with the option ``origin``.
+        automatic: the local origin of the mesh.
+    """
+    return automatic if options.origin is None else options.origin
+
+
+def _origin(text: str) -> LocalOrigin | None:
+    """What ``--origin`` says; None for the local origin of whatever the mesh will be."""
+    word = text.strip().lower()
+    if word in ("keep", "local"):
+        return LocalOrigin(np.zeros(3)) if word == "keep" else None
+    try:
+        return LocalOrigin(np.array(numbers("--origin", word, 3)))
+    except InputError:
+        raise argparse.ArgumentTypeError(
+            f"expected keep, local or X,Y,Z, got '{text[:40]}'"
+        ) from None
 
 
 def refuse_unwritable(output: str, report: str | None = None) -> None:
@@ -96,14 +135,50 @@ def refuse_unwritable(output: str, report: str | None = None) -> None:
     refuse_unknown_extension(output)
 
 
+def write_mesh(
+    options: argparse.Namespace, mesh: QuadMesh, unit: str | None, origin: LocalOrigin
+) -> LocalOrigin:
+    """Write a mesh that lies about ``origin``; return what the file's coordinates lie about."""
+    wanted = origin_of(options, origin)
+    # Their difference is taken first: a file about a local origin has every digit of the work.
+    api.write_mesh(options.output, LocalOrigin(origin.shift - wanted.shift).back_mesh(mesh), unit)
+    return wanted
+
+
+def about(origin: LocalOrigin, unit: str | None) -> str:
+    """Words that say what coordinates are measured from."""
+    point = ", ".join(f"{value:.12g}" for value in origin.shift.tolist())
+    return f"coordinates about {point}" + (f" {unit}" if unit else "")
+
+
 def counted(number: int, noun: str, plural: str = "") -> str:
     """``1 quad``, ``2 quads``."""
     return f"{number} {noun if number == 1 else plural or noun + 's'}"
 
 
-def write(path: str, mesh: QuadMesh, unit: str | None, words: str = "") -> int:
-    """Write a mesh and say so in one line; exit code 0."""
-    api.write_mesh(path, mesh, unit)
+def write(
+    options: argparse.Namespace,
+    mesh: QuadMesh,
+    unit: str | None,
+    words: str = "",
+    origin: LocalOrigin | None = None,
+) -> int:
+    """Write a mesh where the options want it and say so in one line; exit code 0.
+
+    Args:
+        options: with ``output`` and ``origin``.
+        mesh: the mesh, about ``origin`` where that is given.
+        unit: of its coordinates.
+        words: what else to say.
+        origin: the local origin of what the mesh was made from; by default the mesh's own.
+    """
+    if origin is None:
+        origin = LocalOrigin.of_mesh(mesh)
+        mesh = origin.near_mesh(mesh)
+    path = options.output
+    wanted = write_mesh(options, mesh, unit, origin)
+    if wanted.far:
+        words = "; ".join(part for part in (words, about(wanted, unit)) if part)
     vertices = counted(len(mesh.vertices), "vertex", "vertices")
     count = f"{vertices}, {counted(len(mesh.faces), 'quad')}"
     sys.stdout.write("; ".join(part for part in (count, words, path) if part) + "\n")

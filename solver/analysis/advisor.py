@@ -10,6 +10,7 @@ from typing import Any
 from solver.analysis import measures
 from solver.analysis.curvature import angle_defects, inner_vertices
 from solver.analysis.start import CURVATURE_LINES, STAR_NETS, twisted_lines
+from solver.mesh.local_origin import LocalOrigin, resolution
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.report import with_article
 
@@ -51,14 +52,22 @@ class Advice:
         return f"{self.net} --diagonal" if self.diagonal else self.net
 
 
-def advise(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> list[Advice]:
+def advise(
+    mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None, coarse: float | None = None
+) -> list[Advice]:
     """Compare a mesh with every net and diagonal net, the nearest possible one first.
 
     Nets that it is already come before all others, those that would bend it after those that would
     not.
 
-    ``known`` may hold measures of the mesh by name, so that they are not taken twice.
+    Args:
+        mesh: the mesh.
+        known: measures of it by name, so that they are not taken twice.
+        coarse: how far apart its coordinates could lie, in mean edges, where it came from: a net
+            whose coordinates are rounded to that is still that net. By default as it lies.
     """
+    zero = _zero(mesh, coarse)
+    mesh = LocalOrigin.of_mesh(mesh).near_mesh(mesh)
     taken = dict(known or {})
 
     def value(name: str, measure: Callable[[QuadMesh], FloatArray]) -> FloatArray:
@@ -92,24 +101,36 @@ def advise(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> lis
         for net, measure in STAR_NETS.items():
             found.append(advice(net, False, value(net, partial(measure, diagonal=False))))
             found.append(advice(net, True, measure(mesh, diagonal=True)))
-    return sorted(found, key=_order)
+    return sorted(found, key=lambda one: _order(one, zero))
 
 
-def _order(advice: Advice) -> tuple[bool, bool, bool, float, float]:
-    there = advice.distance < _IS
+def _zero(mesh: QuadMesh, coarse: float | None) -> float:
+    """A mesh that is less than this from a net on average is that net."""
+    return max(_IS, resolution(mesh) if coarse is None else coarse)
+
+
+def _order(advice: Advice, zero: float) -> tuple[bool, bool, bool, float, float]:
+    there = advice.distance < zero
     return not there, not advice.possible, bool(advice.cause), advice.beyond, advice.distance
 
 
-def advice_as_dict(mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None) -> dict[str, Any]:
+def advice_as_dict(
+    mesh: QuadMesh, known: Mapping[str, FloatArray] | None = None, coarse: float | None = None
+) -> dict[str, Any]:
     """Return advice as plain data.
+
+    Args:
+        mesh: the mesh.
+        known: measures of it by name, as for :func:`advise`.
+        coarse: distance of its coordinates, as there.
 
     Returns:
         ``nets`` (one each), ``recommendation`` (one sentence), and ``already``: whether the mesh is
         the recommended net.
     """
-    found = advise(mesh, known)
+    found = advise(mesh, known, coarse)
     best = found[0]
-    already = best.distance < _IS
+    already = best.distance < _zero(mesh, coarse)
     if already:
         recommendation = f"the mesh is {with_article(best.title)} net already"
     else:

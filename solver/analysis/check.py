@@ -14,6 +14,7 @@ from solver.candidate import spread_of
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.grid import grid_of
+from solver.mesh.local_origin import LocalOrigin, resolution
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import seams
 from solver.multinet.inverse import multi_net_residual_of
@@ -37,7 +38,7 @@ _LINES = 65
 
 
 def check(mesh: QuadMesh) -> dict[str, Any]:
-    """Measure a mesh against every net.
+    """Measure a mesh against every net, about a local origin where it is far from the origin.
 
     Returns:
         Plain numbers for JSON: counts, ``measures`` with ``max``, ``mean`` and ``worst`` (the
@@ -47,6 +48,8 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         net to optimise for, ``multi_net``, None where the mesh is not of grid type, and
         ``remarks`` on where it meets itself without being joined.
     """
+    coarse = resolution(mesh)
+    mesh = LocalOrigin.of_mesh(mesh).near_mesh(mesh)
     net = mesh.connectivity
     used = mesh.vertices[net.referenced]
     values = {name: measure(mesh) for name, measure, _ in MEASURES}
@@ -63,9 +66,9 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         "planarity_gap": float(measures.diagonal_distances(mesh).max()),
         "edge_ratio": measures.edge_ratio(mesh),
         "flipped_faces": int(measures.flipped(mesh).sum()),
-        "advice": advice_as_dict(mesh, values),
+        "advice": advice_as_dict(mesh, values, coarse),
         "measures": {name: _entry(mesh, values[name], where) for name, _, where in MEASURES},
-        "multi_net": _multi_net(mesh),
+        "multi_net": _multi_net(mesh, max(MULTI_NET, coarse)),
         "remarks": seams(mesh).remarks(),
     }
 
@@ -78,12 +81,12 @@ def _entry(mesh: QuadMesh, values: FloatArray, where: str) -> dict[str, float | 
     return {"max": spread.max, "mean": spread.mean, "worst": worst, "where": where}
 
 
-def _multi_net(mesh: QuadMesh) -> dict[str, Any] | None:
+def _multi_net(mesh: QuadMesh, zero: float) -> dict[str, Any] | None:
     """How far a mesh of grid type is from a multi-net; None for other meshes.
 
     ``worst`` is the largest violation of Eq. 1 / size^2 over all rectangles of parameter lines, and
     ``corners`` the opposite corners of that rectangle. On large grids that are no multi-nets by far
-    only some lines are asked: ``at_least`` is true then.
+    only some lines are asked: ``at_least`` is true then. Violations up to ``zero`` count as none.
     """
     try:
         numbers = grid_of(mesh).numbers
@@ -92,12 +95,12 @@ def _multi_net(mesh: QuadMesh) -> dict[str, Any] | None:
     some = numbers[np.ix_(*(_spread_out(count) for count in numbers.shape))]
     thinned = some.size < numbers.size
     found = multi_net_residual_of(mesh.vertices[some])
-    if thinned and found.worst <= MULTI_NET:
+    if thinned and found.worst <= zero:
         some, thinned = numbers, False
         found = multi_net_residual_of(mesh.vertices[numbers])
     i, j, k, line = found.rectangle
     return {
-        "is_multi_net": found.worst <= MULTI_NET,
+        "is_multi_net": found.worst <= zero,
         "worst": found.worst,
         "at_least": thinned,
         "corners": [int(some[i, j]), int(some[k, line])],

@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 from solver.errors import InputError
 from solver.mesh.closest import Polyline, TriangleSurface
 from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Problem
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
@@ -32,6 +33,10 @@ class PlaneGlide:
     place: float
     vertices: IntArray | None = None
 
+    def about(self, origin: LocalOrigin) -> PlaneGlide:
+        """The same plane in coordinates about a local origin."""
+        return replace(self, place=float(self.place - origin.shift[self.axis]))
+
 
 @dataclass(frozen=True)
 class CurveGlide:
@@ -40,6 +45,10 @@ class CurveGlide:
     points: FloatArray
     closed: bool = False
     vertices: IntArray | None = None
+
+    def about(self, origin: LocalOrigin) -> CurveGlide:
+        """The same curve in coordinates about a local origin."""
+        return replace(self, points=origin.near(self.points))
 
 
 @dataclass(frozen=True)
@@ -50,10 +59,18 @@ class SurfaceGlide:
     triangles: IntArray
     vertices: IntArray | None = None
 
+    def about(self, origin: LocalOrigin) -> SurfaceGlide:
+        """The same surface in coordinates about a local origin."""
+        return replace(self, points=origin.near(self.points))
+
 
 @dataclass(frozen=True)
 class BoundaryGlide:
     """Boundary vertices on their own start curve; corners stay."""
+
+    def about(self, origin: LocalOrigin) -> BoundaryGlide:
+        """The same: it goes wherever the mesh goes."""
+        return self
 
 
 Glide = PlaneGlide | CurveGlide | SurfaceGlide | BoundaryGlide
@@ -74,6 +91,34 @@ class Constraints:
     glide: tuple[Glide, ...] = ()
     close_to: tuple[FloatArray, IntArray] | None = None
     symmetry: str = ""
+
+    def about(self, origin: LocalOrigin) -> Constraints:
+        """The same in coordinates about a local origin.
+
+        Raises:
+            InputError: the mesh is far from a plane of its symmetry.
+        """
+        if not origin.far:
+            return self
+        for word in self.symmetry:
+            if word in _AXES and origin.shift[_AXES.index(word)]:
+                raise InputError(
+                    f"symmetry: the mesh is far from the plane {word}=0, so that no vertex has a "
+                    "mirror image; centre the mesh there or leave the symmetry out"
+                )
+        near = None
+        if self.close_to is not None:
+            points, triangles = self.close_to
+            near = origin.near(points), triangles
+        return replace(
+            self,
+            handles={
+                vertex: origin.near(np.asarray(target, dtype=np.float64))
+                for vertex, target in self.handles.items()
+            },
+            glide=tuple(glide.about(origin) for glide in self.glide),
+            close_to=near,
+        )
 
 
 def add_constraints(problem: Problem, wanted: Constraints, closeness: float) -> Problem:

@@ -149,9 +149,7 @@ def test_report(run):
 @pytest.mark.slow
 def test_parts_list(parts):
     names = [row["name"] for row in parts]
-    assert names == [f"B{k:04d}" for k in range(BEAMS)] + [
-        f"P{k:04d}" for k in range(PANELS)
-    ]
+    assert names == [f"B{k:04d}" for k in range(BEAMS)] + [f"P{k:04d}" for k in range(PANELS)]
     assert all(float(row["volume_mm3"]) > 0 and float(row["mass_kg"]) > 0 for row in parts)
 
 
