@@ -156,13 +156,17 @@ def fabricate(
     from freecad_ortho import fabrication
 
     materials = fabrication.materials_of(material, system.split("+"), density)
+    scale, origin = millimetres_per(unit), LocalOrigin.of_mesh(mesh)
+    shift = origin.scaled(scale).shift
     return fabrication.build(
-        mesh.scaled(millimetres_per(unit)),
+        origin.near_mesh(mesh).scaled(scale),
         fabrication.systems_of(system, sizes, materials),
         material=materials,
         limits=limits,
         selection=fabrication.Selection(family, None if lines is None else tuple(lines)),
         progress=progress,
+        place=fabrication.Place(origin=shift),
+        origin=shift,
     )
 
 
@@ -174,6 +178,7 @@ def write_fabrication(
     workers: int | None = None,
     executor: Executor | None = None,
     project: str = "",
+    origin: str | Sequence[float] = "local",
     **workshop: Any,
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports, all or none.
@@ -185,6 +190,8 @@ def write_fabrication(
         workers: processes on this machine to share the work on parts.
         executor: any ``concurrent.futures`` executor to do so instead, e.g. that of a cluster.
         project: what the readable report is headed by, such as the name of the mesh.
+        origin: what coordinates in the files are measured from: ``local`` for the round point near
+            a net that is far from the origin, ``keep`` for the model's own origin, or a point, mm.
         workshop: settings of ``fabrication.Workshop`` (``sheet="3000x1500", kerf=0.2``), mm.
 
     Returns:
@@ -199,7 +206,12 @@ def write_fabrication(
     chosen = fabrication.Workshop.of(workshop)
     with fabrication.local_pool(None if executor else workers) as pool:
         return fabrication.write(
-            structure, folder, progress, workshop=chosen, executor=executor or pool, project=project
+            structure.measured_from(origin),
+            folder,
+            progress,
+            workshop=chosen,
+            executor=executor or pool,
+            project=project,
         )
 
 

@@ -19,6 +19,7 @@ from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.option import Option
+from freecad_ortho.units import millimetres_per
 
 # What a value is read as, and what stands for it in the help.
 _KINDS: dict[str, tuple[type, str]] = {
@@ -66,6 +67,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         _add_option(shop, option)
     parser.add_argument("--workers", type=int, metavar="N", help="processes that share the work")
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
+    values.add_origin(parser, keep=False)
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
     parser.set_defaults(run=run)
 
@@ -76,6 +78,7 @@ def run(options: argparse.Namespace) -> int:
     workshop = _given(options, [option.name for option in Workshop.options])
     Workshop.of(workshop)
     sizes = _given(options, _options())
+    scale = millimetres_per(loaded.unit)
     structure = api.fabricate(
         loaded.mesh,
         options.system,
@@ -98,6 +101,7 @@ def run(options: argparse.Namespace) -> int:
             progress,
             workers=options.workers,
             project=Path(options.input).stem,
+            origin=values.origin_of(options, loaded.origin).scaled(scale).shift.tolist(),
             **workshop,
         )
     sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")

@@ -75,16 +75,17 @@ def add_output(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_origin(parser: argparse.ArgumentParser) -> None:
-    """The option that says what coordinates in files are measured from."""
+def add_origin(parser: argparse.ArgumentParser, keep: bool = True) -> None:
+    """The option that says what coordinates in files are measured from, by default as before."""
     allow_negative_lists(parser)
     parser.add_argument(
         "--origin",
         type=_origin,
-        default=LocalOrigin(np.zeros(3)),
+        default=LocalOrigin(np.zeros(3)) if keep else None,
         metavar="keep|local|X,Y,Z",
-        help="where files have a mesh that is far from the origin: where it is (keep, the default) "
-        "or about a round point near it, or near any mesh a point of yours",
+        help="what coordinates in files are measured from: the same as before (keep), a round "
+        "point near a mesh that is far from the origin (local), or a point of yours, in the mesh's "
+        f"unit (default: {'keep' if keep else 'local'})",
     )
 
 

@@ -5,6 +5,7 @@ from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import MATERIALS, Material, material, materials_of
 from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Hole, Mark
+from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.site import Selection, Site
 from freecad_ortho.fabrication.sizes import OFFSETS
 from freecad_ortho.fabrication.solids import brep_text
@@ -41,6 +42,7 @@ __all__ = [
     "Panels",
     "Part",
     "Patches",
+    "Place",
     "Selection",
     "Site",
     "Structure",

@@ -89,7 +89,7 @@ def write(
     with _no_new_folders_on_failure(target), staged_folder(target, _earlier(target)) as staging:
         structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
         say(0.4, "structure.step")
-        write_step(staging / "structure.step", structure.parts)
+        write_step(staging / "structure.step", structure.parts, structure.place)
         if production.named_patterns:
             say(0.8, _FLAT)
             write_dxf(staging / _FLAT, production.named_patterns)
@@ -139,7 +139,8 @@ def write_lists(folder: Path, production: Production, project: str = "") -> list
     equal_to = production.families.equal_to
     parts = production.structure.parts
     write_parts(folder / "parts.csv", parts, production.verdicts, equal_to)
-    write_nodes(folder / "nodes.csv", production.nodes, equal_to)
+    place = production.structure.place
+    write_nodes(folder / "nodes.csv", production.nodes, equal_to, place)
     write_stock(folder / "stock.csv", production.bars)
     if any(pattern.bends for pattern in production.named_patterns.values()):
         write_bends(folder / BENDS, production.named_patterns)

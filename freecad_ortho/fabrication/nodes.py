@@ -20,7 +20,7 @@ class Node:
     Attributes:
         name: ``N0000`` is vertex 0.
         vertex: number of the mesh vertex, counted from 0.
-        point: (3,) in the place of the model, mm.
+        point: (3,) in the coordinates of the structure, mm.
         axis: (3,) unit vector that all beams share.
         parts: names of the parts at this vertex, in their order.
         neighbours: the vertices at the other ends of the edges that are built on, in their order

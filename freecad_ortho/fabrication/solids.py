@@ -65,13 +65,19 @@ def polyhedron_solid(points: FloatArray, loops: Loops) -> cadquery.Solid:
 def placed(solid: cadquery.Solid, origin: FloatArray, frame: FloatArray) -> cadquery.Solid:
     """Return the solid moved from the standard frame to ``origin`` (3,) and ``frame`` (3, 3)."""
     import cadquery
+
+    return cadquery.Solid(solid.wrapped.Located(location(origin, frame)))
+
+
+def location(origin: FloatArray, frame: FloatArray) -> Any:
+    """The kernel's location that moves the standard frame to an origin (3,) and a frame (3, 3)."""
     from OCP.gp import gp_Ax3, gp_Dir, gp_Pnt, gp_Trsf
     from OCP.TopLoc import TopLoc_Location
 
     x, _, z = frame.tolist()
     movement = gp_Trsf()
     movement.SetTransformation(gp_Ax3(gp_Pnt(*origin.tolist()), gp_Dir(*z), gp_Dir(*x)), gp_Ax3())
-    return cadquery.Solid(solid.wrapped.Located(TopLoc_Location(movement)))
+    return TopLoc_Location(movement)
 
 
 def plane_of(loop: FloatArray) -> tuple[list[float], list[float]]:

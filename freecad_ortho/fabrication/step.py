@@ -11,32 +11,39 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.place import Place
+from freecad_ortho.fabrication.solids import location
 from solver.errors import OrthoError
 
 if TYPE_CHECKING:
     import cadquery
 
 ASSEMBLY_NAME = "structure"
+# Of the assembly that puts the structure elsewhere than its own coordinates say.
+SITE_NAME = "site"
 # The same structure gives the same file: no clock, no user name.
 _OCCURRENCE = re.compile(rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+")
 _TIME_STAMP = "2000-01-01T00:00:00"
 
 
-def write_step(path: Path, parts: Sequence[Part]) -> None:
+def write_step(path: Path, parts: Sequence[Part], place: Place | None = None) -> None:
     """Write the parts as components of one assembly, in their order.
 
-    Each product lies flat in its own coordinates, the component puts it in its place.
+    Each product lies flat in its own coordinates, the component puts it in its place. A structure
+    that stands elsewhere is itself the one component of an assembly, so that no coordinate of its
+    parts has to reach that far.
 
     Args:
         path: file to write.
         parts: each becomes a product and a component, both with the part's name.
+        place: where the structure stands.
 
     Raises:
         OrthoError: the kernel could not translate the solids.
         OSError: the file cannot be written.
     """
     document = _document()
-    _fill(document, parts)
+    _fill(document, parts, place or Place())
     path.write_bytes(_step_bytes(document))
 
 
@@ -49,8 +56,9 @@ def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
     import cadquery
     from OCP.IFSelect import IFSelect_ReturnStatus
     from OCP.STEPCAFControl import STEPCAFControl_Reader
-    from OCP.TDF import TDF_Label, TDF_LabelSequence
-    from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
+    from OCP.TDF import TDF_LabelSequence
+    from OCP.TopLoc import TopLoc_Location
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
 
     document = _document()
     reader = STEPCAFControl_Reader()
@@ -62,15 +70,28 @@ def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
         raise OrthoError(f"{path}: cannot be read back as STEP; write it again")
     roots = TDF_LabelSequence()
     XCAFDoc_DocumentTool.ShapeTool_s(document.Main()).GetFreeShapes(roots)
-    components = TDF_LabelSequence()
-    for index in range(1, roots.Length() + 1):
-        XCAFDoc_ShapeTool.GetComponents_s(roots.Value(index), components, False)
     result = []
-    for index in range(1, components.Length() + 1):
-        component, product = components.Value(index), TDF_Label()
+    for index in range(1, roots.Length() + 1):
+        result += _components(roots.Value(index), TopLoc_Location())
+    return [(name, cadquery.Shape.cast(shape)) for name, shape in result]
+
+
+def _components(assembly: Any, place: Any) -> list[tuple[str, Any]]:
+    """Names and shapes of all parts of an assembly that stands at a location."""
+    from OCP.TDF import TDF_Label, TDF_LabelSequence
+    from OCP.XCAFDoc import XCAFDoc_ShapeTool
+
+    found = TDF_LabelSequence()
+    XCAFDoc_ShapeTool.GetComponents_s(assembly, found, False)
+    result = []
+    for index in range(1, found.Length() + 1):
+        component, product = found.Value(index), TDF_Label()
         XCAFDoc_ShapeTool.GetReferredShape_s(component, product)
         shape = XCAFDoc_ShapeTool.GetShape_s(component)
-        result.append((_name_of(product), cadquery.Shape.cast(shape)))
+        if XCAFDoc_ShapeTool.IsAssembly_s(product):
+            result += _components(product, place.Multiplied(shape.Location()))
+        else:
+            result.append((_name_of(product), shape.Moved(place, False)))
     return result
 
 
@@ -84,7 +105,7 @@ def _document() -> Any:
     return document
 
 
-def _fill(document: Any, parts: Sequence[Part]) -> None:
+def _fill(document: Any, parts: Sequence[Part], place: Place) -> None:
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
     from OCP.TopLoc import TopLoc_Location
@@ -100,6 +121,11 @@ def _fill(document: Any, parts: Sequence[Part]) -> None:
         product = shapes.AddShape(solid.Located(TopLoc_Location()), False)
         TDataStd_Name.Set_s(product, name)
         TDataStd_Name.Set_s(shapes.AddComponent(assembly, product, solid.Location()), name)
+    if not place.is_here:
+        site = shapes.NewShape()
+        TDataStd_Name.Set_s(site, TCollection_ExtendedString(SITE_NAME))
+        component = shapes.AddComponent(site, assembly, location(place.origin, place.rotation.T))
+        TDataStd_Name.Set_s(component, TCollection_ExtendedString(ASSEMBLY_NAME))
     shapes.UpdateAssemblies()
 
 

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from freecad_ortho.fabrication.limits import OK, Limits, verdict
 from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.site import Selection, Site
 from freecad_ortho.fabrication.systems.system import System, SystemParts
 from freecad_ortho.fabrication.workers import in_chunks
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.local_origin import LocalOrigin
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import seams
 from solver.offset.axes import Axes
 
@@ -30,17 +34,26 @@ Progress = Callable[[float, str], None]
 class Structure:
     """All parts of a net, system by system.
 
+    Mesh, parts and solids of a net that is far from the origin lie about a local origin: there no
+    digits are lost, and the CAD kernel's tolerance means something.
+
     Attributes:
         mesh: the mesh, mm.
         site: where the systems were built; its mesh lies near the origin.
         results: what each system made, by its name.
         limits: what the parts of each system are held against, by its name.
+        place: puts what lies about the local origin where it stands in files.
+        origin: (3,) the local origin in the coordinates of the model, mm; zero where it is near.
+        file_origin: (3,) what coordinates in files are measured from, in those of the model, mm.
     """
 
     mesh: QuadMesh
     site: Site
     results: Mapping[str, SystemParts]
     limits: Mapping[str, Limits]
+    place: Place = field(default_factory=Place)
+    origin: FloatArray = field(default_factory=lambda: np.zeros(3))
+    file_origin: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
@@ -77,6 +90,25 @@ class Structure:
     def only(self, *names: str) -> Structure:
         """Return the parts of these systems alone, built as they are beside the others."""
         return replace(self, results={name: self.results[name] for name in names})
+
+    def measured_from(self, origin: str | Sequence[float]) -> Structure:
+        """The same with coordinates in files measured from elsewhere.
+
+        Args:
+            origin: ``keep`` for the model's own, ``local`` for the local origin, or a point, mm.
+
+        Raises:
+            InputError: neither a word nor a point.
+        """
+        words = {"keep": np.zeros(3), "local": self.origin}
+        try:
+            point = words[origin] if isinstance(origin, str) else np.asarray(origin, dtype=float)
+        except (KeyError, ValueError, TypeError):
+            point = np.zeros(0)
+        if point.shape != (3,) or not np.isfinite(point).all():
+            raise InputError(f"origin: expected keep, local or a point of three mm, got {origin!r}")
+        moved = point - self.file_origin
+        return replace(self, place=self.place.less(moved), file_origin=point)
 
     def compound(self, progress: Progress | None = None) -> cadquery.Compound:
         """Return one shape with the solids in the order of ``parts``, mm."""
@@ -129,6 +161,8 @@ class Structure:
             "volume_mm3": sum(part.volume for part in self.parts),
             "mass_kg": sum(part.mass for part in self.parts),
             "verdict": self._verdict(),
+            "origin_mm": self.origin.tolist(),
+            "file_origin_mm": self.file_origin.tolist(),
             **{name: result.report for name, result in self.results.items()},
             "messages": self._messages(),
         }
@@ -149,7 +183,21 @@ class Structure:
     def _messages(self) -> list[str]:
         """What the systems say, after what is to be said about the mesh."""
         said = [word for result in self.results.values() for word in result.messages]
-        return [*seams(self.mesh).remarks(), *said]
+        return [*seams(self.mesh).remarks(), *self._far(), *said]
+
+    def _far(self) -> list[str]:
+        """Where coordinates are measured from, where that is not the model's origin."""
+        if not self.origin.any() and not self.file_origin.any():
+            return []
+        local = np.array_equal(self.origin, self.file_origin)
+        point = self.origin if local else self.file_origin
+        shown = ", ".join(f"{value:.12g}" for value in point.tolist())
+        if point.any():
+            return [f"coordinates in files are measured from {shown} mm, which is near the net"]
+        return [
+            "the net is far from the origin, and coordinates in files are those of the model: a "
+            "CAD kernel may call solids invalid there, which are whole near it ('--origin local')"
+        ]
 
     def _verdict(self) -> dict[str, Any]:
         """How many parts pass, and why the others do not."""
@@ -166,6 +214,8 @@ def build(
     limits: Limits | Mapping[str, Limits] | None = None,
     selection: Selection | None = None,
     progress: Progress | None = None,
+    place: Place | None = None,
+    origin: FloatArray | None = None,
 ) -> Structure:
     """Work out all parts of a structure; the solids are built when first asked for.
 
@@ -177,6 +227,8 @@ def build(
             those of ``Limits``.
         selection: which parameter lines are built on, by default all.
         progress: called with a fraction and words; may raise to stop.
+        place: where the mesh's coordinates stand in the model, by default they are the model's.
+        origin: (3,) what was taken off the model's coordinates already, mm.
 
     Raises:
         InputError: no system or one twice, or a size that does not fit the mesh.
@@ -191,7 +243,9 @@ def build(
     results: dict[str, SystemParts] = {}
     materials = material if isinstance(material, Mapping) else dict.fromkeys(names, material)
     held = limits if isinstance(limits, Mapping) else dict.fromkeys(names, limits or Limits())
-    site = replace(Site.of(mesh_mm, selection or Selection()), done=results)
+    local = LocalOrigin.of_mesh(mesh_mm)
+    near = local.near_mesh(mesh_mm)
+    site = replace(Site.of(near, selection or Selection()), done=results)
     for number, system in enumerate(systems):
         say(number / len(systems), system.name)
         made = system.build(replace(site, material=materials[system.name]))
@@ -199,7 +253,10 @@ def build(
             raise InputError(f"{system.name}: nothing to build on this net; choose another system")
         _refuse_thickness(system.name, made.parts)
         results[system.name] = replace(made, parts=_stressed(made.parts))
-    structure = Structure(mesh_mm, site, results, held)
+    stands = place or Place()
+    moved = stands.directions(local.shift)
+    taken = moved if origin is None else origin + moved
+    structure = Structure(near, site, results, held, stands.less(-moved), taken)
     say(1.0, f"{len(structure.parts)} parts")
     return structure
 

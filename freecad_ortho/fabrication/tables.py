@@ -11,6 +11,7 @@ from typing import Any
 from freecad_ortho.fabrication.nodes import Node
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.stock import Bar
 
 _LENGTHS, _AMOUNTS = ("length", "width", "section_height", "thickness"), ("area", "volume", "mass")
@@ -96,8 +97,16 @@ def write_parts(
     write_table(path, COLUMNS, rows)
 
 
-def write_nodes(path: Path, nodes: Sequence[Node], equal_to: Mapping[str, str]) -> None:
+def write_nodes(
+    path: Path, nodes: Sequence[Node], equal_to: Mapping[str, str], place: Place
+) -> None:
     """Write one row a node: place in mm, axis, parts, angles and slopes of its edges in degrees.
+
+    Args:
+        path: file to write.
+        nodes: in the order of the rows.
+        equal_to: the first of the nodes that are alike, by the names of the nodes.
+        place: puts points and axes where they stand in the files.
 
     Raises:
         OSError: the file cannot be written.
@@ -106,8 +115,8 @@ def write_nodes(path: Path, nodes: Sequence[Node], equal_to: Mapping[str, str]) 
         [
             node.name,
             node.vertex,
-            *(f"{value:.6f}" for value in node.point),
-            *(f"{value:.9f}" for value in node.axis),
+            *(f"{value:.6f}" for value in place.points(node.point)),
+            *(f"{value:.9f}" for value in place.directions(node.axis)),
             " ".join(node.parts),
             " ".join(map(str, node.neighbours)),
             " ".join(f"{angle:.4f}" for angle in node.angles_deg),
