@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "scripts"))
-from mutation_places import mutations_of  # noqa: E402
+from mutation_places import mutations_of
 
 SOURCE = '''\
 """Adds 1 to 2."""
