@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 
 from freecad_ortho import api
 from freecad_ortho.cli import values
@@ -25,7 +26,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seed", type=int, default=0, metavar="K", help="another gives another net"
     )
-    parser.add_argument("--time-limit", type=float, default=60.0, metavar="S")
+    parser.add_argument("--time-limit", type=float, default=60.0, metavar="S", help="at most 3600")
     values.add_output(parser)
     parser.set_defaults(run=run)
 
@@ -46,6 +47,8 @@ def run(options: argparse.Namespace) -> int:
         time_limit=options.time_limit,
         corner=options.corner,
     )
+    for remark in made.remarks:
+        sys.stderr.write(f"note: {remark}\n")
     words = (
         f"{len(made.irregular)} irregular vertices, mean edge {made.mesh.mean_edge:.4g} {unit}, "
         f"border within {made.border_gap:.2g} {unit}"

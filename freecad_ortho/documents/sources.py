@@ -258,6 +258,8 @@ def quads_from_mesh(
         f"{net.Label}: {len(made.mesh.faces)} quads, {len(made.irregular)} irregular vertices, "
         f"border within {made.border_gap:.2g} mm\n"
     )
+    for remark in made.remarks:
+        FreeCAD.Console.PrintWarning(f"{net.Label}: {remark}\n")
     return net
 
 
