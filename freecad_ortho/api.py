@@ -16,13 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from freecad_ortho.mesh_files import read_mesh_file
 from freecad_ortho.step_faces import net_from_step
 from freecad_ortho.units import MILLIMETRES, millimetres_per
 from solver import QuadMesh, optimise, start_optimisation
 from solver.analysis.check import check
 from solver.errors import InputError
 from solver.formfinding import find_form
-from solver.io.polygons import quads_of, read_polygons, write_polygons
+from solver.io.polygons import quads_of, write_polygons
 from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.primitives import primitive
@@ -85,13 +86,18 @@ class LoadedMesh:
         return self.origin.near_mesh(self.mesh)
 
 
-def read_mesh(path: str | os.PathLike[str], unit: str | None = None) -> LoadedMesh:
+def read_mesh(path: str | os.PathLike[str], unit: str | None = None, up: str = "z") -> LoadedMesh:
     """Read a quad mesh; its unit is the one given, else the one the file names, else mm.
+
+    Args:
+        path: an OBJ, PLY, OFF, JSON or VTK file.
+        unit: of its coordinates.
+        up: ``z``, or ``y`` for a file whose y points up: it is turned about x.
 
     Raises:
         InputError: the file is missing or is not a usable quad mesh.
     """
-    data = read_polygons(path)
+    data = read_mesh_file(path, up)
     if not unit and data.unit and data.unit not in MILLIMETRES:
         where = f", line {data.unit_line}" if data.unit_line else ""
         raise InputError(

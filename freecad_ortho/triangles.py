@@ -7,25 +7,29 @@ from pathlib import Path
 
 import numpy as np
 
+from freecad_ortho.mesh_files import ENDINGS, read_mesh_file, upright
 from solver.errors import InputError
 from solver.io.intake import refuse_missing_vertices
-from solver.io.polygons import READERS, read_polygons
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
 
 def read_triangles(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str], up: str = "z"
 ) -> tuple[FloatArray, IntArray, str | None]:
     """Vertices (V, 3), triangles (T, 3) and unit of a file; larger faces are cut into fans.
 
-    OBJ, PLY, OFF and JSON are read here, STL, GLB and others through trimesh.
+    OBJ, PLY, OFF, JSON and VTK are read here, STL, GLB and others through trimesh.
+
+    Args:
+        path: the file.
+        up: ``z``, or ``y`` for a file whose y points up.
 
     Raises:
         InputError: no such file, trimesh missing, or nothing with triangles in it.
     """
-    if Path(path).suffix.lower() in READERS:
-        data = read_polygons(path)
+    if Path(path).suffix.lower() in ENDINGS:
+        data = read_mesh_file(path, up)
         try:
             refuse_missing_vertices(data.polygons, len(data.vertices), data.lines)
         except InputError as error:
@@ -42,7 +46,8 @@ def read_triangles(
         ) from None
     try:
         mesh = trimesh.load(os.fspath(path), force="mesh")
-        return np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=np.int64), None
+        vertices, faces = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces)
     except Exception as error:  # trimesh raises whatever its many readers raise
         reason = (str(error).splitlines() or ["damaged"])[0][:80]
         raise InputError(f"{path}: cannot be read ({reason}); export OBJ or PLY") from None
+    return upright(vertices.reshape(-1, 3), up), faces.astype(np.int64).reshape(-1, 3), None

@@ -12,9 +12,9 @@ FREECAD = ("FreeCAD", "FreeCADGui", "Part", "PySide", "PySide2", "PySide6", "piv
 CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
 # From the ground up: when it is loaded, a room imports only from those before it.
 ROOMS = (
-    "solver", "option", "units", "packages", "preferences", "resources", "triangles", "step_faces",
-    "sources", "fabrication", "convert", "objects", "view", "documents", "api", "cli", "commands",
-    "panels",
+    "solver", "option", "units", "packages", "preferences", "resources", "vtk_files", "mesh_files",
+    "triangles", "step_faces", "sources", "fabrication", "convert", "objects", "view", "documents",
+    "api", "cli", "commands", "panels",
 )  # fmt: skip
 
 IMPORT_ALL = """

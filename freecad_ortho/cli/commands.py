@@ -96,6 +96,7 @@ def _add_input(parser: argparse.ArgumentParser) -> None:
         choices=tuple(MILLIMETRES),
         help="unit of the coordinates (default: what the file says, else mm)",
     )
+    values.add_up(parser)
 
 
 def _optimise(options: argparse.Namespace) -> int:

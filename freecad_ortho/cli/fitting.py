@@ -17,6 +17,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         "values, and writes the exact multi-net, numbered like the mesh unless sampled anew."
     )
     parser.add_argument("input", metavar="IN.obj")
+    values.add_up(parser)
     parser.add_argument("--sampling", metavar="MxN", help="sample the fitted net anew")
     values.add_output(parser)
     parser.set_defaults(run=run)

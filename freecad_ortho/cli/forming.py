@@ -7,6 +7,7 @@ import sys
 
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK
+from solver.analysis.upright import side_remark
 from solver.errors import InputError
 from solver.formfinding import (
     CableNet,
@@ -26,6 +27,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         "follow the shape. Membrane: constant stress (force / length), started from the cable net."
     )
     parser.add_argument("input", metavar="IN.obj")
+    values.add_up(parser)
     parser.add_argument("--supports", default="boundary", metavar="boundary|corners|I,J,K")
     parser.add_argument(
         "--lift", metavar="I,Z[;I,Z...]", help="raise supports by Z first, e.g. '0,1.5;20,1.5'"
@@ -69,6 +71,9 @@ def run(options: argparse.Namespace) -> int:
         values.numbers("--beam-load", options.beam_load, 3),
         options.pressure,
     )
+    side = side_remark(mesh, loads.vertex, loads.area, loads.beam)
+    if side is not None:
+        sys.stderr.write(f"note: {side}\n")
     q = options.density
     tension: Tension = CableNet(family_densities(mesh, q, q, options.border))
     if options.kind == "membrane":

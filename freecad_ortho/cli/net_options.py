@@ -10,11 +10,12 @@ import numpy as np
 
 from freecad_ortho import api
 from freecad_ortho.cli import values
+from freecad_ortho.mesh_files import read_mesh_file, upright
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from solver import Constraints, InputError, NetOptions
 from solver.io.points import read_points
-from solver.io.polygons import quads_of, read_polygons
+from solver.io.polygons import quads_of
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray
 from solver.nets.constraints import (
@@ -96,7 +97,7 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
     forces = "compression" if options.compression else "tension" if options.tension else "free"
     reference = None
     if options.reference:
-        reference = _reference(options.reference, loaded)
+        reference = _reference(options.reference, options.up, loaded)
     fix = options.fix
     if options.supports and fix != "none":
         raise InputError("--supports: what does not move is supported; give --fix or --supports")
@@ -122,9 +123,9 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
     }
 
 
-def _reference(path: str, loaded: api.LoadedMesh) -> FloatArray:
+def _reference(path: str, up: str, loaded: api.LoadedMesh) -> FloatArray:
     """Positions of the reference mesh, whose faces must be those of the mesh."""
-    data, mesh = read_polygons(path), loaded.mesh
+    data, mesh = read_mesh_file(path, up), loaded.mesh
     other, _ = quads_of(data, path)
     if other.vertices.shape != mesh.vertices.shape or not np.array_equal(other.faces, mesh.faces):
         raise InputError(
@@ -144,10 +145,10 @@ def _constraints(options: argparse.Namespace, loaded: api.LoadedMesh) -> Constra
     """What the options hold, about the local origin of the mesh."""
     unit = loaded.unit
     handles = dict(_handle(text) for text in options.handle)
-    glide = tuple(_glide(text, unit) for text in options.glide)
+    glide = tuple(_glide(text, unit, options.up) for text in options.glide)
     near = None
     if options.close_to:
-        near = _surface(options.close_to, unit)
+        near = _surface(options.close_to, unit, options.up)
     symmetry = options.symmetry.replace(",", "").replace(" ", "").lower()
     if not (handles or glide or near or symmetry):
         return None
@@ -164,7 +165,7 @@ def _handle(text: str) -> tuple[int, FloatArray]:
         raise InputError(f"handle: expected I:x,y,z such as 12:0,0,3.5, got '{text}'") from None
 
 
-def _glide(text: str, unit: str) -> Glide:
+def _glide(text: str, unit: str, up: str) -> Glide:
     match = _VERTICES.search(text)
     what = text[: match.start()] if match else text
     kind, _, where = what.partition(":")
@@ -175,25 +176,25 @@ def _glide(text: str, unit: str) -> Glide:
         (place,) = values.numbers("glide", where[2:], 1)
         return PlaneGlide(_AXES.index(where[0]), place, vertices)
     if kind == "curve" and where:
-        points, closed = _curve(where)
+        points, closed = _curve(where, up)
         return CurveGlide(points, closed, vertices)
     if kind == "surface" and where:
-        return SurfaceGlide(*_surface(where, unit), vertices)
+        return SurfaceGlide(*_surface(where, unit, up), vertices)
     raise InputError(
         "glide: expected boundary, plane:z=0, curve:FILE or surface:FILE, and @I,J for some "
         f"vertices only, got '{text}'"
     )
 
 
-def _surface(path: str, unit: str) -> tuple[FloatArray, np.ndarray]:
+def _surface(path: str, unit: str, up: str) -> tuple[FloatArray, np.ndarray]:
     """Points and triangles of a surface's file."""
-    points, triangles, named = read_triangles(path)
+    points, triangles, named = read_triangles(path, up)
     return _in_unit(points, named, unit), triangles
 
 
-def _curve(path: str) -> tuple[FloatArray, bool]:
+def _curve(path: str, up: str) -> tuple[FloatArray, bool]:
     """Points of a file, without the last where it is the first again: then they are closed."""
-    curve = read_points(path)
+    curve = upright(read_points(path), up)
     apart = np.abs(curve[-1] - curve[0]).max()
     closed = len(curve) > 3 and bool(apart <= _CLOSED * size_of(curve))
     return (curve[:-1] if closed else curve), closed

@@ -22,6 +22,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         "exactly on circular nets, nets parallel to a Koebe net, and conical nets."
     )
     parser.add_argument("input", metavar="IN.obj")
+    values.add_up(parser)
     parser.add_argument(
         "--distance", type=float, required=True, metavar="MM", help="along the normals, or negative"
     )

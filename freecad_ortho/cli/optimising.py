@@ -11,6 +11,7 @@ from collections.abc import Callable
 from freecad_ortho import api
 from freecad_ortho.cli import net_options, reporting, values
 from solver import Outcome, StepRecord
+from solver.analysis.upright import side_remark
 from solver.io.atomic import write_text
 from solver.report import CONVERGED
 
@@ -30,7 +31,8 @@ def run(options: argparse.Namespace) -> bool:
         max_steps=options.max_steps,
     )
     # Before the first step: whoever reads it need not wait for the end.
-    for remark in optimisation.remarks:
+    side = side_remark(loaded.near, *settings["options"].load_vectors)
+    for remark in [*optimisation.remarks, *([] if side is None else [side])]:
         sys.stderr.write(f"note: {remark}\n")
     with reporting.Progress(options.verbose) as progress:
         outcome = optimisation.run(_follower(progress, options.tolerance))

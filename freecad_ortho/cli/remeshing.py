@@ -20,6 +20,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         "the library pyQuadriFlow."
     )
     parser.add_argument("input", metavar="IN.stl|obj|ply|off|glb")
+    values.add_up(parser)
     parser.add_argument("--faces", type=int, metavar="N", help="wanted number of quads")
     parser.add_argument("--edge", type=float, metavar="L", help="wanted edge length instead")
     parser.add_argument("--corner", type=float, default=40.0, metavar="DEG", help="kept from here")
@@ -34,7 +35,7 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Remesh and write."""
     values.refuse_unwritable(options.output)
-    vertices, triangles, unit = read_triangles(options.input)
+    vertices, triangles, unit = read_triangles(options.input, options.up)
     unit = options.unit or unit or api.DEFAULT_UNIT
     millimetres_per(unit)
     origin = LocalOrigin.of(vertices)

@@ -21,7 +21,7 @@ _BAR = 30
 
 def load(options: argparse.Namespace) -> api.LoadedMesh:
     """Read the input mesh and say on stderr what was mended."""
-    loaded = api.read_mesh(options.input, options.unit)
+    loaded = api.read_mesh(options.input, options.unit, options.up)
     for remark in loaded.remarks:
         sys.stderr.write(f"note: {remark}\n")
     if loaded.origin.far:

@@ -26,6 +26,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     for name, (words, change, options) in _CHANGES.items():
         parser = commands.add_parser(name, help=words)
         parser.add_argument("input", metavar="IN.obj")
+        values.add_up(parser)
         for flag, settings in options.items():
             parser.add_argument(flag, **settings)  # type: ignore[arg-type]
         values.add_output(parser)
@@ -100,6 +101,7 @@ def _setting(parameter: Parameter, text: str) -> object:
 
 def _add_weld(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("inputs", metavar="IN.obj", nargs="+")
+    values.add_up(parser)
     parser.add_argument(
         "--tolerance",
         type=float,
@@ -116,7 +118,7 @@ def _weld(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output)
     if not 0 <= options.tolerance < 0.1:
         raise InputError(f"--tolerance: expected 0 to 0.1, got {options.tolerance:g}")
-    loaded = [api.read_mesh(path, options.unit) for path in options.inputs]
+    loaded = [api.read_mesh(path, options.unit, options.up) for path in options.inputs]
     unit = loaded[0].unit
     patches = [one.mesh.scaled(millimetres_per(one.unit) / millimetres_per(unit)) for one in loaded]
     origin = loaded[0].origin

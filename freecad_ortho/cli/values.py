@@ -10,6 +10,7 @@ import sys
 import numpy as np
 
 from freecad_ortho import api
+from freecad_ortho.mesh_files import UP
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import InputError, OutputError
 from solver.io.polygons import refuse_unknown_extension
@@ -110,6 +111,13 @@ def _origin(text: str) -> LocalOrigin | None:
         raise argparse.ArgumentTypeError(
             f"expected keep, local or X,Y,Z, got '{text[:40]}'"
         ) from None
+
+
+def add_up(parser: argparse.ArgumentParser) -> None:
+    """The option that says which axis points up in the files that are read."""
+    parser.add_argument(
+        "--up", choices=UP, default="z", help="axis that points up in the files read (default: z)"
+    )
 
 
 def refuse_unwritable(output: str, report: str | None = None) -> None:

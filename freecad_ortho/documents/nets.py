@@ -17,6 +17,7 @@ from freecad_ortho.documents.common import document_or_new, require_net, transac
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects.net_settings import ALL
 from freecad_ortho.units import millimetres_per
+from solver.analysis.upright import side_remark
 from solver.errors import InputError
 
 if TYPE_CHECKING:
@@ -33,13 +34,15 @@ def import_net(
     path: str | os.PathLike[str],
     document: FreeCAD.Document | str | None = None,
     unit: str | None = None,
+    up: str = "z",
 ) -> FreeCAD.DocumentObject:
-    """Read an OBJ, PLY, OFF or JSON file with quads and add a Net to a document.
+    """Read an OBJ, PLY, OFF, JSON or VTK file with quads and add a Net to a document.
 
     Args:
         path: the file.
         document: a document or its name; without it the active one, or a new one.
         unit: ``mm``, ``cm``, ``m``, ``in`` or ``ft``; without it what the file says.
+        up: ``z``, or ``y`` for a file whose y points up.
 
     Returns:
         The new Net, in mm.
@@ -49,7 +52,7 @@ def import_net(
     """
     from freecad_ortho import api
 
-    loaded = api.read_mesh(path, unit)
+    loaded = api.read_mesh(path, unit, up)
     target = document_or_new(document, Path(path).stem)
     with transaction(target, FreeCAD.Qt.translate("Ortho", "Import quad mesh")):
         mesh = loaded.mesh.scaled(millimetres_per(loaded.unit))
@@ -132,9 +135,13 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     kept, passed = net_settings.divided(settings)
     with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Optimise")):
         _store(target, kept)
+        given = net_settings.for_solver(target, mesh)
         if ready is None:
-            ready = api.optimise(mesh, **{**net_settings.for_solver(target, mesh), **passed})
+            ready = api.optimise(mesh, **{**given, **passed})
         _keep(target, ready)
+    side = side_remark(mesh, *given["options"].load_vectors)
+    if side is not None:
+        FreeCAD.Console.PrintWarning(f"{target.Label}: {side}\n")
     return ready
 
 

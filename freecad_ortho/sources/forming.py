@@ -8,6 +8,7 @@ import numpy as np
 
 from freecad_ortho.option import Option
 from freecad_ortho.sources.source import Made, Source
+from solver.analysis.upright import side_remark
 from solver.errors import InputError
 from solver.formfinding import (
     CableNet,
@@ -51,10 +52,14 @@ def _formed(
     found = find_form(mesh, held, tension, loads)
     if not found.converged:
         raise InputError(f"form-finding: {found.message}")
+    side = side_remark(mesh, vertex_load, area_load, edge_load)
     pull = np.linalg.norm(found.reactions[held], axis=1).max()
     return Made(
         found.mesh,
-        (f"{found.message}, unbalanced {found.unbalanced:.0e}; largest support force {pull:.3g}",),
+        (
+            f"{found.message}, unbalanced {found.unbalanced:.0e}; largest support force {pull:.3g}",
+            *([] if side is None else [side]),
+        ),
     )
 
 

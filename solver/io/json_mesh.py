@@ -9,6 +9,7 @@ import numpy as np
 
 from solver.errors import InputError
 from solver.io.atomic import write_text
+from solver.io.compas import compas_mesh
 from solver.io.obj import ObjData
 from solver.io.reading import read_text
 from solver.io.units import unit_named
@@ -16,7 +17,7 @@ from solver.mesh.quadmesh import QuadMesh
 
 
 def read_json(path: str | os.PathLike[str]) -> ObjData:
-    """Read vertices, faces (numbers from 0) and unit.
+    """Read vertices, faces (numbers from 0) and unit, or a mesh of COMPAS.
 
     Raises:
         InputError: no such file, not JSON, or other than lists of numbers in it.
@@ -24,23 +25,35 @@ def read_json(path: str | os.PathLike[str]) -> ObjData:
     name = os.fspath(path)
     try:
         data = json.loads(read_text(path))
-        vertices = np.array(data["vertices"], dtype=np.float64)
-        faces = [[_whole(corner) for corner in face] for face in data["faces"]]
-        unit = data.get("unit", data.get("units"))
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        found = compas_mesh(data, name)
+        if found is None:
+            found = (
+                data["vertices"],
+                [[_whole(corner) for corner in face] for face in data["faces"]],
+            )
+        unit = data.get("unit", data.get("units")) if isinstance(data, dict) else None
+        vertices = np.array(found[0], dtype=np.float64)
+    except (
+        ValueError,
+        OverflowError,
+        KeyError,
+        TypeError,
+        AttributeError,
+        RecursionError,
+    ) as error:
         if isinstance(error, InputError):
             raise
         raise InputError(
-            f'{name}: expected {{"vertices": [[x, y, z], ...], "faces": [[a, b, c, d], ...]}}; '
-            "export again"
+            f'{name}: expected {{"vertices": [[x, y, z], ...], "faces": [[a, b, c, d], ...]}} or a '
+            "mesh of COMPAS; export again"
         ) from None
-    if vertices.ndim != 2 or vertices.shape[1] != 3 or not faces:
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or not found[1]:
         raise InputError(f"{name}: expected vertices of three coordinates and at least one face")
-    return ObjData(vertices, faces, unit_named(unit) if isinstance(unit, str) else None)
+    return ObjData(vertices, found[1], unit_named(unit) if isinstance(unit, str) else None)
 
 
 def _whole(corner: object) -> int:
-    if not isinstance(corner, int):
+    if not isinstance(corner, int) or isinstance(corner, bool):
         raise TypeError
     return corner
 

@@ -52,6 +52,11 @@ class NetOptions:
         if not 0 < self.angle < 180:
             raise InputError(f"angle: expected degrees between 0 and 180, got {self.angle}")
 
+    @property
+    def load_vectors(self) -> list[tuple[float, float, float]]:
+        """Loads of a stress net as vectors, of a vertex, of unit area and of unit length."""
+        return [(0.0, 0.0, -load) for load in (self.load, self.load_area, self.load_length)]
+
     def stars(self, problem: Problem) -> IntArray:
         """(S, 5) stars of the net or of its diagonal net.
 
