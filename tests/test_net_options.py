@@ -10,7 +10,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.__main__ import main
-from freecad_ortho.cli import net_options
+from freecad_ortho.cli import net_options, values
 from solver import QuadMesh
 from solver.analysis import measures, spheres
 from tests.conftest import grid_faces, shared_mesh, wavy_grid
@@ -122,6 +122,7 @@ def glides(*arguments: str):
     parser = argparse.ArgumentParser()
     parser.add_argument("--fix", default="none")
     parser.add_argument("--net", default="principal")
+    values.add_up(parser)
     net_options.add(parser)
     options = parser.parse_args(arguments)
     return net_options.settings(options, api.LoadedMesh(wavy_grid(3, 3), "m", ()))["constraints"]
