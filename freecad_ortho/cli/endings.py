@@ -6,8 +6,13 @@ import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from types import FrameType
 
 EXIT_OK, EXIT_NOT_CONVERGED, EXIT_BAD_INPUT = 0, 1, 2
+# Between two processes of ours only: the work was stopped, as a shell counts it.
+EXIT_STOPPED = 130
+NOTHING_WRITTEN = "stopped; nothing was written\n"
+ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 @contextmanager
@@ -22,17 +27,39 @@ def kept_whole() -> Iterator[None]:
     pressed: list[int] = []
     before = {
         number: signal.signal(number, lambda number, frame: pressed.append(number))
-        for number in (signal.SIGINT, signal.SIGTERM)
+        for number in ENDING_SIGNALS
     }
     try:
         yield
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-    if pressed:
+    if pressed and callable(handler := before[pressed[0]]):
+        handler(pressed[0], None)
+
+
+def held_back() -> None:
+    """Keep what asks this process, or one that it starts now, to end, until it is let through."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_BLOCK, ENDING_SIGNALS)
+
+
+def let_through() -> None:
+    """Let come what was held back."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING_SIGNALS)
+
+
+def end_once() -> None:
+    """From here on, being asked to end (SIGTERM) cleans up like Ctrl-C does.
+
+    Only the first time: what is cleared away then is not broken off again.
+    """
+
+    def end(number: int, frame: FrameType | None) -> None:
+        for each in ENDING_SIGNALS:
+            signal.signal(each, signal.SIG_IGN)
         raise KeyboardInterrupt
 
-
-def end_like_ctrl_c() -> None:
-    """From here on, being asked to end (SIGTERM) cleans up like Ctrl-C does."""
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for number in ENDING_SIGNALS:
+        signal.signal(number, end)

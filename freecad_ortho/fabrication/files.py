@@ -114,17 +114,20 @@ def _beside(folder: Path, structure: Structure) -> list[str]:
     ]
 
 
-def _earlier(target: Path) -> list[str]:
-    """Names of the files that an earlier run wrote here and that this one may leave out."""
+def _earlier(target: Path) -> Iterator[str]:
+    """Names of the files that an earlier run wrote here and that this one may leave out.
+
+    Looked up when they are asked for: until then that run may not have come to its end.
+    """
     try:
         report = json.loads((target / _REPORT).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         # Missing, or something else of that name: then nothing here is known to be ours.
-        return []
+        return
     names = report.get("files") if isinstance(report, dict) and "systems" in report else None
-    if not isinstance(names, list):
-        return []
-    return [name for name in names if isinstance(name, str) and _REMOVABLE.fullmatch(name)]
+    for name in names if isinstance(names, list) else []:
+        if isinstance(name, str) and _REMOVABLE.fullmatch(name):
+            yield name
 
 
 def write_lists(folder: Path, production: Production, project: str = "") -> list[str]:

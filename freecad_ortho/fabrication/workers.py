@@ -12,6 +12,7 @@ from multiprocessing import spawn
 from pathlib import Path
 from typing import TypeVar
 
+from freecad_ortho.processes import end_with_parent
 from solver.errors import InputError
 
 Given, Made = TypeVar("Given"), TypeVar("Made")
@@ -72,7 +73,7 @@ def local_pool(workers: int | None) -> Iterator[Executor | None]:
     spawn.set_executable(interpreter())
     try:
         context = multiprocessing.get_context("spawn")
-        pool = ProcessPoolExecutor(workers, context, initializer=_leave_interrupts_alone)
+        pool = ProcessPoolExecutor(workers, context, initializer=_serve)
         with _plain_main(), pool:
             try:
                 yield pool
@@ -103,9 +104,10 @@ def interpreter() -> str:
     raise InputError(f"workers: no {version} found beside FreeCAD; leave the workers out")
 
 
-def _leave_interrupts_alone() -> None:
-    """Ctrl-C reaches every process of a terminal; the one that was started by hand answers."""
+def _serve() -> None:
+    """End with the process that is served, not with Ctrl-C, which reaches all of a terminal."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    end_with_parent()
 
 
 @contextmanager

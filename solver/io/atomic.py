@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import errno
 import os
-import shutil
 import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from solver.errors import OutputError
+from solver.io import leftovers
 
 
 def write_text(path: str | os.PathLike[str], text: str) -> None:
@@ -24,11 +24,15 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
         raise OutputError(f"{target}: is not an ordinary file; name another")
     temporary = None
     try:
-        handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
-        os.chmod(temporary, target.stat().st_mode if target.exists() else 0o666 & ~_umask())
-        os.replace(temporary, target)
+        leftovers.sweep(target)
+        handle, temporary = tempfile.mkstemp(
+            leftovers.PART, leftovers.part_prefix(target), target.parent
+        )
+        with leftovers.locked(temporary):
+            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
+                stream.write(text)
+            os.chmod(temporary, target.stat().st_mode if target.exists() else 0o666 & ~_umask())
+            os.replace(temporary, target)
         temporary = None
     except OSError as error:
         raise OutputError(
@@ -44,6 +48,9 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
 def staged_folder(target: str | os.PathLike[str], replaced: Iterable[str] = ()) -> Iterator[Path]:
     """Give a temporary folder whose files move into ``target`` only when the block succeeds.
 
+    The move is one step: a run that is killed in the middle of it has it finished by the next one
+    that writes here, and what one that was killed before leaves behind is removed then.
+
     Args:
         target: made when missing; files already in it or in its folders stay under other names.
         replaced: names of files in ``target`` that go then, written anew or not; folders that this
@@ -56,21 +63,26 @@ def staged_folder(target: str | os.PathLike[str], replaced: Iterable[str] = ()) 
     folder = Path(target)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        staging = Path(tempfile.mkdtemp(prefix=".staging-", dir=folder))
+        leftovers.sweep(folder)
+        staging = Path(tempfile.mkdtemp(prefix=leftovers.STAGING, dir=folder))
     except OSError as error:
         raise OutputError(
             f"{folder}: cannot be written ({error.strerror}); choose a folder that you may write to"
         ) from error
     try:
-        yield staging
-        _move_all(staging, folder, replaced)
+        with leftovers.locked(staging):
+            try:
+                (staging / leftovers.NEW).mkdir()
+                yield staging / leftovers.NEW
+                _move_all(staging, folder, replaced)
+            finally:
+                # Ctrl-C in the middle of the moves comes here too.
+                leftovers.finish(staging, folder)
     except OutputError:
         raise
     except OSError as error:
         remedy = "free some space" if error.errno == errno.ENOSPC else "choose another folder"
         raise OutputError(f"{folder}: cannot be written ({error.strerror}); {remedy}") from error
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
 
 
 def refuse_in_the_way(folder: Path, name: str | os.PathLike[str]) -> None:
@@ -92,12 +104,13 @@ def refuse_in_the_way(folder: Path, name: str | os.PathLike[str]) -> None:
 
 
 def _move_all(staging: Path, folder: Path, replaced: Iterable[str]) -> None:
-    """Move all files into a folder; where one cannot be moved, put everything back as it was."""
-    new = sorted(path.relative_to(staging) for path in staging.rglob("*") if path.is_file())
+    """Move all new files into a folder; where one cannot be moved, put everything back."""
+    source, before = staging / leftovers.NEW, staging / "old"
+    new = sorted(path.relative_to(source) for path in source.rglob("*") if path.is_file())
     old = [name for name in sorted(map(Path, replaced)) if (folder / name).is_file()]
     for name in new:
         refuse_in_the_way(folder, name)
-    before = Path(tempfile.mkdtemp(dir=staging))
+    leftovers.begin(staging, new, old)
     moves: list[tuple[Path, Path]] = []
     made: list[Path] = []
 
@@ -114,17 +127,16 @@ def _move_all(staging: Path, folder: Path, replaced: Iterable[str]) -> None:
             if (folder / name).exists():
                 move(folder / name, before / name)
         for name in new:
-            move(staging / name, folder / name)
+            move(source / name, folder / name)
     except OSError:
-        for source, target in reversed(moves):
-            os.replace(target, source)
+        for start, target in reversed(moves):
+            os.replace(target, start)
         for path in reversed(made):
             path.rmdir()
+        (staging / leftovers.JOURNAL).unlink()
         raise
-    for name in old:
-        for path in [folder / above for above in name.parents][:-1]:
-            if path.is_dir() and not any(path.iterdir()):
-                path.rmdir()
+    leftovers.remove_empty(folder, old)
+    (staging / leftovers.JOURNAL).unlink()
 
 
 def _umask() -> int:
