@@ -281,6 +281,18 @@ def test_report_in_numbers(written):
     assert failed and len(failed) + report["verdict"]["passed"] == len(structure.parts)
 
 
+def test_the_report_counts_every_sheet(plane):
+    structure = build(plane, [Panels(20, 15)])
+    production = produce(structure, Workshop(sheet=(2500, 1200)))
+    found = production.report()["sheets"]
+    assert found["count"] == len(production.sheets) == len(found["sheets"]) > 2
+    named = [name for sheet in found["sheets"] for name in sheet["parts"]]
+    assert sorted(named) == sorted(part.name for part in structure.parts)
+    assert found["parts"] == len(named) > len(found["sheets"][0]["parts"])
+    used = sum(part.pattern.area for part in structure.parts)
+    assert found["waste"] == pytest.approx(1 - used / (found["count"] * 2500 * 1200))
+
+
 def test_report_for_people_needs_nothing_else(written):
     structure, folder = written
     page = (folder / "report.html").read_text()

@@ -114,6 +114,19 @@ def test_verdict_says_what_exceeds_which_limit(structure):
         Limits(gap_mm=-1)
 
 
+def test_stress_passes_up_to_the_limit_of_its_material(structure):
+    part = structure.parts[0]
+    limit = part.material.bending_limit
+
+    def said(stress):
+        return verdict(
+            replace(part, measures=Measures(stress_MPa=stress, min_bend_radius_mm=1400.0)), Limits()
+        )
+
+    assert said(0.99 * limit) == "ok"
+    assert f"bending stress {1.01 * limit:.3g} MPa exceeds {limit:g} MPa" in said(1.01 * limit)
+
+
 def test_report_counts_who_passes(twisted):
     structure = build(twisted, [Beams(200, 12)], limits=Limits(twist_deg=0.1))
     found = structure.report()["verdict"]

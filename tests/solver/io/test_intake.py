@@ -31,6 +31,18 @@ def test_reversed_faces_are_turned_and_said():
         assert mesh.faces[face].tolist() == original[face]
 
 
+@pytest.mark.parametrize(("corner", "wrong"), [(9, True), (-1, True), (8, False), (0, False)])
+def test_vertex_numbers_end_at_the_last_vertex(corner, wrong):
+    points, faces = flat_grid()
+    # The last vertex is in the last face only, the first in the first.
+    faces[0 if corner in (0, -1) else 3][0 if corner in (0, -1) else 2] = corner
+    if wrong:
+        with pytest.raises(InputError, match=rf"{corner}\b.*numbered 0 to 8"):
+            quad_mesh(points, faces)
+    else:
+        assert len(quad_mesh(points, faces)[0].faces) == 4
+
+
 def test_one_vertex_and_one_face_are_said_in_the_singular():
     points = np.array([[x, y, 0.0] for y in range(2) for x in range(4)] + [[9.0, 9.0, 9.0]])
     _, remarks = quad_mesh(points, [[0, 1, 5, 4], [1, 2, 6, 5], [2, 6, 7, 3]])
