@@ -20,10 +20,11 @@ class Option:
         kind: ``length`` (mm, not negative), ``distance`` (mm), ``area`` (mm2), ``angle`` (degrees),
             ``percent``, ``number``, ``count`` (whole), ``choice``, ``flag``, ``text``, ``points``
             ((n, 3) mm) or ``placement`` (rotation (3, 3), origin (3,)).
-        meaning: some words without a full stop.
+        meaning: what it does, a sentence without its full stop.
         choices: words of a choice.
         suffixes: of the parts of a tuple, in property names.
         written: how its value is written where the kind does not say, as ``WxH``.
+        absent: what a form shows in place of a length of zero, as ``none``.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Option:
     choices: tuple[str, ...] = ()
     suffixes: tuple[str, ...] = ()
     written: str = ""
+    absent: str = ""
 
     @property
     def parts(self) -> tuple[str, ...]:

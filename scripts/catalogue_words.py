@@ -38,5 +38,7 @@ def words() -> Iterator[tuple[str, str]]:
 
 def _option(option: Option) -> Iterator[tuple[str, str]]:
     yield _PANELS, option.label
+    if option.absent:
+        yield _PANELS, option.absent
     yield _PANELS, option.meaning
     yield from ((_PANELS, word) for word in option.choices)

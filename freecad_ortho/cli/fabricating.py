@@ -177,7 +177,7 @@ def _add_option(
     if option.kind == "flag":
         group.add_argument(flag, action="store_true", default=None, help=words)
         return
-    if shown := _shown(option.default) if default is None else default:
+    if shown := option.absent or (_shown(option.default) if default is None else default):
         words += f" (default: {shown})"
     kind, metavar = _KINDS[option.kind]
     metavar = option.written or "|".join(option.choices) or metavar

@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from freecad_ortho import api
-from freecad_ortho.cli.values import about, counted
+from freecad_ortho.cli.values import about
 from freecad_ortho.units import millimetres_per
+from freecad_ortho.words import counted
 
 if TYPE_CHECKING:
     from freecad_ortho.fabrication import Structure
@@ -61,7 +62,7 @@ def fabrication_line(structure: Structure, folder: str) -> str:
     """One line that says what was made and where it is."""
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))
     numbers = Counter(part.kind for part in structure.parts)
-    counts = [f"{number} {kind}{'s' * (number > 1)}" for kind, number in numbers.items()]
+    counts = [counted(number, kind) for kind, number in numbers.items()]
     failed = len(report["verdict"]["failed"])
     words = f", {failed} beyond the limits" if failed else ""
     return f"{', '.join(counts)}, {report['mass_kg']:.1f} kg{words}; files are in {folder}"

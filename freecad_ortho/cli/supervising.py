@@ -27,7 +27,7 @@ from freecad_ortho.cli.endings import (
 )
 
 # Seconds that the work has to end by itself once it has been told to.
-_GRACE = 1.2
+_GRACE = 1.0
 
 
 def supervised(arguments: Sequence[str] | None = None) -> int:
@@ -49,7 +49,7 @@ def supervised(arguments: Sequence[str] | None = None) -> int:
             let_through()
             code = work.wait()
         except KeyboardInterrupt:
-            if not _ended(work):
+            if not ended(work):
                 _clear(targets, missing)
             code = EXIT_STOPPED if work.returncode < 0 else work.returncode
     if code < 0:
@@ -62,7 +62,7 @@ def supervised(arguments: Sequence[str] | None = None) -> int:
     return code
 
 
-def _ended(work: subprocess.Popen[bytes]) -> bool:
+def ended(work: subprocess.Popen[bytes]) -> bool:
     """Ask the work to end; kill it and return false where it does not."""
     latest = time.monotonic() + _GRACE
     for number in ENDING_SIGNALS:

@@ -12,6 +12,7 @@ import numpy as np
 from freecad_ortho import api
 from freecad_ortho.mesh_files import UP
 from freecad_ortho.units import MILLIMETRES
+from freecad_ortho.words import counted
 from solver.errors import InputError, OutputError
 from solver.io.polygons import refuse_unknown_extension
 from solver.mesh.local_origin import LocalOrigin
@@ -158,11 +159,6 @@ def about(origin: LocalOrigin, unit: str | None) -> str:
     """Words that say what coordinates are measured from."""
     point = ", ".join(f"{value:.12g}" for value in origin.shift.tolist())
     return f"coordinates about {point}" + (f" {unit}" if unit else "")
-
-
-def counted(number: int, noun: str, plural: str = "") -> str:
-    """``1 quad``, ``2 quads``."""
-    return f"{number} {noun if number == 1 else plural or noun + 's'}"
 
 
 def write(

@@ -45,14 +45,16 @@ class Workshop:
     kerf: float = 0.0
 
     options: ClassVar[tuple[Option, ...]] = (
-        Option("sheet", None, "text", "size of the sheets to nest on", written="WxH"),
-        Option("spacing", 10.0, "length", "between parts on a sheet and from its rim"),
-        Option("grain", "none", "choice", "may parts turn on the sheet", GRAINS),
-        Option("nesting", "boxes", "choice", "what is packed: fast or dense", NESTINGS),
-        Option("seed", 0, "count", "of the search for a dense nesting"),
-        Option("stock", None, "length", "length of bars and strips; longer lamellas are spliced"),
-        Option("saw", 3.0, "length", "width of a saw cut between parts of a bar"),
-        Option("kerf", 0.0, "length", "width of the cut to compensate flat patterns for"),
+        Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
+        Option("spacing", 10.0, "length", "parts keep so far from each other and from the rim"),
+        Option("grain", "none", "choice", "parts may turn on the sheet as its grain says", GRAINS),
+        Option("nesting", "boxes", "choice", "boxes pack fast, outlines densely", NESTINGS),
+        Option("seed", 0, "count", "another number begins another search for a dense nesting"),
+        Option(
+            "stock", None, "length", "bars and strips are this long; longer lamellas are spliced"
+        ),
+        Option("saw", 3.0, "length", "a saw cut between two parts of a bar is this wide"),
+        Option("kerf", 0.0, "length", "outlines grow by half this width of a cut", absent="none"),
     )
 
     def __post_init__(self) -> None:

@@ -35,27 +35,32 @@ class AdvancedBox:
             (
                 translate("Ortho", "Fairness"),
                 self.fairness,
-                translate("Ortho", "How strongly lines are drawn straight on the way, 0.01"),
+                translate("Ortho", "More of it draws lines straighter on the way; 0.01 is usual."),
             ),
             (
                 translate("Ortho", "Closeness"),
                 self.closeness,
-                translate("Ortho", "How strongly vertices stay where they are, 0.003"),
+                translate(
+                    "Ortho", "More of it keeps vertices nearer to where they are; 0.003 is usual."
+                ),
             ),
             (
                 translate("Ortho", "Multi-net"),
                 self.multi,
-                translate("Ortho", "How strongly pairs of faces stay orthogonal, 0.001"),
+                translate("Ortho", "More of it keeps pairs of faces orthogonal; 0.001 is usual."),
             ),
             (
                 translate("Ortho", "Isometry"),
                 self.isometry,
-                translate("Ortho", "How strongly faces keep their shape, such as 10; none"),
+                translate(
+                    "Ortho",
+                    "Faces keep their shape the more of it there is, such as 10; none is usual.",
+                ),
             ),
             (
                 translate("Ortho", "Tolerance"),
                 self.tolerance,
-                translate("Ortho", "Largest residual that counts as zero"),
+                translate("Ortho", "A residual up to this counts as zero."),
             ),
         )
         self.widget = QtGui.QWidget()

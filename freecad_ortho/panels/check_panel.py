@@ -46,7 +46,10 @@ class CheckPanel:
             _measures(self.result),
         )
         self.measures.setToolTip(
-            translate("Ortho", "Click: mark the worst place. Double click: show it in colours")
+            translate(
+                "Ortho",
+                "A click marks the worst place, a double click shows the measure in colours.",
+            )
         )
         self.measures.cellClicked.connect(self._mark)
         self.measures.cellDoubleClicked.connect(self._show)

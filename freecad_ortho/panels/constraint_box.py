@@ -214,7 +214,7 @@ class ConstraintBox:
         fixed = stored["fix"]
         self.fix.choose(fixed if isinstance(fixed, str) else ",".join(map(str, fixed)))
         self.fix.widget.setToolTip(
-            translate("Ortho", "Vertices that do not move; numbers such as 0,5,12 work too")
+            translate("Ortho", "These vertices do not move; numbers such as 0,5,12 work too.")
         )
         self.list = QtGui.QListWidget()
         self.list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
@@ -242,7 +242,7 @@ class ConstraintBox:
         texts = {
             _FIX: (
                 translate("Ortho", "Fix"),
-                translate("Ortho", "Click vertices that do not move; again: they may"),
+                translate("Ortho", "Click vertices that must not move; a second click frees them."),
             ),
             _HANDLE: (
                 translate("Ortho", "Handle"),

@@ -110,9 +110,9 @@ class DisplayPanel:
         """Say in which units the range is given; a range of another quantity means nothing."""
         residual = self.colour_map.word in RESIDUALS
         tip = (
-            translate("Ortho", "Power of ten, such as -6")
+            translate("Ortho", "The range goes by powers of ten, such as -6.")
             if residual
-            else translate("Ortho", "Lengths in mm, curvatures in 1/m, angles in degrees")
+            else translate("Ortho", "Lengths are in mm, curvatures in 1/m, angles in degrees.")
         )
         for field in (self.low, self.high):
             field.widget.setText("")

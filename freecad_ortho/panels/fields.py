@@ -55,10 +55,45 @@ def elided(text: str) -> QtGui.QLabel:
     return _Elided(text)
 
 
-class LengthField:
-    """A field for a length that speaks the user's unit system; an optional one may stay 0."""
+class Absent(QtCore.QObject):
+    """Shows words in the place of a zero that stands for something else.
 
-    def __init__(self, millimetres: float, optional: bool = False, signed: bool = False) -> None:
+    FreeCAD's own field for quantities knows no text for a special value.
+    """
+
+    def __init__(self, box: QtGui.QWidget, words: str) -> None:
+        super().__init__(box)
+        self._box, self._line = box, box.findChild(QtGui.QLineEdit)
+        self._line.setPlaceholderText(words)
+        # The field writes its number anew when it loses the focus: look after that.
+        self._later = QtCore.QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self.show)
+        box.installEventFilter(self)
+        self._line.installEventFilter(self)
+
+    def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
+        """Look at the number again; Qt calls this."""
+        if event.type() == QtCore.QEvent.FocusOut:
+            self._later.start(0)
+        return False
+
+    def show(self) -> None:
+        """Make room for the words where the number is zero."""
+        typing = self._box.hasFocus() or self._line.hasFocus()
+        if self._box.property("rawValue") == 0.0 and not typing:
+            self._line.clear()
+
+
+class LengthField:
+    """A field for a length that speaks the user's unit system; an optional one may stay 0.
+
+    ``absent`` is shown in place of 0, where that stands for something else.
+    """
+
+    def __init__(
+        self, millimetres: float, optional: bool = False, signed: bool = False, absent: str = ""
+    ) -> None:
         self._optional = optional
         self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.widget.setProperty("unit", "mm")
@@ -66,6 +101,7 @@ class LengthField:
             self.widget.setProperty("minimum", 0.0)
         # Its own hint leaves room for the largest number there is, wider than the task panel.
         self.widget.setMinimumWidth(NARROW)
+        self._absent = Absent(self.widget, absent) if absent else None
         self.millimetres = millimetres
 
     @property
@@ -81,6 +117,8 @@ class LengthField:
     @millimetres.setter
     def millimetres(self, value: float) -> None:
         self.widget.setProperty("rawValue", float(value))
+        if self._absent is not None:
+            self._absent.show()
 
 
 class ChoiceField:
@@ -156,6 +194,11 @@ class TextField:
     def text(self) -> str:
         """What was typed, without blanks around it."""
         return self.widget.text().strip()
+
+
+def sentence(words: str) -> str:
+    """Words of a table, which begin small and end without a full stop, as a sentence."""
+    return words if words[-1:] in ".!?" else f"{words[:1].upper()}{words[1:]}."
 
 
 def length_words(millimetres: float) -> str:

@@ -9,7 +9,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from freecad_ortho.option import Option
-from freecad_ortho.panels.fields import NARROW, ChoiceField
+from freecad_ortho.panels.fields import NARROW, Absent, ChoiceField, sentence
 
 translate = FreeCAD.Qt.translate
 
@@ -45,9 +45,10 @@ class OptionField:
         self.option = option
         self._value = value
         self._parts: list[Any] = []
+        self._absent: Absent | None = None
         self.widget = self._build(value)
         if self.widget is not None:
-            self.widget.setToolTip(translate("Ortho", option.meaning))
+            self.widget.setToolTip(sentence(translate("Ortho", option.meaning)))
 
     @property
     def value(self) -> Any:
@@ -91,6 +92,8 @@ class OptionField:
             widget.setProperty("unit", _UNITS[kind])
             widget.setProperty("minimum", 0.0 if kind == "length" else -_MOST)
             widget.setProperty("maximum", _MOST)
+            if self.option.absent:
+                self._absent = Absent(widget, translate("Ortho", self.option.absent))
         elif kind in _PLAIN:
             widget = _NumberBox()
             if isinstance(self.option.default, tuple):
@@ -123,6 +126,8 @@ class OptionField:
         kind = self.option.kind
         if kind in _UNITS:
             part.setProperty("rawValue", float(value))
+            if self._absent is not None:
+                self._absent.show()
         elif kind in _PLAIN:
             part.setValue(float(value))
         elif kind == "count":

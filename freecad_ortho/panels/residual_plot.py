@@ -28,7 +28,9 @@ class ResidualPlot(QtGui.QWidget):
         self._tolerance = 1e-10
         self.setMinimumHeight(150)
         self.setToolTip(
-            FreeCAD.Qt.translate("Ortho", "Largest residuals by steps; below the dashed line: zero")
+            FreeCAD.Qt.translate(
+                "Ortho", "The largest residuals by steps. Below the dashed line they count as zero."
+            )
         )
 
     def clear(self, tolerance: float) -> None:

@@ -22,6 +22,7 @@ from freecad_ortho.panels.fields import (
     elided,
     form_rows,
     leave_room,
+    sentence,
 )
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
@@ -137,7 +138,7 @@ class StructurePanel(WorkPanel):
 
     def _add_row(self, option: Option) -> None:
         field, words = self.fields[option.name], translate("Ortho", option.label)
-        field.widget.setToolTip(translate("Ortho", option.meaning))
+        field.widget.setToolTip(sentence(translate("Ortho", option.meaning)))
         if isinstance(field, SwitchField):
             field.widget.setText(words)
             self._rows.addRow(field.widget)
@@ -163,7 +164,9 @@ class StructurePanel(WorkPanel):
         self.family = ChoiceField(families, "both")
         self.lines = TextField()
         self.lines.widget.setPlaceholderText(translate("Ortho", "all"))
-        self.lines.widget.setToolTip(translate("Ortho", "Numbers of parameter lines, such as 0, 3"))
+        self.lines.widget.setToolTip(
+            translate("Ortho", "Parts are made along these lines only, numbered such as 0, 3.")
+        )
         self.material = ChoiceField({name: translate("Ortho", name) for name in MATERIALS}, "steel")
         self._rows.addRow(translate("Ortho", "Along"), self.family.widget)
         self._rows.addRow(translate("Ortho", "Lines"), self.lines.widget)
@@ -177,7 +180,9 @@ def _field(system: str, option: Option) -> Field:
     if option.kind == "length":
         preferred = _PREFERRED.get((system, option.name))
         first = preferences.length(preferred) if preferred else option.default or 0.0
-        return LengthField(first, optional=option.default is None)
+        optional = option.default is None
+        absent = option.absent or ("automatic" if optional else "")
+        return LengthField(first, optional, absent=translate("Ortho", absent) if absent else "")
     if option.kind == "flag":
         return SwitchField(option.default)
     if option.kind in NUMBERS:

@@ -35,7 +35,7 @@ class _WorkshopPanel(WorkPanel):
         self.rows = form_rows(self.form)
         self.rows.addRow(translate("Ortho", "Structures"), labels)
         self._add_sheet_fields(nested)
-        self.kerf = LengthField(0.0)
+        self.kerf = LengthField(0.0, absent=translate("Ortho", "none"))
         self.rows.addRow(translate("Ortho", "Kerf"), self.kerf.widget)
 
     @property
@@ -121,14 +121,13 @@ class ExportPanel(_WorkshopPanel):
         self._take_over(structures)
         lengths = [item.Stock.Value for item in structures if "Stock" in item.PropertiesList]
         self._given = max(lengths, default=0.0)
-        self.stock = LengthField(self._given)
+        as_long = translate("Ortho", "as long as it takes")
+        self.stock = LengthField(self._given, absent=as_long)
         self.stock.widget.setToolTip(
-            translate(
-                "Ortho", "Length of bars and strips, also of lamellas; 0: as long as it takes"
-            )
+            translate("Ortho", "Bars and strips are cut from this length, lamellas too.")
         )
         self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
-        self.workers.widget.setToolTip(translate("Ortho", "Processes that share the work"))
+        self.workers.widget.setToolTip(translate("Ortho", "So many processes share the work."))
         self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
 

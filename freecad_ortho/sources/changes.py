@@ -14,7 +14,7 @@ from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.offset_mesh import KINDS, offset_mesh
 
-_CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "Fixed point")
+_CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "This point stays where it is")
 
 
 def _one(change: Callable[..., QuadMesh]) -> Callable[..., Made]:
@@ -88,7 +88,7 @@ CHANGES = (
         "offset",
         "A parallel net at a distance that is constant where the net allows it",
         (
-            Option("distance", 200.0, "distance", "Along the normals, negative for below"),
+            Option("distance", 200.0, "distance", "Distance along the normals, negative for below"),
             Option("kind", "parallel", "choice", "What keeps the distance", tuple(KINDS)),
         ),
         _offset,
@@ -124,8 +124,8 @@ CHANGES = (
         "subdivide",
         "Four faces for each, parameter lines kept",
         (
-            Option("levels", 1, "count", "How many times"),
-            Option("rule", "plain", "choice", "Midpoints, or smoothed",
+            Option("levels", 1, "count", "Each time four faces are made of one"),
+            Option("rule", "plain", "choice", "New vertices in the middle, or smoothed",
                    ("plain", "catmull-clark")),
         ),
         _one(_subdivided),
@@ -135,7 +135,8 @@ CHANGES = (
         "coarsen",
         "Every k-th parameter line",
         (
-            Option("every", (2, 2), "count", "Steps along u and v", suffixes=("U", "V")),
+            Option("every", (2, 2), "count", "Every so many lines of u and v stay",
+                   suffixes=("U", "V")),
             Option("keep_border", True, "flag", "Keep the last line where the step misses it"),
         ),
         _one(_coarsened),
@@ -158,7 +159,7 @@ CHANGES = (
         (
             Option("normal", (1.0, 0.0, 0.0), "number", "Normal of the plane"),
             Option("point", (0.0, 0.0, 0.0), "distance", "A point of the plane"),
-            Option("image_only", False, "flag", "The mirror image alone"),
+            Option("image_only", False, "flag", "The mirror image comes alone"),
         ),
         _one(_mirrored),
         "net",
@@ -177,9 +178,9 @@ CHANGES = (
         "transform",
         "Moved, turned and scaled",
         (
-            Option("scale", 1.0, "number", "Factor"),
-            Option("turn", (0.0, 0.0, 0.0), "angle", "Angles about x, then y, then z"),
-            Option("move", (0.0, 0.0, 0.0), "distance", "Translation"),
+            Option("scale", 1.0, "number", "The net is scaled by this factor"),
+            Option("turn", (0.0, 0.0, 0.0), "angle", "Angles of turns about x, then y, then z"),
+            Option("move", (0.0, 0.0, 0.0), "distance", "The net is moved by this"),
             _CENTRE,
         ),
         _one(_moved),
@@ -190,7 +191,7 @@ CHANGES = (
         "Bent so that circles stay circles; place and size stay",
         (
             Option("centre", (0.0, 0.0, 20000.0), "distance", "Centre of the inversion"),
-            Option("strength", 1.0, "number", "Less moves the centre away"),
+            Option("strength", 1.0, "number", "Less than 1 moves the centre away"),
         ),
         _one(transform.moebius),
         "net",
@@ -200,7 +201,7 @@ CHANGES = (
         "Inverted in a sphere",
         (
             Option("centre", (0.0, 0.0, 20000.0), "distance", "Centre of the sphere"),
-            Option("radius", 10000.0, "length", "Its radius"),
+            Option("radius", 10000.0, "length", "Radius of the sphere"),
         ),
         _one(transform.inverted),
         "net",

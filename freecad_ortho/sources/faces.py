@@ -35,7 +35,8 @@ FACES = Source(
     "CAD faces sampled along their own parameter lines",
     (
         sampling_option(13, 13),
-        Option("edge", 0.0, "length", "Wanted edge length; 0: by the sampling"),
+        Option("edge", 0.0, "length", "Wanted edge length, instead of the sampling",
+               absent="by the sampling"),
         Option("spacing", "length", "choice", "Even lengths or equal steps of the parameters",
                ("length", "parameter")),
         Option("outside", "snap", "choice", "Quads that the border cuts: set onto it, or left out",

@@ -14,6 +14,8 @@ from freecad_ortho import api, convert
 from freecad_ortho.commands import dialogs
 from freecad_ortho.objects import guides
 from freecad_ortho.panels import check_panel, display_panel
+from freecad_ortho.panels.fields import length_words
+from freecad_ortho.panels.net_words import reason_words
 from solver.analysis.fields import field
 from solver.errors import InputError
 
@@ -159,9 +161,11 @@ class TestCheck(AnalyseCase):
         self.assertGreater(panel.nets.rowCount(), 5)
         best = panel.result["advice"]["nets"][0]
         self.assertIn(f"{best['distance']:.1e}", panel.recommendation.text())
-        hard = [k for k, one in enumerate(panel.result["advice"]["nets"]) if not one["possible"]]
-        for k in hard:
-            self.assertIn("asymptotic lines", panel.nets.item(k, 2).toolTip())
+        for k, one in enumerate(panel.result["advice"]["nets"]):
+            if one["cause"]:
+                self.assertEqual(panel.nets.item(k, 2).toolTip(), reason_words(one["cause"]))
+        planarity = panel.measures.item(names.index("Planarity"), 2).text()
+        self.assertIn(length_words(panel.result["planarity_gap"]), planarity)
         row = names.index("Orthogonality")
         plain = self.picture("unmarked")
         for k, entry in enumerate(panel.result["measures"].values()):

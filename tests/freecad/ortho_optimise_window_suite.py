@@ -10,10 +10,12 @@ import Part
 from ortho_mouse_tools import Hand
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, vertices, wait
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from freecad_ortho import api, convert
 from freecad_ortho.documents import net_settings
+from freecad_ortho.panels.fields import LengthField
+from freecad_ortho.panels.net_words import net_words
 from freecad_ortho.panels.optimise_panel import OptimisePanel
 from solver.analysis.advisor import advise
 
@@ -47,14 +49,34 @@ class OptimiseCase(WindowCase):
 class TestChoices(OptimiseCase):
     def test_recommendation_can_be_taken(self):
         net = self.net()
-        api.set_net(net, net="cmc")
+        api.set_net(net, net="stress")
         panel = self.opened(net)
         best = advise(convert.quad_mesh(net))[0].net
-        self.assertIn(best, panel.choice.recommendation.text())
-        self.assertEqual(panel.net_type.word, "cmc")
+        self.assertIn(net_words()[best].split(":")[0], panel.choice.recommendation.text())
+        self.assertEqual(panel.net_type.word, "stress")
         panel.choice.use.click()
         self.assertEqual(panel.net_type.word, best)
         self.assertFalse(panel.choice.use.isVisible())
+
+    def test_what_stands_in_the_way_is_said_before_the_first_step(self):
+        x, y = np.meshgrid(np.linspace(-6000, 6000, 9), np.linspace(-6000, 6000, 9), indexing="ij")
+        path = tools.write_grid("saddle", np.stack([x, y, 3e-5 * x * y], axis=2))
+        panel = self.opened(api.import_net(path))
+        panel.start()
+        self.assertIn("make a diagonal mesh first", panel.message.text())
+        wait(lambda: not panel.run.running, 60)
+        self.assertIn("as a plane only", panel.message.text())
+
+    def test_a_length_that_is_not_given_says_what_comes_instead(self):
+        field = LengthField(0.0, absent="automatic")
+        line = field.widget.findChild(QtGui.QLineEdit)
+        self.assertEqual((line.text(), line.placeholderText()), ("", "automatic"))
+        field.millimetres = 120.0
+        self.assertIn("120", line.text())
+        self.assertEqual(field.millimetres, 120.0)
+        field.millimetres = 0.0
+        self.assertEqual((line.text(), field.millimetres), ("", 0.0))
+        self.assertIn("0", LengthField(0.0).widget.findChild(QtGui.QLineEdit).text())
 
     def test_every_net_shows_what_belongs_to_it(self):
         panel = self.opened(self.net())

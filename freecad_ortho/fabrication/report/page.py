@@ -22,6 +22,7 @@ from freecad_ortho.fabrication.report.pictures import (
     structure_view,
 )
 from freecad_ortho.fabrication.report.plots import histogram
+from freecad_ortho.words import counted, plural
 
 _STYLE = f"""
 body {{ font: 15px/1.45 system-ui, sans-serif; color: {INK}; margin: 2rem auto; max-width: 64rem;
@@ -76,7 +77,7 @@ def _summary(production: Production) -> str:
     parts, verdicts = production.structure.parts, production.verdicts
     failed = sum(words != OK for words in verdicts)
     kinds = Counter(part.kind for part in parts)
-    counts = ", ".join(f"{count} {kind}{'s' * (count > 1)}" for kind, count in kinds.items())
+    counts = ", ".join(counted(count, kind) for kind, count in kinds.items())
     masses = production.structure.masses
     words = (
         f"All {len(parts)} parts are within the limits."
@@ -146,7 +147,7 @@ def _families(production: Production) -> str:
     rows = []
     for what in ("lengths", "shapes"):
         for kind, entry in report[what].items():
-            rows.append((f"{what} of {kind}s", entry))
+            rows.append((f"{what} of {plural(kind)}", entry))
     rows.append(("nodes", report["nodes"]))
     table = [(name, entry["different"], _largest(entry["groups"])) for name, entry in rows]
     words = f"Equal within {report['tolerance_mm']:g} mm and {report['tolerance_deg']:g} degrees."
@@ -167,12 +168,12 @@ def _sheets(production: Production) -> str:
     waste = 1 - used / (width * height * len(production.sheets))
     figures = [
         f"<figure>{sheet_picture(sheet)}<figcaption>{escape(sheet.title)}, "
-        f"{_counted(len(sheet.placements), 'part')}, waste {100 * sheet.waste:.0f} %"
+        f"{counted(len(sheet.placements), 'part')}, waste {100 * sheet.waste:.0f} %"
         "</figcaption></figure>"
         for sheet in production.sheets
     ]
     return (
-        f"<h2>Sheets</h2><p>{_counted(len(production.sheets), 'sheet')} of {width:g} x "
+        f"<h2>Sheets</h2><p>{counted(len(production.sheets), 'sheet')} of {width:g} x "
         f"{height:g} mm, "
         f'waste {100 * waste:.1f} %.</p><div class="row sheets">{"".join(figures)}</div>'
     )
@@ -220,10 +221,6 @@ def _parts(production: Production) -> str:
         classes.append("" if verdict == OK else "bad")
     head = ("part", "line", "size mm", "mass kg", *(_title(name) for name in used), "verdict")
     return "<h2>Parts</h2>" + _table(head, rows, classes)
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number} {noun}{'s' * (number != 1)}"
 
 
 def _title(name: str) -> str:

@@ -9,7 +9,7 @@ import pytest
 
 from solver.errors import InputError, OutputError
 from solver.io.atomic import staged_folder, write_text
-from solver.io.intake import quad_mesh
+from solver.io.intake import quad_mesh, refuse_missing_vertices
 from solver.io.obj import read_obj, write_obj
 from tests.conftest import grid_faces, wavy_grid
 
@@ -31,16 +31,13 @@ def test_reversed_faces_are_turned_and_said():
         assert mesh.faces[face].tolist() == original[face]
 
 
-@pytest.mark.parametrize(("corner", "wrong"), [(9, True), (-1, True), (8, False), (0, False)])
-def test_vertex_numbers_end_at_the_last_vertex(corner, wrong):
-    points, faces = flat_grid()
-    # The last vertex is in the last face only, the first in the first.
-    faces[0 if corner in (0, -1) else 3][0 if corner in (0, -1) else 2] = corner
-    if wrong:
-        with pytest.raises(InputError, match=rf"{corner}\b.*numbered 0 to 8"):
-            quad_mesh(points, faces)
-    else:
-        assert len(quad_mesh(points, faces)[0].faces) == 4
+@pytest.mark.parametrize("corner", [9, -1])
+def test_a_face_with_a_number_beyond_the_last_vertex_is_named_with_its_line(corner):
+    with pytest.raises(InputError, match=rf"face 1 \(line 12\) names vertex {corner}, .* 0 to 8;"):
+        refuse_missing_vertices([[0, 1, 4, 8], [1, 2, corner, 4]], 9, [11, 12])
+    # Triangles and larger faces are looked at as well, before they are made quads.
+    with pytest.raises(InputError, match=rf"names vertex {corner}"):
+        refuse_missing_vertices([[0, 1, corner]], 9)
 
 
 def test_one_vertex_and_one_face_are_said_in_the_singular():

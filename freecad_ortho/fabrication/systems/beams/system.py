@@ -76,16 +76,27 @@ class Beams(System):
 
     name: ClassVar[str] = "beams"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("height", 200.0, "length", "of the beams"),
-        Option("thickness", 12.0, "length", "of the plates"),
-        Option("offset", "centre", "choice", "where the plates lie", OFFSETS),
-        Option("section", "plate", "choice", "cross section", SECTIONS),
-        Option("section_width", 60.0, "length", "of hollow sections and flanges"),
-        Option("flange_thickness", None, "length", "of the flanges where it differs"),
-        Option("ends", "mitred", "choice", "how beams meet", ENDS),
-        Option("hub_diameter", 100.0, "length", "across the faces of hubs"),
-        Option("clearance", 1.0, "length", "in slots and at hubs"),
-        Option("no_boundary_beams", False, "flag", "leave the edges of the boundary out"),
+        Option("height", 200.0, "length", "the beams are this high"),
+        Option("thickness", 12.0, "length", "the plates are this thick"),
+        Option(
+            "offset",
+            "centre",
+            "choice",
+            "the parts lie above the net, about it or below it",
+            OFFSETS,
+        ),
+        Option("section", "plate", "choice", "the beams have this cross section", SECTIONS),
+        Option("section_width", 60.0, "length", "hollow sections and flanges are this wide"),
+        Option(
+            "flange_thickness",
+            None,
+            "length",
+            "the flanges are this thick, by default as thick as the plates",
+        ),
+        Option("ends", "mitred", "choice", "the beams meet like this at a node", ENDS),
+        Option("hub_diameter", 100.0, "length", "the hubs measure this across their faces"),
+        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+        Option("no_boundary_beams", False, "flag", "no beams are made along the boundary"),
     )
 
     def __post_init__(self) -> None:

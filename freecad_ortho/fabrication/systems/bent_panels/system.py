@@ -51,8 +51,8 @@ class BentPanels(System):
 
     name: ClassVar[str] = "bent-panels"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 3.0, "length", "of the plates"),
-        Option("gap", 10.0, "length", "joint between panels"),
+        Option("thickness", 3.0, "length", "the plates are this thick"),
+        Option("gap", 10.0, "length", "the joint between two panels is this wide"),
     )
 
     def __post_init__(self) -> None:

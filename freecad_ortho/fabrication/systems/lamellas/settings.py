@@ -53,17 +53,34 @@ class LamellaSettings:
     stock: float | None = None
 
     options: ClassVar[tuple[Option, ...]] = (
-        Option("width", 80.0, "length", "of the strips"),
-        Option("thickness", 5.0, "length", "of the plates"),
-        Option("clearance", 1.0, "length", "of slots"),
-        Option("position", "standing", "choice", "to the surface", POSITIONS),
-        Option("layers", 1, "count", "1 with slots, 2 with bolt holes", written="1|2"),
-        Option("hole", 9.0, "length", "diameter of bolt holes"),
-        Option("overhang", None, "length", "beyond the last vertex; half the width unless given"),
-        Option("strip", "auto", "choice", "of plane faces or twisted", STRIPS),
-        Option("pattern", "auto", "choice", "what the axes unroll to", PATTERNS),
-        Option("smooth", False, "flag", "smooth solids instead of faceted ones"),
-        Option("stock", None, "length", "length that they are cut from; longer ones are spliced"),
+        Option("width", 80.0, "length", "the strips are this wide"),
+        Option("thickness", 5.0, "length", "the plates are this thick"),
+        Option("clearance", 1.0, "length", "the slots leave this much air"),
+        Option(
+            "position",
+            "standing",
+            "choice",
+            "the strips stand on the surface or lie in it",
+            POSITIONS,
+        ),
+        Option(
+            "layers",
+            1,
+            "count",
+            "one layer has slots where strips cross, two have bolt holes",
+            written="1|2",
+        ),
+        Option("hole", 9.0, "length", "the bolt holes have this diameter"),
+        Option(
+            "overhang",
+            None,
+            "length",
+            "the strips go this far beyond their last vertex, by default half their width",
+        ),
+        Option("strip", "auto", "choice", "the strips are made of plane faces or twisted", STRIPS),
+        Option("pattern", "auto", "choice", "the axes unroll to lines of this kind", PATTERNS),
+        Option("smooth", False, "flag", "the solids are smooth instead of faceted"),
+        Option("stock", None, "length", "strips are cut from this length; longer ones are spliced"),
     )
 
     def __post_init__(self) -> None:

@@ -50,11 +50,18 @@ class Louvres(System):
 
     name: ClassVar[str] = "louvres"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 12.0, "length", "of the plates"),
-        Option("panel_thickness", None, "length", "of the panels where it differs"),
-        Option("gap", 10.0, "length", "joint between panels"),
-        Option("louvre_axis", "u", "choice", "family of lines that louvres turn about", FAMILIES),
-        Option("tilt", 0.0, "angle", "of louvres about that axis"),
+        Option("thickness", 12.0, "length", "the plates are this thick"),
+        Option(
+            "panel_thickness",
+            None,
+            "length",
+            "the panels are this thick, by default as thick as the plates",
+        ),
+        Option("gap", 10.0, "length", "the joint between two panels is this wide"),
+        Option(
+            "louvre_axis", "u", "choice", "the louvres turn about lines of this family", FAMILIES
+        ),
+        Option("tilt", 0.0, "angle", "the louvres are turned by this angle about their lines"),
     )
 
     def __post_init__(self) -> None:

@@ -62,15 +62,27 @@ class Nodes(System):
 
     name: ClassVar[str] = "nodes"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("node", "hub", "choice", "what joins the beams", KINDS),
-        Option("hub_diameter", 100.0, "length", "across the faces of hubs, or of sockets"),
-        Option("bore", 0.0, "length", "hole along the axis of hubs, 0 for none"),
-        Option("socket_depth", 30.0, "length", "how far plates stand in sockets"),
-        Option("height", 200.0, "length", "of the beams"),
-        Option("thickness", 12.0, "length", "of the plates"),
-        Option("offset", "centre", "choice", "where the plates lie", OFFSETS),
-        Option("clearance", 1.0, "length", "in slots and at hubs"),
-        Option("no_boundary_beams", False, "flag", "leave the edges of the boundary out"),
+        Option("node", "hub", "choice", "the beams are joined by hubs or sockets", KINDS),
+        Option("hub_diameter", 100.0, "length", "hubs or sockets measure this across their faces"),
+        Option(
+            "bore",
+            0.0,
+            "length",
+            "the hubs have a hole of this diameter along their axis",
+            absent="none",
+        ),
+        Option("socket_depth", 30.0, "length", "the plates stand this deep in the sockets"),
+        Option("height", 200.0, "length", "the beams are this high"),
+        Option("thickness", 12.0, "length", "the plates are this thick"),
+        Option(
+            "offset",
+            "centre",
+            "choice",
+            "the parts lie above the net, about it or below it",
+            OFFSETS,
+        ),
+        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+        Option("no_boundary_beams", False, "flag", "no beams are made along the boundary"),
     )
 
     def __post_init__(self) -> None:

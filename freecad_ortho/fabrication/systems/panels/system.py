@@ -51,11 +51,28 @@ class Panels(System):
 
     name: ClassVar[str] = "panels"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 12.0, "length", "of the plates"),
-        Option("panel_thickness", None, "length", "of the panels where it differs"),
-        Option("gap", 10.0, "length", "joint between panels"),
-        Option("offset", "centre", "choice", "where the plates lie", OFFSETS),
-        Option("panel_edge", "square", "choice", "sides of the panels", EDGES),
+        Option("thickness", 12.0, "length", "the plates are this thick"),
+        Option(
+            "panel_thickness",
+            None,
+            "length",
+            "the panels are this thick, by default as thick as the plates",
+        ),
+        Option("gap", 10.0, "length", "the joint between two panels is this wide"),
+        Option(
+            "offset",
+            "centre",
+            "choice",
+            "the parts lie above the net, about it or below it",
+            OFFSETS,
+        ),
+        Option(
+            "panel_edge",
+            "square",
+            "choice",
+            "the sides of the panels are square, or bevelled along the beams",
+            EDGES,
+        ),
     )
 
     def __post_init__(self) -> None:

@@ -54,8 +54,8 @@ class Patches(System):
 
     name: ClassVar[str] = "patches"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 3.0, "length", "of the plates"),
-        Option("distortion", 1.0, "percent", "largest that is built, of an edge"),
+        Option("thickness", 3.0, "length", "the plates are this thick"),
+        Option("distortion", 1.0, "percent", "a patch is built up to this distortion of an edge"),
     )
 
     def __post_init__(self) -> None:

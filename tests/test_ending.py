@@ -1,0 +1,94 @@
+"""How runs end that are killed from outside, in each of the two processes of a command."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.cli import supervising
+from solver.io import leftovers
+from tests.conftest import ROOT, wavy_grid
+
+pytestmark = pytest.mark.skipif(
+    not os.path.isdir("/proc/self/task"), reason="looks up processes in /proc"
+)
+DEAF = (
+    "import signal, time; signal.signal(15, signal.SIG_IGN); print(1, flush=True); time.sleep(99)"
+)
+
+
+def children(process: int) -> list[int]:
+    try:
+        return [
+            int(w) for w in Path(f"/proc/{process}/task/{process}/children").read_text().split()
+        ]
+    except OSError:
+        return []
+
+
+def waited_for(what, seconds=150.0):
+    latest = time.monotonic() + seconds
+    while not (found := what()):
+        assert time.monotonic() < latest
+        time.sleep(0.05)
+    return found
+
+
+@pytest.fixture
+def fabrication(tmp_path):
+    """A run that is writing its files, the process of its work, and the folder."""
+    mesh, out = tmp_path / "grid.obj", tmp_path / "new" / "out"
+    api.write_mesh(mesh, wavy_grid(18, 18, height=0.0).scaled(1000.0), "mm")
+    run = subprocess.Popen(
+        [sys.executable, "-m", "freecad_ortho", "fabricate", str(mesh), "-o", str(out)],
+        cwd=ROOT,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    waited_for(lambda: list(out.glob(".staging-*/new")) or run.poll() is not None)
+    (work,) = children(run.pid)
+    yield run, work, out
+    run.kill()
+    run.wait()
+
+
+def test_work_that_does_not_end_is_ended():
+    work = subprocess.Popen([sys.executable, "-c", DEAF], stdout=subprocess.PIPE)
+    work.stdout.readline()
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    begin = time.monotonic()
+    try:
+        assert not supervising.ended(work)
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    # A second by itself, and what a busy machine takes.
+    assert 0.9 < time.monotonic() - begin < 4.0
+    assert work.poll() == -signal.SIGKILL
+
+
+def test_work_that_is_killed_is_said_and_leaves_nothing(fabrication):
+    run, work, out = fabrication
+    os.kill(work, signal.SIGKILL)
+    said = run.communicate(timeout=60)[1]
+    assert run.returncode == 2
+    assert said == "error: killed by signal 9; is there enough memory?\n"
+    # The folders that it had made have gone as well.
+    assert not out.parent.exists()
+
+
+def test_work_ends_when_its_command_is_killed_and_the_next_run_sweeps(fabrication):
+    run, work, out = fabrication
+    run.kill()
+    run.wait()
+    waited_for(lambda: not os.path.exists(f"/proc/{work}"))
+    assert list(out.iterdir())
+    leftovers.sweep(out)
+    assert not list(out.iterdir())

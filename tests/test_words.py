@@ -1,0 +1,65 @@
+"""Words that depend on a number, and what options are said to do."""
+
+from __future__ import annotations
+
+import json
+from types import SimpleNamespace
+
+import pytest
+
+from freecad_ortho.cli.reporting import fabrication_line
+from freecad_ortho.fabrication.systems import SYSTEMS
+from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.option import Option
+from freecad_ortho.sources import SOURCES
+from freecad_ortho.words import counted, plural
+
+
+@pytest.mark.parametrize(
+    ("number", "noun", "words"),
+    [
+        (1, "patch", "1 patch"),
+        (2, "patch", "2 patches"),
+        (0, "quad", "0 quads"),
+        (3, "bent panel", "3 bent panels"),
+        (2, "box", "2 boxes"),
+    ],
+)
+def test_counts_are_english(number, noun, words):
+    assert counted(number, noun) == words
+
+
+def test_a_noun_without_a_rule_is_given_its_plural():
+    assert counted(2, "vertex", "vertices") == "2 vertices"
+    assert counted(1, "vertex", "vertices") == "1 vertex"
+    assert plural("louvre") == "louvres"
+
+
+def test_the_line_about_patches(tmp_path):
+    (tmp_path / "report.json").write_text(json.dumps({"verdict": {"failed": []}, "mass_kg": 7}))
+    structure = SimpleNamespace(parts=[SimpleNamespace(kind="patch")] * 2)
+    line = fabrication_line(structure, str(tmp_path))
+    assert line == f"2 patches, 7.0 kg; files are in {tmp_path}"
+
+
+def options() -> list[Option]:
+    of_systems = [option for system in SYSTEMS.values() for option in system.options]
+    return [*of_systems, *Workshop.options]
+
+
+@pytest.mark.parametrize("option", options(), ids=lambda option: option.name)
+def test_what_an_option_does_is_a_sentence(option):
+    """Tooltips begin it with a capital and end it with a full stop."""
+    first, *rest = option.meaning.split()
+    assert first not in ("of", "in", "to", "at", "between", "beyond", "across")
+    assert len(rest) >= 2 and option.meaning[-1] not in ".,;"
+    assert option.meaning[0].islower()
+
+
+def test_a_zero_that_means_something_else_says_what():
+    shown = {o.name: o.absent for s in SOURCES.values() for o in s.options} | {
+        option.name: option.absent for option in options()
+    }
+    assert shown["kerf"] == shown["bore"] == "none"
+    assert shown["edge"] == "by the sampling"
+    assert not any("; 0:" in option.meaning for option in options())
