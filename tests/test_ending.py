@@ -52,11 +52,13 @@ def fabrication(tmp_path):
         stderr=subprocess.PIPE,
         text=True,
     )
-    waited_for(lambda: list(out.glob(".staging-*/new")) or run.poll() is not None)
-    (work,) = children(run.pid)
-    yield run, work, out
-    run.kill()
-    run.wait()
+    try:
+        waited_for(lambda: list(out.glob(".staging-*/new")) or run.poll() is not None)
+        (work,) = children(run.pid)
+        yield run, work, out
+    finally:
+        run.kill()
+        run.wait()
 
 
 def test_work_that_does_not_end_is_ended():
