@@ -286,9 +286,9 @@ class Optimisation:
             # rslab orders the unknowns itself.
             reorder=self.backend == "scipy",
         )
-        solver = symmetric_solver(self._system.pattern, self.backend)
-        self._stepper = Stepper(self._system, solver)
-        self._relaxation = Relaxation(self._system, solver)
+        self.solver = symmetric_solver(self._system.pattern, self.backend)
+        self._stepper = Stepper(self._system, self.solver)
+        self._relaxation = Relaxation(self._system, self.solver)
         self._restart()
 
     def _restart(self) -> None:

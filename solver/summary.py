@@ -32,7 +32,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         net=problem.net,
         status=status,
         message=_message(run, best, status),
-        warnings=[str(remark) for remark in run.remarks],
+        warnings=[*map(str, run.remarks), *filter(None, [run.solver.remark])],
         vertices=len(start.vertices),
         faces=len(start.faces),
         variables=problem.variables,

@@ -2,7 +2,7 @@
 
 The analysis of the pattern is done once; each call factors new numbers. ``scipy`` stands for the
 method of :mod:`solver.linear.multifrontal`, on LAPACK from scipy. The package ``rslab`` takes large
-systems where it can be imported: it uses all cores.
+systems where it is installed: it uses all cores.
 """
 
 from __future__ import annotations
@@ -11,10 +11,8 @@ import importlib.util
 from collections.abc import Callable
 from typing import Protocol
 
-import numpy as np
-from scipy.sparse import csc_array
-
 from solver.errors import InputError
+from solver.linear.guarded import GuardedRslab
 from solver.linear.multifrontal import Multifrontal
 from solver.linear.pattern import Pattern
 from solver.mesh.quadmesh import FloatArray
@@ -26,7 +24,13 @@ _RSLAB_PAYS = 60_000
 
 
 class SymmetricSolver(Protocol):
-    """Solves A x = b for matrices of one pattern."""
+    """Solves A x = b for matrices of one pattern.
+
+    Attributes:
+        remark: what is out of the ordinary about how it does so, "" for nothing.
+    """
+
+    remark: str
 
     def factor(self, lower: FloatArray) -> Callable[[FloatArray], FloatArray]:
         """Factor the lower triangle (nnz,); return the function that solves for right sides (n,).
@@ -46,7 +50,7 @@ def symmetric_solver(pattern: Pattern, backend: str) -> SymmetricSolver:
         raise InputError(f"sparse solver: expected one of {', '.join(BACKENDS)}, got '{backend}'")
     if backend == "rslab" and not _rslab_installed():
         raise InputError("sparse solver: rslab is not installed; pip install rslab, or use scipy")
-    return _Rslab(pattern) if backend == "rslab" else Multifrontal(pattern)
+    return GuardedRslab(pattern) if backend == "rslab" else Multifrontal(pattern)
 
 
 def default_backend(unknowns: int) -> str:
@@ -56,20 +60,3 @@ def default_backend(unknowns: int) -> str:
 
 def _rslab_installed() -> bool:
     return importlib.util.find_spec("rslab") is not None
-
-
-class _Rslab:
-    """LDL^T of the package rslab, whose symbolic analysis is done once."""
-
-    def __init__(self, pattern: Pattern) -> None:
-        import rslab
-
-        size = pattern.size
-        matrix = csc_array(
-            (np.ones(len(pattern.indices)), pattern.indices, pattern.indptr), shape=(size, size)
-        )
-        self._symbolic = rslab.analyze(matrix, path="ldlt")
-
-    def factor(self, lower: FloatArray) -> Callable[[FloatArray], FloatArray]:
-        factors = self._symbolic.factor(lower)
-        return lambda right: np.asarray(factors.solve(right))

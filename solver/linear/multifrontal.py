@@ -79,6 +79,8 @@ class Multifrontal:
         pattern: of the lower triangle, with its parts.
     """
 
+    remark = ""
+
     def __init__(self, pattern: Pattern) -> None:
         self._fronts = list(_fronts(pattern))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import warnings
 from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from typing import Any
@@ -25,5 +26,12 @@ def _controller() -> Any:
         return None
     import threadpoolctl
 
-    # It governs the libraries that are loaded by now; its importer has loaded them.
-    return threadpoolctl.ThreadpoolController()
+    try:
+        # It governs the libraries that are loaded by now; its importer has loaded them.
+        controller = threadpoolctl.ThreadpoolController()
+        with controller.limit(limits=1, user_api="blas"):
+            return controller
+    except Exception as error:
+        # It asks libraries that it does not know: whatever comes of that is no reason to stop.
+        warnings.warn(f"threadpoolctl failed ({error}): BLAS keeps its threads", stacklevel=2)
+        return None
