@@ -59,8 +59,10 @@ class Progress:
 
 
 def fabrication_line(structure: Structure, folder: str) -> str:
-    """One line that says what was made and where it is."""
+    """One line that says what was made and where it is; what is out of the ordinary on stderr."""
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))
+    for message in report["messages"]:
+        sys.stderr.write(f"note: {message}\n")
     numbers = Counter(part.kind for part in structure.parts)
     counts = [counted(number, kind) for kind, number in numbers.items()]
     failed = len(report["verdict"]["failed"])

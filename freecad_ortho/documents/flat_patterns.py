@@ -48,7 +48,7 @@ def add_flat_patterns(
         kerf: width of the cut that the outlines are compensated for.
 
     Raises:
-        InputError: nothing to lay out, or a part larger than the sheet; the document is unchanged.
+        InputError: nothing to lay out, or no part that fits on a sheet; the document is unchanged.
     """
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
     if not chosen or not all(is_structure(item) for item in chosen):

@@ -141,7 +141,7 @@ def write_lists(folder: Path, production: Production, project: str = "") -> list
     """
     equal_to = production.families.equal_to
     parts = production.structure.parts
-    write_parts(folder / "parts.csv", parts, production.verdicts, equal_to)
+    write_parts(folder / "parts.csv", parts, production.verdicts, equal_to, production.places)
     place = production.structure.place
     write_nodes(folder / "nodes.csv", production.nodes, equal_to, place)
     write_stock(folder / "stock.csv", production.bars)

@@ -11,7 +11,7 @@ from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
 from freecad_ortho.fabrication.families import Families, families
 from freecad_ortho.fabrication.kerf import compensated
 from freecad_ortho.fabrication.limits import OK
-from freecad_ortho.fabrication.nesting import Sheet, nest
+from freecad_ortho.fabrication.nesting import Nesting, Sheet, nest, too_large_words
 from freecad_ortho.fabrication.nodes import Node, nodes
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.stock import Bar, is_along_line, stock_list
@@ -31,7 +31,7 @@ class Production:
         patterns: flat pattern of each part, compensated for the kerf; None where it has none.
         nodes: vertices at which parts meet.
         families: equal parts and nodes.
-        sheets: nested patterns, empty without a sheet size.
+        nesting: patterns on sheets, empty without a sheet size.
         bars: stock that long parts are sawn from.
         clashes: what the clash check found.
     """
@@ -41,9 +41,19 @@ class Production:
     patterns: tuple[FlatPattern | None, ...]
     nodes: tuple[Node, ...]
     families: Families
-    sheets: tuple[Sheet, ...]
+    nesting: Nesting
     bars: tuple[Bar, ...]
     clashes: ClashCheck
+
+    @property
+    def sheets(self) -> tuple[Sheet, ...]:
+        """Nested patterns, empty without a sheet size."""
+        return self.nesting.sheets
+
+    @property
+    def places(self) -> dict[str, str]:
+        """The sheet or bar that each part is cut from, by the names of those that have one."""
+        return {name: bar.name for bar in self.bars for name in bar.parts} | self.nesting.places
 
     @property
     def named_patterns(self) -> dict[str, FlatPattern]:
@@ -92,6 +102,9 @@ class Production:
                 f"stock.csv leaves out {len(curved)} of the parts, {curved[0]} for one: their flat "
                 "patterns are curved, so they are cut from sheets"
             )
+        words += self.nesting.remarks
+        if self.nesting.too_large:
+            words.append(too_large_words(self.nesting.too_large, self.workshop))
         return tuple(words)
 
     def report(self) -> dict[str, Any]:
@@ -122,6 +135,7 @@ class Production:
             "count": len(self.sheets),
             "parts": sum(len(sheet.placements) for sheet in self.sheets),
             "waste": 1 - used / (width * height * max(len(self.sheets), 1)),
+            "too_large": [part.name for part in self.nesting.too_large],
             "sheets": [
                 {
                     "name": sheet.name,
@@ -151,7 +165,7 @@ def produce(
         progress: called with a fraction and words; may raise to stop.
 
     Raises:
-        InputError: a part that is larger than the sheet or longer than the stock, a kerf that
+        InputError: sheets on which no part fits, a part that is longer than the stock, a kerf that
             closes a slot.
     """
     chosen = workshop or Workshop()
@@ -163,16 +177,16 @@ def produce(
         for part in parts
     )
     bars = stock_list(parts, chosen)
-    sheets: tuple[Sheet, ...] = ()
+    nesting = Nesting()
     if chosen.sheet is not None:
-        sheets = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
+        nesting = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
     say(0.5, "nodes and families")
     joints = nodes(structure.site, parts)
     equal = families(parts, joints)
     say(0.6, "clash check")
     clashes = check_clashes(parts, executor, lambda done: say(0.6 + 0.4 * done, "clash check"))
     say(1.0, "clash check")
-    return Production(structure, chosen, patterns, joints, equal, sheets, bars, clashes)
+    return Production(structure, chosen, patterns, joints, equal, nesting, bars, clashes)
 
 
 def _stock_report(bars: tuple[Bar, ...]) -> dict[str, Any]:

@@ -43,6 +43,7 @@ COLUMNS = (
     "vertices",
     "face",
     "equal_to",
+    "cut_from",
     "note",
     "verdict",
 )
@@ -58,7 +59,11 @@ STOCK_COLUMNS = (
 
 
 def write_parts(
-    path: Path, parts: Sequence[Part], verdicts: Sequence[str], equal_to: Mapping[str, str]
+    path: Path,
+    parts: Sequence[Part],
+    verdicts: Sequence[str],
+    equal_to: Mapping[str, str],
+    places: Mapping[str, str],
 ) -> None:
     """Write one row a part.
 
@@ -72,6 +77,7 @@ def write_parts(
         parts: in the order of the rows.
         verdicts: one a part.
         equal_to: the first of the parts that are cut alike, by the names of the parts.
+        places: the sheet or bar that it is cut from, by the names of the parts.
 
     Raises:
         OSError: the file cannot be written.
@@ -89,6 +95,7 @@ def write_parts(
             " ".join(map(str, part.vertices)),
             "" if part.face is None else part.face,
             equal_to.get(part.name, ""),
+            places.get(part.name, ""),
             part.note,
             verdict,
         ]

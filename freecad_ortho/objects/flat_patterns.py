@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import Part
 
     from freecad_ortho.fabrication import FlatPattern, Structure, Workshop
-    from freecad_ortho.fabrication.nesting import Sheet
+    from freecad_ortho.fabrication.nesting import Nesting, Sheet
     from solver.mesh.quadmesh import FloatArray
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -85,6 +85,13 @@ _PROPERTIES = (
         "PartNames",
         "Result",
         QT_TRANSLATE_NOOP("App::Property", "Names of the parts, in the order of the shape"),
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyStringList",
+        "TooLarge",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Names of the parts that do not fit on a sheet"),
         flags=OUTPUT | READ_ONLY,
     ),
     Property(
@@ -161,7 +168,7 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     """Set the shape and what is known of the sheets from the properties.
 
     Raises:
-        OrthoError: nothing to lay out, or a part larger than the sheet; nothing was changed.
+        OrthoError: nothing to lay out, or no part that fits on a sheet; nothing was changed.
     """
     from freecad_ortho.objects import build
 
@@ -181,6 +188,7 @@ def _lay_out(feature: FreeCAD.DocumentObject, structure: Structure, workshop: Wo
     import Part
 
     from freecad_ortho.fabrication.kerf import compensated
+    from freecad_ortho.fabrication.nesting import Nesting
 
     flat = {
         part.name: compensated(part.name, part.pattern, workshop.kerf)
@@ -193,15 +201,17 @@ def _lay_out(feature: FreeCAD.DocumentObject, structure: Structure, workshop: Wo
             "beams of plates, lamellas or panels"
         )
     if workshop.sheet is None:
-        sheets, placed = (), _in_rows(flat)
+        nesting, placed = Nesting(), _in_rows(flat)
     else:
-        sheets, placed = _nested(structure.parts, flat, workshop)
+        nesting, placed = _nested(structure.parts, flat, workshop)
+    sheets = nesting.sheets
     shapes = [_pattern_shape(flat[name], place) for name, place in placed]
     origins = _sheet_origins(sheets)
     frames = [_rectangle(sheet, at) for sheet, at in zip(sheets, origins, strict=True)]
     feature.Shape = Part.makeCompound(shapes + frames)
     feature.PartNames = [name for name, _ in placed]
     feature.LabelPlaces = [_vector(place(flat[name].label[None])[0]) for name, place in placed]
+    feature.TooLarge = [part.name for part in nesting.too_large]
     feature.SheetCount = len(sheets)
     area = sum(sheet.width * sheet.height for sheet in sheets)
     feature.Waste = 1 - sum(sheet.used for sheet in sheets) / area if area else 0.0
@@ -240,13 +250,18 @@ def _in_rows(flat: dict[str, FlatPattern]) -> list[tuple[str, Any]]:
     ]
 
 
-def _nested(parts: Any, flat: dict[str, FlatPattern], workshop: Any) -> tuple[Any, Any]:
-    from freecad_ortho.fabrication.nesting import nest
+def _nested(parts: Any, flat: dict[str, FlatPattern], workshop: Workshop) -> tuple[Nesting, Any]:
+    from freecad_ortho.fabrication.nesting import nest, too_large_words
 
     chosen = [part for part in parts if part.name in flat]
-    sheets = nest(chosen, workshop, [flat[part.name] for part in chosen])
+    nesting = nest(chosen, workshop, [flat[part.name] for part in chosen])
     placed = []
-    for sheet, origin in zip(sheets, _sheet_origins(sheets), strict=True):
+    remarks = list(nesting.remarks)
+    if nesting.too_large:
+        remarks.append(too_large_words(nesting.too_large, workshop))
+    for remark in remarks:
+        FreeCAD.Console.PrintWarning(f"{remark}\n")
+    for sheet, origin in zip(nesting.sheets, _sheet_origins(nesting.sheets), strict=True):
         for one in sheet.placements:
             placed.append(
                 (
@@ -254,7 +269,7 @@ def _nested(parts: Any, flat: dict[str, FlatPattern], workshop: Any) -> tuple[An
                     lambda points, one=one, origin=origin: one.on_sheet(points) + origin,
                 )
             )
-    return sheets, placed
+    return nesting, placed
 
 
 def _sheet_origins(sheets: Sequence[Sheet]) -> list[FloatArray]:

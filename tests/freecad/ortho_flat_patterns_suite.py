@@ -62,7 +62,16 @@ class TestLayout(FlatCase):
         cut = api.add_flat_patterns(self.beams, kerf="0.4 mm").Shape.SubShapes[0].BoundBox
         self.assertAlmostEqual(cut.YLength - plain.YLength, 0.4, places=2)
 
-    def test_a_part_larger_than_the_sheet_is_refused(self):
+    def test_parts_larger_than_the_sheet_are_listed_and_the_others_laid_out(self):
+        shapes = api.add_flat_patterns(self.beams).Shape.SubShapes
+        lengths = sorted(shape.BoundBox.XLength for shape in shapes)
+        middle = (lengths[0] + lengths[-1]) / 2
+        flat = api.add_flat_patterns(self.beams, sheet=(middle + 2, 600), spacing=1)
+        self.assertTrue(flat.TooLarge and flat.PartNames)
+        self.assertEqual(sorted([*flat.TooLarge, *flat.PartNames]), sorted(self.beams.PartNames))
+        self.assertEqual(len(flat.TooLarge), sum(length > middle for length in lengths))
+
+    def test_sheets_on_which_nothing_fits_are_refused(self):
         count = len(self.document.Objects)
         for wrong in (
             {"sheet": (500, 100)},

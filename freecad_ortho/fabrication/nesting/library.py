@@ -1,25 +1,94 @@
 """Dense nesting by an optional library (spyrrow), one sheet at a time.
 
 The library packs outlines into a strip of given height, as short as it can, in single precision.
-A sheet is the beginning of a strip: whatever lies beyond its width waits for the next one.
+A sheet is the beginning of a strip: whatever lies beyond its width waits for the next one. Outlines
+are given to it with half of the spacing around them, and what it returns is checked.
 """
 
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from freecad_ortho.fabrication.nesting.sheet import Placement, turned
+from freecad_ortho.fabrication.nesting.strip import LIBRARY, StripPacker
 from freecad_ortho.fabrication.workshop import Workshop
+from solver.isolated import Isolated, LibraryError
+from solver.mesh.quadmesh import FloatArray
 
-LIBRARY = "spyrrow"
 _SECONDS = 1
+# What the search, its set-up and a busy machine may take together, in seconds.
+_TIME_LIMIT = 60.0
 # Area of the outlines that are offered, in areas of the sheet: more than can fit.
 _OFFER = 1.15
 # Single precision at the size of a sheet, mm: outlines may come closer than asked by this much.
 _PRECISION = 0.01
+# Corners of the spacing around an outline are cut off beyond so many halves of it.
+_MITRE_LIMIT = 2.0
+
+
+class Library:
+    """The library in a process of its own, for all sheets of a nesting; use it in a ``with``."""
+
+    def __init__(self, workshop: Workshop) -> None:
+        self._workshop = workshop
+        self._packer = Isolated(StripPacker)
+
+    def __enter__(self) -> Library:
+        """Return the library itself."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End its process."""
+        self._packer.close()
+
+    def one_sheet(
+        self, items: Sequence[Placement], waiting: Callable[[], object]
+    ) -> tuple[Placement, ...]:
+        """Lay as many patterns as fit onto one sheet, large ones first.
+
+        Args:
+            items: each turned so that it fits the sheet as it is.
+            waiting: called while the library works; may raise to stop.
+
+        Returns:
+            Those that found room: each once, on the sheet, no closer than the spacing.
+
+        Raises:
+            LibraryError: the library failed, or laid parts where they cannot lie.
+        """
+        width, height = self._workshop.sheet or (0.0, 0.0)
+        half = self._workshop.spacing / 2
+        strip = height - 2 * half
+        angles = [0.0, 180.0] if self._workshop.grain == "along" else [0.0, 90.0, 180.0, 270.0]
+        offered, outlines, turns = [], [], []
+        for item in _offered(items, width * height):
+            outline = _with_room(turned(item.pattern.outline, item.angle_deg), half + _PRECISION)
+            sizes = np.ptp(outline, axis=0)
+            fitting = [a for a in angles if sizes[1 if a % 180 == 0 else 0] < strip]
+            if fitting:
+                offered.append(item)
+                outlines.append([tuple(point) for point in outline.tolist()])
+                turns.append(fitting)
+        if not offered:
+            return ()
+        placed = self._packer.call(
+            *("pack", outlines, turns, strip, _SECONDS, self._workshop.seed),
+            time_limit=_TIME_LIMIT,
+            waiting=lambda part: waiting(),
+        )
+        result = []
+        for number, turn, x, y in placed:
+            item = offered[number]
+            shift = np.array([x, y]) + half
+            placement = Placement(item.name, item.pattern, (item.angle_deg + turn) % 360, shift)
+            if placement.outline[:, 0].max() <= width - 2 * half + _PRECISION:
+                result.append(placement)
+        if result:
+            _check(result, self._workshop)
+        return tuple(result)
 
 
 def is_there() -> bool:
@@ -27,57 +96,33 @@ def is_there() -> bool:
     return importlib.util.find_spec(LIBRARY) is not None
 
 
-def one_sheet(items: Sequence[Placement], workshop: Workshop) -> tuple[Placement, ...]:
-    """Lay as many patterns as fit onto one sheet, large ones first.
+def _with_room(outline: FloatArray, room: float) -> FloatArray:
+    """An outline with some room around it, without the corners that make no difference."""
+    from shapely import Polygon
 
-    Args:
-        items: each turned so that it fits the sheet as it is.
-        workshop: with a sheet size.
+    grown = Polygon(outline).buffer(room, join_style="mitre", mitre_limit=_MITRE_LIMIT)
+    return np.array(grown.simplify(_PRECISION / 2).exterior.coords)[:-1]
 
-    Returns:
-        Those that found room.
-    """
-    import spyrrow
 
+def _check(placements: Sequence[Placement], workshop: Workshop) -> None:
+    from shapely import Polygon, STRtree, box
+
+    names = [placement.name for placement in placements]
+    if len(set(names)) < len(names):
+        raise LibraryError("it laid a part twice")
+    outlines = [Polygon(placement.outline) for placement in placements]
+    least = max(workshop.spacing - _PRECISION, 0.0)
     width, height = workshop.sheet or (0.0, 0.0)
-    offered = _offered(items, width * height)
-    spacing = workshop.spacing + _PRECISION
-    strip = height - 2 * workshop.spacing
-    angles = [0.0, 180.0] if workshop.grain == "along" else [0.0, 90.0, 180.0, 270.0]
-    shapes = [turned(item.pattern.outline, item.angle_deg) for item in offered]
-    entries = []
-    for number, shape in enumerate(shapes):
-        # An orientation that is higher than the strip brings the library down.
-        sizes = np.ptp(shape, axis=0)
-        fitting = [a for a in angles if sizes[1 if a % 180 == 0 else 0] < strip]
-        if fitting:
-            points = [tuple(point) for point in shape.tolist()]
-            entries.append(spyrrow.Item(str(number), points, 1, fitting))
-    if not entries:
-        return ()
-    search = spyrrow.StripPackingConfig(
-        total_computation_time=None,
-        exploration_time=_SECONDS,
-        compression_time=_SECONDS,
-        min_items_separation=spacing,
-        num_workers=1,
-        seed=workshop.seed,
-    )
-    solution = spyrrow.StripPackingInstance("", strip, entries).solve(search)
-    result = []
-    for placed in solution.placed_items:
-        item, shape = offered[int(placed.id)], shapes[int(placed.id)]
-        points = turned(shape, placed.rotation) + placed.translation
-        room = width - 2 * workshop.spacing
-        inside = (
-            points.min() >= -_PRECISION
-            and (points.max(axis=0) <= np.array([room, strip]) + _PRECISION).all()
-        )
-        if inside:
-            shift = np.array(placed.translation) + workshop.spacing
-            angle = (item.angle_deg + placed.rotation) % 360
-            result.append(Placement(item.name, item.pattern, angle, shift))
-    return tuple(result)
+    inner = box(least, least, width - least, height - least)
+    outside = [
+        name for name, outline in zip(names, outlines, strict=True) if not inner.covers(outline)
+    ]
+    if outside:
+        raise LibraryError(f"it laid {outside[0]} over the rim of the sheet")
+    first, second = STRtree(outlines).query(outlines, predicate="dwithin", distance=least)
+    for one, two in zip(first.tolist(), second.tolist(), strict=True):
+        if one < two and outlines[one].distance(outlines[two]) < least:
+            raise LibraryError(f"it laid {names[one]} too close to {names[two]}")
 
 
 def _offered(items: Sequence[Placement], sheet: float) -> list[Placement]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -15,10 +14,31 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError, OrthoError
+from solver.isolated import LibraryError
 
 # Sheets that still take parts while more are begun: enough for the small ones to fill gaps.
 _OPEN = 12
 Progress = Callable[[float, str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Nesting:
+    """What came of laying parts onto sheets.
+
+    Attributes:
+        sheets: with all parts that fit on one.
+        too_large: the parts that do not.
+        remarks: what is to be said about the search, in plain words.
+    """
+
+    sheets: tuple[Sheet, ...] = ()
+    too_large: tuple[Part, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def places(self) -> dict[str, str]:
+        """Names of the sheets by the names of the parts on them."""
+        return {on.name: sheet.name for sheet in self.sheets for on in sheet.placements}
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +57,7 @@ def nest(
     workshop: Workshop,
     patterns: Sequence[FlatPattern] | None = None,
     progress: Progress | None = None,
-) -> tuple[Sheet, ...]:
+) -> Nesting:
     """Lay the flat patterns of parts onto sheets, each material and thickness on its own.
 
     Args:
@@ -47,25 +67,32 @@ def nest(
         progress: called with a fraction and words; may raise to stop.
 
     Raises:
-        InputError: no sheet size, or a part that is larger than a sheet.
+        InputError: no sheet size, or one on which no part fits.
     """
     if workshop.sheet is None:
         raise InputError("sheet: no size given; say WxH in mm, e.g. 3000x1500")
     chosen = [part.pattern for part in parts] if patterns is None else patterns
-    items = [
-        _item(part, pattern, workshop)
+    plates = [
+        (part, pattern)
         for part, pattern in zip(parts, chosen, strict=True)
         if pattern is not None and part.material.thickness is None
     ]
+    found = [_item(part, pattern, workshop) for part, pattern in plates]
+    items = [item for item in found if item is not None]
+    too_large = [part for (part, _), item in zip(plates, found, strict=True) if item is None]
+    if too_large and not items:
+        raise InputError(too_large_words(too_large, workshop))
+    remarks: list[str] = []
     say = progress or (lambda fraction, words: None)
     sheets: list[Sheet] = []
     for (material, thickness), group in _alike(items):
-        placed = _placed(group, workshop, lambda f, words: say(f, f"nesting {words}"))
+        placed, failure = _placed(group, workshop, lambda f, words: say(f, f"nesting {words}"))
         for placements in placed:
             name = f"sheet-{len(sheets) + 1:03d}"
             sheets.append(Sheet(name, *workshop.sheet, thickness, placements, material))
+        remarks += [failure] if failure and failure not in remarks else []
     _nothing_lost([item.part.name for item in items], sheets)
-    return tuple(sheets)
+    return Nesting(tuple(sheets), tuple(too_large), tuple(remarks))
 
 
 def _alike(items: Sequence[_Item]) -> list[tuple[tuple[str, float], list[_Item]]]:
@@ -77,22 +104,46 @@ def _alike(items: Sequence[_Item]) -> list[tuple[tuple[str, float], list[_Item]]
     return sorted(groups.items(), key=lambda entry: (materials.index(entry[0][0]), -entry[0][1]))
 
 
-def _placed(items: list[_Item], workshop: Workshop, say: Progress) -> list[tuple[Placement, ...]]:
+def _placed(
+    items: list[_Item], workshop: Workshop, say: Progress
+) -> tuple[list[tuple[Placement, ...]], str]:
+    """What lies on each sheet, and what is to be said about the library."""
     boxes = _by_boxes(items, workshop)
-    if workshop.nesting == "boxes" or not library.is_there():
-        return boxes
+    if workshop.nesting == "boxes":
+        return boxes, ""
+    if not library.is_there():
+        return boxes, (
+            f"nesting: the library {library.LIBRARY} is not installed, so boxes were packed "
+            "instead of outlines"
+        )
+    try:
+        return min(boxes, _by_outlines(items, workshop, say), key=len), ""
+    except LibraryError as error:
+        return boxes, (
+            f"nesting: the library {library.LIBRARY} failed ({error}), so boxes were packed "
+            "instead of outlines"
+        )
+
+
+def _by_outlines(
+    items: list[_Item], workshop: Workshop, say: Progress
+) -> list[tuple[Placement, ...]]:
+    """Sheet by sheet; whatever the library finds, one is never filled less than by boxes."""
     rest = {item.part.name: item for item in items}
     result: list[tuple[Placement, ...]] = []
-    while rest:
-        # Whatever the library finds, a sheet is never filled less than by boxes.
-        fallback = _by_boxes(list(rest.values()), workshop)[0]
-        found = library.one_sheet([_as_placement(item) for item in rest.values()], workshop)
-        best = max(fallback, found, key=_covered)
-        result.append(best)
-        for placement in best:
-            del rest[placement.name]
-        say(1 - len(rest) / len(items), f"sheet {len(result)}")
-    return min(boxes, result, key=len)
+    with library.Library(workshop) as packer:
+        while rest:
+
+            def waiting() -> None:
+                say(1 - len(rest) / len(items), f"sheet {len(result) + 1}")
+
+            fallback = _by_boxes(list(rest.values()), workshop)[0]
+            found = packer.one_sheet([_as_placement(item) for item in rest.values()], waiting)
+            result.append(max(fallback, found, key=_covered))
+            for placement in result[-1]:
+                del rest[placement.name]
+            waiting()
+    return result
 
 
 def _by_boxes(items: list[_Item], workshop: Workshop) -> list[tuple[Placement, ...]]:
@@ -128,12 +179,8 @@ def _as_placement(item: _Item) -> Placement:
     return _placement(item, 0.0, 0.0, 0.0)
 
 
-def _item(part: Part, pattern: FlatPattern, workshop: Workshop) -> _Item:
-    """Turn a part so that it fits, in a box as small as can be.
-
-    Raises:
-        InputError: it does not fit.
-    """
+def _item(part: Part, pattern: FlatPattern, workshop: Workshop) -> _Item | None:
+    """Turn a part so that it fits, in a box as small as can be; None where it does not fit."""
     angles = [0.0]
     if workshop.grain == "none":
         side = np.roll(pattern.outline, -1, axis=0) - pattern.outline
@@ -149,13 +196,20 @@ def _item(part: Part, pattern: FlatPattern, workshop: Workshop) -> _Item:
         area = float(box.prod())
         if fits and (best is None or area < best[0] * (1 - 1e-9)):
             best = area, _Item(part, pattern, angle, float(box[0]), float(box[1]))
-    if best is None:
-        size = " x ".join(f"{math.ceil(length)}" for length in pattern.size)
-        raise InputError(
-            f"sheet: {part.name} is {size} mm and does not fit on {width:g} x {height:g} mm with "
-            f"{workshop.spacing:g} mm around; take larger sheets, less spacing or smaller parts"
-        )
-    return best[1]
+    return None if best is None else best[1]
+
+
+def too_large_words(parts: Sequence[Part], workshop: Workshop) -> str:
+    """Name all the parts that do not fit on a sheet, with the size of the largest."""
+    width, height = workshop.sheet or (0.0, 0.0)
+    largest = max((part.pattern.size for part in parts if part.pattern), key=np.prod)
+    names = ", ".join(part.name for part in parts)
+    count = f"{len(parts)} parts do" if len(parts) > 1 else "1 part does"
+    size = " x ".join(f"{length:g}" for length in np.ceil(largest))
+    return (
+        f"sheet: {count} not fit on {width:g} x {height:g} mm with {workshop.spacing:g} mm around "
+        f"(the largest is {size} mm): {names}; take larger sheets, less spacing or smaller parts"
+    )
 
 
 def _covered(placements: Sequence[Placement]) -> float:
