@@ -16,7 +16,8 @@ flat panels, and writes into OUT_DIR (default: ./out/demo):
   flat.dxf        their outlines for cutting                report.json  what was reached
   model.FCStd     the model for FreeCAD                     preview.png  a picture of it
   principal.obj   the optimised mesh                       nodes.csv    angles at the nodes
-  stock.csv       bars to saw beams from                   report.html  verdict, pictures, plots
+  stock.csv       bars to saw beams from                   bevels.csv   sides that are not square
+  report.html     verdict, pictures, plots
 
   --mesh       a quad mesh of your own (default: examples/data/demo_roof.obj)
   --unit       its unit (default: as its file says, else guessed from its edges and said)

@@ -18,7 +18,7 @@ from freecad_ortho.documents.common import (
     require_net,
     transaction,
 )
-from freecad_ortho.fabrication import SYSTEMS, Selection
+from freecad_ortho.fabrication import SYSTEMS, Selection, Workshop
 from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, flat_patterns, outdated
@@ -242,10 +242,10 @@ def export_fabrication(
         structures: a Structure, or several of different systems on the same Net.
         folder: made if it is not there.
         workers: processes that share the work; for large structures.
-        workshop: what parts are cut from and with, as on the command line: ``sheet="3000x1500"``,
-            ``spacing``, ``grain``, ``nesting``, ``seed``, ``stock``, ``saw``, ``kerf``; lengths in
-            mm or with their unit. Lamellas are spliced where ``stock`` says so, in the document
-            too; without it the stock is theirs, and 0 stands for as long as it takes.
+        workshop: what parts are cut from and with, and how drawings are written, as on the command
+            line: ``sheet="3000x1500"``, ``kerf``, ``dxf="parts"`` ...; lengths in mm or with their
+            unit. Lamellas are spliced where ``stock`` says so, in the document too; without it the
+            stock is theirs, and 0 stands for as long as it takes.
 
     Returns:
         The files written.
@@ -259,9 +259,10 @@ def export_fabrication(
     from freecad_ortho import api
 
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
+    lengths = [option.name for option in Workshop.options if option.kind == "length"]
     sizes = {
         name: convert.millimetres(workshop[name], name)
-        for name in ("spacing", "stock", "saw", "kerf")
+        for name in lengths
         if workshop.get(name) is not None
     }
     with _one_stock(chosen, sizes.get("stock")) as stock:
@@ -270,11 +271,22 @@ def export_fabrication(
             missing_package_named(),
             progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
         ):
-            settings = workshop | sizes | {"stock": stock}
+            settings = _lost_on_bars(chosen) | workshop | sizes | {"stock": stock}
             project = chosen[0].Document.Label
             return api.write_fabrication(
                 structure, folder, say, workers=workers, project=project, **settings
             )
+
+
+def _lost_on_bars(features: Sequence[Any]) -> dict[str, float]:
+    """What trimmed ends and saw cuts take from the bars that lamellas were cut for, mm."""
+    lamellas = [item for item in features if "Trim" in item.PropertiesList]
+    if not lamellas:
+        return {}
+    return {
+        "trim": max(item.Trim.Value for item in lamellas),
+        "saw": max(item.Saw.Value for item in lamellas),
+    }
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""DXF: the true outline of every part, one block a part, laid out in rows."""
+"""DXF: the true outline of every part, as blocks or plain, together or one file a part."""
 
 from __future__ import annotations
 
@@ -10,69 +10,69 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.dxf_form import VERSIONS, DxfForm
+from freecad_ortho.fabrication.dxf_pen import FAR_SIDE, STYLE, DxfPen
+from freecad_ortho.fabrication.pattern import Bevel, FlatPattern, fitted_text_size
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts import BaseLayout, BlockLayout
+    from ezdxf.layouts import Modelspace
 
     from freecad_ortho.fabrication.nesting import Sheet
 
 SPACING = 30.0
 # Name and colour, in the order in which a workshop looks at them.
-LAYERS = {"CUT": 7, "HOLE": 5, "AXIS": 4, "BEND": 6, "ENGRAVE": 1, "LABEL": 3}
+LAYERS = {"CUT": 7, "HOLE": 5, "AXIS": 4, "BEND": 6, "BEVEL": 2, "ENGRAVE": 1, "LABEL": 3}
 # A stroke font: letters are single lines for a plotter, a laser or an engraver to follow.
-_STYLE, _FONT = "SINGLE_STROKE", "txt.shx"
+_FONT = "txt.shx"
 _MILLIMETRES = 4
 # Text height of what a sheet is, above its rim, mm.
 _TITLE = 40.0
+# Largest text height of a bevel's angle, mm.
+_ANGLE = 6.0
 
 
-def write_dxf(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
+_USUAL = DxfForm()
+
+
+def write_dxf(path: Path, patterns: Mapping[str, FlatPattern], form: DxfForm = _USUAL) -> None:
     """Write flat patterns in rows, in mm.
 
     Layers: CUT the closed outlines and cutouts, HOLE circles, AXIS the unrolled parameter line,
-    BEND bend lines, ENGRAVE lines and texts (dashed: on the far side of the plate), LABEL the
-    names.
+    BEND bend lines, BEVEL where bevelled sides begin (dashed: on the far side of the plate) and
+    their angles, ENGRAVE lines and texts, LABEL the names.
 
     Args:
         path: file to write.
-        patterns: by the parts' names; each becomes a block of that name and one insert of it.
+        patterns: by the parts' names.
+        form: how; with blocks each pattern is a block of its part's name and one insert of it.
 
     Raises:
         OSError: the file cannot be written.
     """
     places = row_layout(list(patterns.values()))
-    with _fixed_meta_data():
-        drawing = _empty_drawing()
-        space = drawing.modelspace()
+    with _drawing(path, form) as space:
         for (name, pattern), place in zip(patterns.items(), places, strict=True):
-            _fill_block(drawing.blocks.new(name), name, pattern)
-            space.add_blockref(name, place.tolist())
-        drawing.saveas(path)
+            _place(space, name, pattern, place, 0.0, form)
 
 
-def write_sheet(path: Path, sheet: Sheet) -> None:
-    """Write one nested sheet in mm, a turned block a part; rim and title on layer SHEET.
+def write_sheet(path: Path, sheet: Sheet, form: DxfForm = _USUAL) -> None:
+    """Write one nested sheet in mm, its parts turned; rim and title on layer SHEET.
 
     Raises:
         OSError: the file cannot be written.
     """
-    with _fixed_meta_data():
-        drawing = _empty_drawing()
-        drawing.layers.add("SHEET", color=8)
-        space = drawing.modelspace()
-        rim = [(0, 0), (sheet.width, 0), (sheet.width, sheet.height), (0, sheet.height)]
-        space.add_lwpolyline(rim, close=True, dxfattribs={"layer": "SHEET"})
+    with _drawing(path, form) as space:
+        space.doc.layers.add("SHEET", color=8)
+        pen = DxfPen(space, form.text)
+        rim = np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) * [sheet.width, sheet.height]
+        pen.polyline("SHEET", rim, closed=True)
         size = min(_TITLE, 0.05 * sheet.height)
         middle = np.array([sheet.width / 2, sheet.height + size])
-        _add_text(space, "SHEET", sheet.title, middle, size, 0.0)
-        for placement in sheet.placements:
-            _fill_block(drawing.blocks.new(placement.name), placement.name, placement.pattern)
-            turn = {"rotation": placement.angle_deg}
-            space.add_blockref(placement.name, placement.shift.tolist(), dxfattribs=turn)
-        drawing.saveas(path)
+        pen.words("SHEET", sheet.title, middle, size, 0.0)
+        for placed in sheet.placements:
+            _place(space, placed.name, placed.pattern, placed.shift, placed.angle_deg, form)
 
 
 def row_layout(patterns: Sequence[FlatPattern]) -> FloatArray:
@@ -92,47 +92,84 @@ def row_layout(patterns: Sequence[FlatPattern]) -> FloatArray:
     return places
 
 
-def _empty_drawing() -> Drawing:
-    import ezdxf
+@contextmanager
+def _drawing(path: Path, form: DxfForm) -> Iterator[Modelspace]:
+    """An empty drawing's model space, which is written in the end."""
+    with _fixed_meta_data():
+        drawing = _empty_drawing(VERSIONS[form.version])
+        yield drawing.modelspace()
+        drawing.saveas(path)
 
-    drawing = ezdxf.new("R2010")
-    drawing.header["$INSUNITS"] = _MILLIMETRES
-    drawing.header["$MEASUREMENT"] = 1
-    drawing.linetypes.add("FAR_SIDE", pattern=[6.0, 4.0, -2.0], description="on the far side")
-    drawing.styles.add(_STYLE, font=_FONT)
+
+def _empty_drawing(version: str) -> Drawing:
+    # Not ezdxf.new, which complains in R12 about a unit that nobody asked for.
+    from ezdxf.document import Drawing
+
+    drawing = Drawing.new(version)
+    if drawing.dxfversion > "AC1009":
+        # R12 knows no units.
+        drawing.header["$INSUNITS"] = _MILLIMETRES
+        drawing.header["$MEASUREMENT"] = 1
+    drawing.linetypes.add(FAR_SIDE, pattern=[6.0, 4.0, -2.0], description="on the far side")
+    drawing.styles.add(STYLE, font=_FONT)
     for name, colour in LAYERS.items():
         drawing.layers.add(name, color=colour)
     return drawing
 
 
-def _fill_block(block: BlockLayout, name: str, pattern: FlatPattern) -> None:
+def _place(
+    space: Modelspace,
+    name: str,
+    pattern: FlatPattern,
+    shift: FloatArray,
+    angle: float,
+    form: DxfForm,
+) -> None:
+    """Draw a pattern turned and then moved: as an insert of its block, or line by line."""
+    if form.layout != "blocks":
+        _draw(DxfPen(space, form.text, angle, shift), name, pattern)
+        return
+    _draw(DxfPen(space.doc.blocks.new(name), form.text), name, pattern)
+    space.add_blockref(name, shift.tolist(), dxfattribs={"rotation": angle})
+
+
+def _draw(pen: DxfPen, name: str, pattern: FlatPattern) -> None:
     for polygon in (pattern.outline, *pattern.cutouts):
-        block.add_lwpolyline(polygon.tolist(), close=True, dxfattribs={"layer": "CUT"})
+        pen.polyline("CUT", polygon, closed=True)
     for hole in pattern.holes:
-        radius = hole.diameter / 2
-        block.add_circle(hole.centre.tolist(), radius, dxfattribs={"layer": "HOLE"})
+        pen.circle("HOLE", hole.centre, hole.diameter / 2)
     if pattern.axis is not None:
-        block.add_lwpolyline(pattern.axis.tolist(), dxfattribs={"layer": "AXIS"})
+        pen.polyline("AXIS", pattern.axis)
     for bend in pattern.bends:
-        block.add_line(*bend.points.tolist(), dxfattribs={"layer": "BEND"})
+        pen.line("BEND", bend.points)
+    for bevel in pattern.bevels:
+        pen.line("BEVEL", bevel.points, bevel.hidden)
+        _write_angle(pen, bevel, pattern.label)
     for mark in pattern.marks:
         if mark.text:
-            _add_text(block, "ENGRAVE", mark.text, mark.points[0], mark.size, mark.angle)
+            pen.words("ENGRAVE", mark.text, mark.points[0], mark.size, mark.angle)
         else:
-            side = {"linetype": "FAR_SIDE"} if mark.hidden else {}
-            block.add_line(*mark.points.tolist(), dxfattribs={"layer": "ENGRAVE", **side})
-    _add_text(block, "LABEL", name, pattern.label, pattern.label_size, pattern.label_angle)
+            pen.line("ENGRAVE", mark.points)
+    pen.words("LABEL", name, pattern.label, pattern.label_size, pattern.label_angle)
 
 
-def _add_text(
-    block: BaseLayout, layer: str, words: str, place: FloatArray, size: float, angle: float
-) -> None:
-    from ezdxf.enums import TextEntityAlignment
+def _write_angle(pen: DxfPen, bevel: Bevel, middle: FloatArray) -> None:
+    """Write a bevel's angle along its line, on the side of the plate's middle.
 
-    text = block.add_text(
-        words, height=size, rotation=angle, dxfattribs={"layer": layer, "style": _STYLE}
-    )
-    text.set_placement(place.tolist(), align=TextEntityAlignment.MIDDLE_CENTER)
+    Those of the two sides of a plate stand near different ends, where other texts are not.
+    """
+    start, end = bevel.points
+    if bevel.hidden:
+        start, end = end, start
+    length = float(np.linalg.norm(end - start))
+    words = f"{bevel.angle_deg:+.1f}"
+    size = min(_ANGLE, fitted_text_size(words, 0.2 * length, length))
+    along = (end - start) / length
+    inward = np.array([-along[1], along[0]])
+    inward *= math.copysign(1.0, float(inward @ (middle - start)))
+    place = start + 0.16 * length * along + size * inward
+    turn = math.degrees(math.atan2(along[1], along[0]))
+    pen.words("BEVEL", words, place, size, turn)
 
 
 @contextmanager

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from freecad_ortho.fabrication.different import different_patterns
 from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
 from freecad_ortho.fabrication.production import Production, produce
 from freecad_ortho.fabrication.report import overview, report_page
@@ -21,6 +22,7 @@ from freecad_ortho.fabrication.structure import Progress, Structure, build
 from freecad_ortho.fabrication.systems.system import System
 from freecad_ortho.fabrication.tables import (
     write_bends,
+    write_bevels,
     write_nodes,
     write_parts,
     write_report,
@@ -39,15 +41,17 @@ FILES = (
     "parts.csv",
     "nodes.csv",
     "stock.csv",
+    "bevels.csv",
     _REPORT,
     "report.html",
 )
 BENDS = "bends.csv"
 SHEETS = "sheets"
 JOINTS = "joints"
+PARTS = "parts"
 # What an earlier report may name for removal: nothing but such names is ever written beside FILES.
 _REMOVABLE = re.compile(
-    rf"{re.escape(_FLAT)}|[^/\\]+\.csv|({SHEETS}|{JOINTS})/[^/\\]+\.(dxf|svg|stl)"
+    rf"{re.escape(_FLAT)}|[^/\\]+\.csv|({SHEETS}|{JOINTS}|{PARTS})/[^/\\]+\.(dxf|svg|stl)"
 )
 
 
@@ -72,18 +76,18 @@ def write(
         project: what the readable report is headed by.
 
     Returns:
-        The files, in the order of ``FILES`` (``flat.dxf`` only where a part has a flat pattern),
-        then the list of bends where there are some, the lists that systems add, and the files of
-        the sheets and of the joints to be printed.
+        The files, in the order of ``FILES`` (``flat.dxf`` only where a part has a flat pattern and
+        not in files of single parts), then the list of bends where there are some, the lists that
+        systems add, the files of the sheets, of the joints to be printed and of parts.
 
     Raises:
-        InputError: a part that does not fit the workshop's sizes.
+        InputError: sheets or stock on which no part fits, a kerf that closes a slot.
         OutputError: the folder cannot be made or written.
         OrthoError: a solid cannot be translated.
     """
     say = progress or (lambda fraction, words: None)
     target = Path(folder)
-    for name in (*FILES, f"{SHEETS}/*", f"{JOINTS}/*"):
+    for name in (*FILES, f"{SHEETS}/*", f"{JOINTS}/*", f"{PARTS}/*"):
         refuse_in_the_way(target, name)
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
     with _no_new_folders_on_failure(target), staged_folder(target, _earlier(target)) as staging:
@@ -91,8 +95,8 @@ def write(
         say(0.4, "structure.step")
         write_step(staging / "structure.step", structure.parts, structure.place)
         if production.named_patterns:
-            say(0.8, _FLAT)
-            write_dxf(staging / _FLAT, production.named_patterns)
+            say(0.8, "flat patterns")
+            _write_patterns(staging, production)
         if production.sheets:
             say(0.9, SHEETS)
             _write_sheets(staging / SHEETS, production)
@@ -109,7 +113,7 @@ def _beside(folder: Path, structure: Structure) -> list[str]:
     lists = [name for name in (BENDS, *tables) if (folder / name).exists()]
     return lists + [
         f"{folder_name}/{path.name}"
-        for folder_name in (SHEETS, JOINTS)
+        for folder_name in (SHEETS, JOINTS, PARTS)
         for path in sorted((folder / folder_name).glob("*"))
     ]
 
@@ -147,6 +151,7 @@ def write_lists(folder: Path, production: Production, project: str = "") -> list
     write_stock(folder / "stock.csv", production.bars)
     if any(pattern.bends for pattern in production.named_patterns.values()):
         write_bends(folder / BENDS, production.named_patterns)
+    write_bevels(folder / "bevels.csv", production.named_patterns)
     for result in production.structure.results.values():
         for table in result.tables:
             write_table(folder / table.name, table.columns, table.rows)
@@ -165,10 +170,21 @@ def _write_joints(folder: Path, structure: Structure) -> None:
         write_stl(folder / f"{part.name}.stl", part)
 
 
+def _write_patterns(folder: Path, production: Production) -> None:
+    """Write flat patterns together, or each of the different ones by itself."""
+    form, patterns = production.workshop.dxf_form, production.named_patterns
+    if form.layout != "parts":
+        write_dxf(folder / _FLAT, patterns, form)
+        return
+    (folder / PARTS).mkdir()
+    for drawing in different_patterns(production):
+        write_dxf(folder / PARTS / drawing.file_name, {drawing.name: drawing.pattern}, form)
+
+
 def _write_sheets(folder: Path, production: Production) -> None:
     folder.mkdir()
     for sheet in production.sheets:
-        write_sheet(folder / sheet.file_name, sheet)
+        write_sheet(folder / sheet.file_name, sheet, production.workshop.dxf_form)
     (folder / "overview.svg").write_text(overview(production.sheets), encoding="utf-8")
 
 

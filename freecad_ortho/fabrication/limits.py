@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.part import Part, measure_words
 from freecad_ortho.fabrication.sizes import positive
 
 OK = "ok"
@@ -57,6 +57,6 @@ def verdict(part: Part, limits: Limits) -> str:
 
 
 def _words(field: str) -> tuple[str, str]:
-    """Name and unit of a measure from its field name."""
-    name, _, unit = field.rpartition("_")
-    return name.replace("_", " "), {"deg": "degrees"}.get(unit, unit)
+    """Name and unit of a measure, the unit in a word."""
+    name, unit = measure_words(field)
+    return name, unit.replace("deg", "degrees")

@@ -44,6 +44,13 @@ class Measures:
     torsion_deg_per_m: float | None = None
 
 
+def measure_words(field: str) -> tuple[str, str]:
+    """Name and unit of a measure from its field name: ``torsion_deg_per_m`` is torsion, deg/m."""
+    name, _, over = field.partition("_per_")
+    name, _, unit = name.rpartition("_")
+    return name.replace("_", " "), f"{unit}/{over}" if over else unit
+
+
 @dataclass(frozen=True, eq=False)
 class Part:
     """One beam, lamella, panel, node ...
@@ -70,6 +77,7 @@ class Part:
         measures: how true it is.
         note: how to cut a part that has no flat pattern, in words.
         height: of the section where the width is not that, as the flat pattern is curved, mm.
+        section_width: of a tube, across its height, mm.
     """
 
     name: str
@@ -91,6 +99,7 @@ class Part:
     measures: Measures = Measures()
     note: str = ""
     height: float | None = None
+    section_width: float | None = None
 
     @property
     def mass(self) -> float:

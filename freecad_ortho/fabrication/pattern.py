@@ -21,14 +21,12 @@ class Mark:
         text: what to write, empty for a line.
         size: text height, mm.
         angle: direction of the text, degrees.
-        hidden: true for a line that belongs to the far side of the plate.
     """
 
     points: FloatArray
     text: str = ""
     size: float = 0.0
     angle: float = 0.0
-    hidden: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +57,25 @@ class Bend:
 
 
 @dataclass(frozen=True, eq=False)
+class Bevel:
+    """A side that leans from square to the plate.
+
+    Attributes:
+        points: (2, 2) ends of its inner line, where the plate is cut back, mm.
+        angle_deg: from square, positive where it opens towards the side that is seen: its inner
+            line lies there; negative where it is undercut: its inner line is on the far side.
+    """
+
+    points: FloatArray
+    angle_deg: float
+
+    @property
+    def hidden(self) -> bool:
+        """Whether its inner line is on the far side."""
+        return self.angle_deg < 0
+
+
+@dataclass(frozen=True, eq=False)
 class FlatPattern:
     """The true outline of a plate in its own plane, lower left corner of its box at the origin.
 
@@ -72,6 +89,8 @@ class FlatPattern:
         axis: (K, 2) the unrolled parameter line, None where there is none.
         bends: bend lines.
         label_angle: direction of the name, degrees.
+        bevels: sides that are not square to the plate.
+        seen: the side of the part that is seen, in a word or two.
     """
 
     outline: FloatArray
@@ -83,6 +102,8 @@ class FlatPattern:
     axis: FloatArray | None = None
     bends: tuple[Bend, ...] = ()
     label_angle: float = 0.0
+    bevels: tuple[Bevel, ...] = ()
+    seen: str = ""
 
     @property
     def size(self) -> FloatArray:

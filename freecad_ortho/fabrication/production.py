@@ -14,9 +14,17 @@ from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.nesting import Nesting, Sheet, nest, too_large_words
 from freecad_ortho.fabrication.nodes import Node, nodes
 from freecad_ortho.fabrication.pattern import FlatPattern
-from freecad_ortho.fabrication.stock import Bar, is_along_line, stock_list
+from freecad_ortho.fabrication.stock import (
+    Bar,
+    Stock,
+    bars_by_section,
+    is_along_line,
+    stock_list,
+    too_long_words,
+)
 from freecad_ortho.fabrication.structure import Structure
 from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.words import counted
 
 Progress = Callable[[float, str], None]
 
@@ -32,7 +40,7 @@ class Production:
         nodes: vertices at which parts meet.
         families: equal parts and nodes.
         nesting: patterns on sheets, empty without a sheet size.
-        bars: stock that long parts are sawn from.
+        stock: bars that long parts are sawn from.
         clashes: what the clash check found.
     """
 
@@ -42,13 +50,18 @@ class Production:
     nodes: tuple[Node, ...]
     families: Families
     nesting: Nesting
-    bars: tuple[Bar, ...]
+    stock: Stock
     clashes: ClashCheck
 
     @property
     def sheets(self) -> tuple[Sheet, ...]:
         """Nested patterns, empty without a sheet size."""
         return self.nesting.sheets
+
+    @property
+    def bars(self) -> tuple[Bar, ...]:
+        """Stock that long parts are sawn from."""
+        return self.stock.bars
 
     @property
     def places(self) -> dict[str, str]:
@@ -94,18 +107,32 @@ class Production:
                 f"sheets leave out {units} insulating units: they are ordered to size, by their "
                 "flat patterns"
             )
-        on_bars = {name for bar in self.bars for name in bar.parts}
-        parts = self.structure.parts
-        curved = [part.name for part in parts if is_along_line(part) and part.name not in on_bars]
-        if curved:
+        return (*words, *self._about_stock())
+
+    def _about_stock(self) -> list[str]:
+        """What is cut from no sheet and no bar, or not from the one that it should be."""
+        words, places = list(self.nesting.remarks), self.places
+        parts, large = self.structure.parts, self.nesting.too_large
+        curved = [part.name for part in parts if is_along_line(part) and part.name not in places]
+        long = {part.name for part in self.stock.too_long}
+        curved = [name for name in curved if name not in long]
+        if curved and self.workshop.sheet is None:
             words.append(
                 f"stock.csv leaves out {len(curved)} of the parts, {curved[0]} for one: their flat "
                 "patterns are curved, so they are cut from sheets"
             )
-        words += self.nesting.remarks
-        if self.nesting.too_large:
-            words.append(too_large_words(self.nesting.too_large, self.workshop))
-        return tuple(words)
+        lost = [part for part in large if part.name not in places]
+        if lost:
+            words.append(too_large_words(lost, self.workshop))
+        if len(lost) < len(large):
+            sawn = [part.name for part in large if part.name in places]
+            words.append(
+                f"sheet: {counted(len(sawn), 'part')} too large for a sheet, sawn from bars "
+                f"instead: {', '.join(sawn)}"
+            )
+        if self.stock.too_long:
+            words.append(too_long_words(self.stock.too_long, self.workshop))
+        return words
 
     def report(self) -> dict[str, Any]:
         """The structure's report with what production adds, ready for JSON; lengths in mm."""
@@ -118,7 +145,7 @@ class Production:
             "verdict": {"passed": len(parts) - len(failed), "failed": failed},
             "families": self.families.report(),
             "clash_check": self.clashes.report(),
-            "stock": _stock_report(self.bars),
+            "stock": _stock_report(self.stock, self.workshop),
             "sheets": self._sheet_report(),
             "kerf_mm": self.workshop.kerf,
         }
@@ -165,8 +192,7 @@ def produce(
         progress: called with a fraction and words; may raise to stop.
 
     Raises:
-        InputError: sheets on which no part fits, a part that is longer than the stock, a kerf that
-            closes a slot.
+        InputError: sheets or stock on which no part fits, a kerf that closes a slot.
     """
     chosen = workshop or Workshop()
     say = progress or (lambda fraction, words: None)
@@ -176,11 +202,13 @@ def produce(
         None if part.pattern is None else compensated(part.name, part.pattern, chosen.kerf)
         for part in parts
     )
-    bars = stock_list(parts, chosen)
     nesting = Nesting()
     if chosen.sheet is not None:
         nesting = nest(parts, chosen, patterns, lambda done, words: say(0.1 + 0.4 * done, words))
-    say(0.5, "nodes and families")
+    say(0.5, "bars, nodes and families")
+    # A part is cut from a sheet or from a bar, not from both.
+    places = nesting.places
+    bars = stock_list([part for part in parts if part.name not in places], chosen)
     joints = nodes(structure.site, parts)
     equal = families(parts, joints)
     say(0.6, "clash check")
@@ -189,10 +217,28 @@ def produce(
     return Production(structure, chosen, patterns, joints, equal, nesting, bars, clashes)
 
 
-def _stock_report(bars: tuple[Bar, ...]) -> dict[str, Any]:
-    length, used = sum(bar.length for bar in bars), sum(bar.used for bar in bars)
+def _stock_report(stock: Stock, workshop: Workshop) -> dict[str, Any]:
+    bars = stock.bars
+    length, cut = sum(bar.length for bar in bars), sum(bar.cut for bar in bars)
+    kept = sum(bar.left for bar in bars if bar.usable)
     return {
         "bars": len(bars),
         "length_mm": bars[0].length if bars else None,
-        "waste": 1 - used / length if bars else None,
+        "saw_mm": workshop.saw,
+        "trim_mm": workshop.trim,
+        "waste": 1 - (cut + kept) / length if bars else None,
+        "rests_kept_mm": kept,
+        "sections": [
+            {
+                "section": group[0].section,
+                "material": group[0].material,
+                "bars": len(group),
+                "parts": sum(len(bar.parts) for bar in group),
+                "width_min_mm": min(bar.widths[0] for bar in group),
+                "width_max_mm": max(bar.widths[1] for bar in group),
+                "thickness_mm": group[0].thickness,
+            }
+            for group in bars_by_section(bars)
+        ],
+        "too_long": [part.name for part in stock.too_long],
     }

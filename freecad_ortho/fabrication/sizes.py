@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 from solver.errors import InputError
 
@@ -22,6 +23,16 @@ def positive(name: str, value: float, unit: str) -> None:
         raise InputError(f"{name}: expected a number above 0 {unit}, got {value}; give a size")
 
 
+def not_negative(name: str, value: float) -> None:
+    """Refuse a length in mm below 0.
+
+    Raises:
+        InputError: naming the value.
+    """
+    if not (isinstance(value, (int, float)) and math.isfinite(value) and value >= 0):
+        raise InputError(f"{name}: expected 0 mm or more, got {value}; give a size")
+
+
 def check_size(name: str, value: float) -> None:
     """Refuse a length in mm that is not positive, or too small for the CAD kernel.
 
@@ -33,6 +44,17 @@ def check_size(name: str, value: float) -> None:
         raise InputError(
             f"{name}: expected at least {_SMALLEST:g} mm, got {value:g}; check the unit"
         )
+
+
+def one_of(name: str, word: str, words: Collection[str]) -> None:
+    """Refuse a word that is none of those there are.
+
+    Raises:
+        InputError: naming them.
+    """
+    if word not in words:
+        *others, last = words
+        raise InputError(f"{name}: expected {', '.join(others)} or {last}, got '{word}'")
 
 
 def check_offset(offset: str) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 from freecad_ortho.fabrication.nodes import Node
 from freecad_ortho.fabrication.part import Part
-from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.pattern import Bend, Bevel, FlatPattern
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.stock import Bar
 
@@ -43,6 +43,9 @@ COLUMNS = (
     "vertices",
     "face",
     "equal_to",
+    "seen_from",
+    "bevels",
+    "bevel_max_deg",
     "cut_from",
     "note",
     "verdict",
@@ -52,9 +55,10 @@ NODE_COLUMNS = (
     *("parts", "neighbours", "angles_deg", "slopes_deg", "equal_to"),
 )
 BEND_COLUMNS = ("part", "bend", "x1_mm", "y1_mm", "x2_mm", "y2_mm", "angle_deg")
+BEVEL_COLUMNS = ("part", "bevel", "x1_mm", "y1_mm", "x2_mm", "y2_mm", "angle_deg", "line_on")
 STOCK_COLUMNS = (
-    *("name", "kind", "material", "width_mm", "thickness_mm", "length_mm"),
-    *("parts", "used_mm", "left_mm"),
+    *("name", "kind", "material", "section", "width_mm", "width_min_mm", "thickness_mm"),
+    *("length_mm", "parts", "used_mm", "left_mm", "rest"),
 )
 
 
@@ -95,6 +99,7 @@ def write_parts(
             " ".join(map(str, part.vertices)),
             "" if part.face is None else part.face,
             equal_to.get(part.name, ""),
+            *_bevel_cells(part.pattern),
             places.get(part.name, ""),
             part.note,
             verdict,
@@ -146,10 +151,12 @@ def write_stock(path: Path, bars: Sequence[Bar]) -> None:
             bar.name,
             bar.kind,
             bar.material,
-            *(f"{size:.6f}" for size in (bar.width, bar.thickness, bar.length)),
+            bar.section,
+            *(f"{size:.6f}" for size in (*bar.widths[::-1], bar.thickness, bar.length)),
             " ".join(bar.parts),
             f"{bar.used:.6f}",
-            f"{bar.length - bar.used:.6f}",
+            f"{bar.left:.6f}",
+            "kept" if bar.usable else "scrap",
         ]
         for bar in bars
     )
@@ -167,11 +174,41 @@ def write_bends(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
         OSError: the file cannot be written.
     """
     rows = (
-        [name, number, *(f"{x:.6f}" for x in bend.points.ravel()), f"{bend.angle_deg:.6f}"]
+        [name, number, *_line_and_angle(bend)]
         for name, pattern in patterns.items()
         for number, bend in enumerate(pattern.bends)
     )
     write_table(path, BEND_COLUMNS, rows)
+
+
+def write_bevels(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
+    """Write one row a bevelled side: its inner line in the flat pattern, mm, and its angle.
+
+    Args:
+        path: file to write.
+        patterns: by the names of their parts.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    rows = (
+        [name, number, *_line_and_angle(bevel), "far side" if bevel.hidden else "side seen"]
+        for name, pattern in patterns.items()
+        for number, bevel in enumerate(pattern.bevels)
+    )
+    write_table(path, BEVEL_COLUMNS, rows)
+
+
+def _line_and_angle(line: Bend | Bevel) -> list[str]:
+    return [*(f"{x:.6f}" for x in line.points.ravel()), f"{line.angle_deg:.6f}"]
+
+
+def _bevel_cells(pattern: FlatPattern | None) -> list[str]:
+    """The side that is seen, the number of bevels and the largest angle."""
+    if pattern is None:
+        return ["", "", ""]
+    worst = max((bevel.angle_deg for bevel in pattern.bevels), key=abs, default=None)
+    return [pattern.seen, str(len(pattern.bevels)), _number(worst)]
 
 
 def write_table(path: Path, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:

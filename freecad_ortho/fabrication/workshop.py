@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from freecad_ortho.fabrication.sizes import positive
+from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
+from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
 from freecad_ortho.option import Option
 from solver.errors import InputError
 
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
+# Tubes that differ by more percent are not one section by any standard.
+_WIDEST = 20.0
 
 
 @dataclass(frozen=True)
@@ -28,8 +30,15 @@ class Workshop:
             outlines with an optional library, which searches for some seconds a sheet.
         seed: of that search.
         stock: length of bars and strips, None for 6 m or as many metres as the longest part needs.
-        saw: width of a saw cut between two parts of a bar.
+        saw: width of the saw cut behind each part of a bar, the last one too.
+        trim: length cut off at each end of a bar.
+        rest: shortest rest of a bar that is kept.
+        section_tolerance: by which heights of tubes may differ from the middle one and still be one
+            section, percent. Hot finished hollow sections are rolled to 1 % (EN 10210-2).
         kerf: width of the cut that flat patterns are compensated for, 0 for true outlines.
+        dxf: drawings with "blocks", "flat" without, or one file for each of the different "parts".
+        dxf_version: "r2010", or "r12" for old readers.
+        dxf_text: names and marks as "text", as single "strokes", or "none".
 
     Raises:
         InputError: a size that cannot be used, an unknown word.
@@ -42,7 +51,13 @@ class Workshop:
     seed: int = 0
     stock: float | None = None
     saw: float = 3.0
+    trim: float = 10.0
+    rest: float = 500.0
+    section_tolerance: float = 1.5
     kerf: float = 0.0
+    dxf: str = "blocks"
+    dxf_version: str = "r2010"
+    dxf_text: str = "text"
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -53,8 +68,16 @@ class Workshop:
         Option(
             "stock", None, "length", "bars and strips are this long; longer lamellas are spliced"
         ),
-        Option("saw", 3.0, "length", "a saw cut between two parts of a bar is this wide"),
+        Option("saw", 3.0, "length", "the saw cut behind each part of a bar is this wide"),
+        Option("trim", 10.0, "length", "bars lose this much at each end"),
+        Option("rest", 500.0, "length", "rests of bars from this length on are kept"),
+        Option(
+            "section_tolerance", 1.5, "percent", "tubes of one section differ so much in height"
+        ),
         Option("kerf", 0.0, "length", "outlines grow by half this width of a cut", absent="none"),
+        Option("dxf", "blocks", "choice", "parts are blocks, plain lines or files", LAYOUTS),
+        Option("dxf_version", "r2010", "choice", "drawings are of this version", tuple(VERSIONS)),
+        Option("dxf_text", "text", "choice", "names and marks are written so", TEXTS),
     )
 
     def __post_init__(self) -> None:
@@ -62,15 +85,20 @@ class Workshop:
             positive("sheet", side, "mm")
         if self.stock is not None:
             positive("stock", self.stock, "mm")
-        for name in ("spacing", "saw", "kerf"):
-            value = getattr(self, name)
-            if not (isinstance(value, (int, float)) and math.isfinite(value) and value >= 0):
-                raise InputError(f"{name}: expected 0 mm or more, got {value}; give a size")
-        for name, words in (("grain", GRAINS), ("nesting", NESTINGS)):
-            if getattr(self, name) not in words:
-                raise InputError(
-                    f"{name}: expected {' or '.join(words)}, got '{getattr(self, name)}'"
-                )
+        for name in ("spacing", "saw", "trim", "rest", "kerf"):
+            not_negative(name, getattr(self, name))
+        if not 0 <= self.section_tolerance <= _WIDEST:
+            raise InputError(
+                f"section tolerance: expected 0 to {_WIDEST:g} %, got {self.section_tolerance}"
+            )
+        one_of("grain", self.grain, GRAINS)
+        one_of("nesting", self.nesting, NESTINGS)
+        _ = self.dxf_form
+
+    @property
+    def dxf_form(self) -> DxfForm:
+        """How drawings are written."""
+        return DxfForm(self.dxf, self.dxf_version, self.dxf_text)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Workshop:

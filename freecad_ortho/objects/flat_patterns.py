@@ -296,7 +296,7 @@ def _pattern_shape(pattern: FlatPattern, place: Any) -> Part.Shape:
     for hole in pattern.holes:
         centre = _vector(place(np.asarray(hole.centre)[None])[0])
         wires.append(Part.makeCircle(hole.diameter / 2, centre))
-    lines = [bend.points for bend in pattern.bends]
+    lines = [line.points for line in (*pattern.bends, *pattern.bevels)]
     lines += [mark.points for mark in pattern.marks if not mark.text]
     if pattern.axis is not None:
         lines.append(pattern.axis)

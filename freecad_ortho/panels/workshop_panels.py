@@ -11,6 +11,7 @@ from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.commands import context, dialogs, messages
+from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows
 from freecad_ortho.panels.work_panel import WorkPanel
@@ -129,7 +130,34 @@ class ExportPanel(_WorkshopPanel):
         self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
         self.workers.widget.setToolTip(translate("Ortho", "So many processes share the work."))
         self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
+        self._add_drawing_fields()
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
+
+    def _add_drawing_fields(self) -> None:
+        """How the DXF files are written."""
+        layouts = {
+            "blocks": translate("Ortho", "a block for each part"),
+            "flat": translate("Ortho", "plain lines without blocks"),
+            "parts": translate("Ortho", "a file for each part"),
+        }
+        versions = {"r2010": "R2010", "r12": "R12"}
+        texts = {
+            "text": translate("Ortho", "as text"),
+            "strokes": translate("Ortho", "as single strokes"),
+            "none": translate("Ortho", "not at all"),
+        }
+        self.drawing = {
+            "dxf": ChoiceField(layouts, "blocks"),
+            "dxf_version": ChoiceField(versions, "r2010"),
+            "dxf_text": ChoiceField(texts, "text"),
+        }
+        titles = (
+            translate("Ortho", "DXF drawings"),
+            translate("Ortho", "DXF version"),
+            translate("Ortho", "Names and marks"),
+        )
+        for title, field in zip(titles, self.drawing.values(), strict=True):
+            self.rows.addRow(title, field.widget)
 
     def _take_over(self, structures: list[FreeCAD.DocumentObject]) -> None:
         """Begin with the sheets of the flat patterns that the same structures have already."""
@@ -156,6 +184,10 @@ class ExportPanel(_WorkshopPanel):
         settings = super().settings()
         if self.stock.millimetres or self._given:
             settings["stock"] = self.stock.millimetres
+        usual = {option.name: option.default for option in Workshop.options}
+        for name, field in self.drawing.items():
+            if field.word != usual[name]:
+                settings[name] = field.word
         if (self.workers.number or 1) > 1:
             settings["workers"] = self.workers.number
         return settings

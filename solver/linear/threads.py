@@ -31,7 +31,7 @@ def _controller() -> Any:
         controller = threadpoolctl.ThreadpoolController()
         with controller.limit(limits=1, user_api="blas"):
             return controller
-    except Exception as error:
+    except (AttributeError, OSError, RuntimeError, TypeError, ValueError) as error:
         # It asks libraries that it does not know: whatever comes of that is no reason to stop.
         warnings.warn(f"threadpoolctl failed ({error}): BLAS keeps its threads", stacklevel=2)
         return None

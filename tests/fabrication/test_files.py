@@ -175,7 +175,7 @@ def test_beams_carry_bevel_lines_and_vertices(structure, drawing):
     geometry = structure.results["beams"].geometry
     for edge, part in enumerate(structure.parts[: len(geometry.setback)]):
         block = drawing.blocks.get(part.name)
-        lines = block.query('LINE[layer=="ENGRAVE"]')
+        lines = block.query('LINE[layer=="BEVEL"]')
         assert len(lines) == (geometry.setback[edge] > 1e-6).sum()
         solid_corners = part.body.corners[[1, 2, 4, 5, 7, 8, 10, 11], :2]
         for line in lines:
@@ -288,7 +288,7 @@ def test_failure_keeps_what_was_there(small, tmp_path, monkeypatch):
     for name, text in before.items():
         (tmp_path / name).write_text(text)
 
-    def fail(path, parts):
+    def fail(path, *rest):
         raise OrthoError("DXF: no")
 
     monkeypatch.setattr(files, "write_dxf", fail)

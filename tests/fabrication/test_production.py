@@ -15,6 +15,7 @@ from freecad_ortho.fabrication.families import congruent, families
 from freecad_ortho.fabrication.kerf import compensated
 from freecad_ortho.fabrication.nesting.sheet import turned
 from freecad_ortho.fabrication.nodes import nodes
+from freecad_ortho.fabrication.part import measure_words
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.report import report_page
@@ -115,35 +116,95 @@ def test_congruent_turns_but_does_not_flip_and_minds_the_holes():
     assert not congruent(plate(outline), plate(outline * 1.03))
 
 
-def test_stock_holds_every_beam_once_and_nothing_longer_than_the_bar(roof):
+def test_stock_holds_every_beam_once_and_what_sawing_takes(roof):
     parts = build(roof, [Beams(200, 12), Panels(20, 15)]).parts
-    bars = stock_list(parts, Workshop(stock=4000, saw=5))
+    shop = Workshop(stock=4000, saw=5, trim=12, rest=300)
+    stock = stock_list(parts, shop)
     beams = {part.name: part.length for part in parts if part.kind == "beam"}
-    assert sorted(name for bar in bars for name in bar.parts) == sorted(beams)
-    for bar in bars:
-        used = sum(beams[name] for name in bar.parts) + 5 * (len(bar.parts) - 1)
-        assert bar.used == pytest.approx(used)
+    assert sorted(name for bar in stock.bars for name in bar.parts) == sorted(beams)
+    assert stock.too_long == ()
+    for bar in stock.bars:
+        cut = sum(beams[name] for name in bar.parts)
+        assert bar.cut == pytest.approx(cut)
+        # Both ends are trimmed, and the last part too is cut from what is left.
+        assert bar.used == pytest.approx(cut + 5 * len(bar.parts) + 2 * 12)
         assert bar.used <= bar.length == 4000
+        assert bar.usable == (bar.left >= 300)
+        assert bar.left == pytest.approx(4000 - bar.used)
     # First fit decreasing needs at most 11/9 of the best there is, which the sum bounds.
-    assert len(bars) <= 11 / 9 * (sum(beams.values()) / 4000) + 1 + len(beams) * 5 / 4000
-    assert stock_list(parts, Workshop())[0].length == 6000
+    lengths = sum(beams.values()) + 5 * len(beams)
+    assert len(stock.bars) <= 11 / 9 * (lengths / (4000 - 24)) + 1
+    assert stock_list(parts, Workshop()).bars[0].length == 6000
 
 
-def test_only_tubes_of_one_height_share_a_bar(roof):
+def test_a_bar_as_long_as_its_part_alone_is_too_short(roof):
+    part = build(roof, [Beams(200, 12)]).parts[0]
+    needed = part.length + 2 * 10 + 3
+    assert len(stock_list([part], Workshop(stock=needed)).bars) == 1
+    with pytest.raises(InputError, match=rf"stock: 1 part does not fit .*: {part.name}; take"):
+        stock_list([part], Workshop(stock=needed - 0.1))
+    assert len(stock_list([part], Workshop(stock=part.length, trim=0, saw=0)).bars) == 1
+    # Without a length said, bars are long enough for what sawing takes.
+    long = replace(part, length=5990.0)
+    assert stock_list([long], Workshop()).bars[0].length == 7000
+
+
+def test_tubes_within_the_tolerance_of_rolling_are_one_section(roof, tmp_path):
     structure = build(roof, [Beams(200, 12, section="hollow", section_width=80)])
     heights = {part.name: part.width for part in structure.parts}
-    bars = stock_list(structure.parts, Workshop())
+    spread = max(heights.values()) / min(heights.values())
+    assert len({round(height, 1) for height in heights.values()}) > 5 and spread < 1.04
+    assert len(different_tubes(structure.parts, 2.0)) == 1
+    write(structure, tmp_path, workshop=Workshop(section_tolerance=2.0))
+    bars = table(tmp_path / "stock.csv")
+    assert sorted(name for bar in bars for name in bar["parts"].split()) == sorted(heights)
+    (section,) = {bar["section"] for bar in bars}
+    middle = (max(heights.values()) + min(heights.values())) / 2
+    assert section == f"tube {middle:.0f} x 80 x 12"
+    for bar in bars:
+        on_it = [heights[name] for name in bar["parts"].split()]
+        assert float(bar["width_mm"]) == pytest.approx(max(on_it), abs=1e-6)
+        assert float(bar["width_min_mm"]) == pytest.approx(min(on_it), abs=1e-6)
+        assert bar["rest"] == ("kept" if float(bar["left_mm"]) >= 500 else "scrap")
+    (entry,) = json.loads((tmp_path / "report.json").read_text())["stock"]["sections"]
+    assert (entry["section"], entry["bars"], entry["parts"]) == (section, len(bars), len(heights))
+    page = (tmp_path / "report.html").read_text()
+    assert page.count(f"<td>{section}</td>") == 1
+
+
+def test_tubes_beyond_the_tolerance_share_no_bar(roof):
+    structure = build(roof, [Beams(200, 12, section="hollow", section_width=80)])
+    heights = {part.name: part.width for part in structure.parts}
+    bars = stock_list(structure.parts, Workshop(section_tolerance=0.1)).bars
     assert sorted(name for bar in bars for name in bar.parts) == sorted(heights)
     for bar in bars:
         on_it = [heights[name] for name in bar.parts]
-        assert max(on_it) - min(on_it) <= 0.1 and bar.width == max(on_it)
-    tubes = different_tubes(structure.parts)
+        assert bar.widths == (min(on_it), max(on_it))
+        assert max(on_it) <= min(on_it) * 1.001 / 0.999
+    tubes = different_tubes(structure.parts, 0.1)
     assert len(tubes) > 1 and sum(map(len, tubes)) == len(heights)
-    (message,) = structure.report()["messages"]
-    assert message.startswith(f"beams: {len(tubes)} different tubes, by their height in mm: ")
     plates = build(roof, [Beams(200, 12)])
-    assert len(stock_list(plates.parts, Workshop())) < len(bars)
+    assert len(stock_list(plates.parts, Workshop()).bars) < len(bars)
     assert plates.report()["messages"] == []
+
+
+def test_a_part_is_cut_from_a_sheet_or_from_a_bar(roof, tmp_path):
+    """Plates lie on sheets where they fit, on bars where they do not; tubes are sawn from bars."""
+    structure = build(roof, [Beams(200, 12), Panels(20, 15)])
+    write(structure, tmp_path, workshop=Workshop(sheet=(3000, 1500)))
+    rows = table(tmp_path / "parts.csv")
+    assert table(tmp_path / "stock.csv") == []
+    assert all(row["cut_from"].startswith("sheet-") for row in rows)
+    lengths = sorted(float(row["length_mm"]) for row in rows if row["kind"] == "beam")
+    middle = (lengths[0] + lengths[-1]) / 2
+    beams = structure.only("beams")
+    write(beams, tmp_path, workshop=Workshop(sheet=(middle + 20, 500)))
+    rows = table(tmp_path / "parts.csv")
+    sawn = {name for bar in table(tmp_path / "stock.csv") for name in bar["parts"].split()}
+    assert sawn == {row["name"] for row in rows if float(row["length_mm"]) > middle}
+    assert all(row["cut_from"][0] == ("S" if row["name"] in sawn else "s") for row in rows)
+    (words,) = json.loads((tmp_path / "report.json").read_text())["messages"]
+    assert words.startswith(f"sheet: {len(sawn)} parts too large for a sheet, sawn from bars inst")
 
 
 def test_curved_patterns_are_on_no_bar_and_tell_the_height_of_the_beam(roof, tmp_path):
@@ -159,9 +220,22 @@ def test_curved_patterns_are_on_no_bar_and_tell_the_height_of_the_beam(roof, tmp
     assert all(float(bar["width_mm"]) <= 315 for bar in bars)
 
 
-def test_part_longer_than_the_stock_is_named(roof):
-    with pytest.raises(InputError, match=r"stock: B\d{4} is 1\d{3}\.\d mm long and the stock 900"):
-        produce(build(roof, [Beams(200, 12)]), Workshop(stock=900))
+def test_parts_longer_than_the_stock_are_all_named(roof):
+    structure = build(roof, [Beams(200, 12)])
+    names = ", ".join(part.name for part in structure.parts)
+    count = len(structure.parts)
+    with pytest.raises(
+        InputError, match=rf"stock: {count} parts do not fit on 700 mm.*: {names}; "
+    ):
+        produce(structure, Workshop(stock=700))
+    lengths = sorted(part.length for part in structure.parts)
+    some = produce(structure, Workshop(stock=(lengths[0] + lengths[-1]) / 2 + 23))
+    long = [part.name for part in some.stock.too_long]
+    assert 0 < len(long) < count
+    assert sorted(long + [n for bar in some.bars for n in bar.parts]) == names.split(", ")
+    (words,) = some.messages
+    assert f"{len(long)} parts do not fit" in words and f": {', '.join(long)}; take" in words
+    assert some.report()["stock"]["too_long"] == long
 
 
 def test_kerf_moves_every_cut_by_half_of_it():
@@ -263,9 +337,8 @@ def test_lists_read_back(written):
     assert [int(row["vertex"]) for row in rows] == list(range(36))
     assert rows[7]["name"] == "N0007"
     assert len(rows[7]["angles_deg"].split()) == len(rows[7]["neighbours"].split()) == 4
-    bars = table(folder / "stock.csv")
-    names = [name for bar in bars for name in bar["parts"].split()]
-    assert sorted(names) == [part.name for part in structure.parts]
+    # All of them are cut from sheets.
+    assert table(folder / "stock.csv") == []
     for row, part in zip(table(folder / "parts.csv"), structure.parts, strict=True):
         assert row["equal_to"] <= part.name
 
@@ -276,7 +349,7 @@ def test_report_in_numbers(written):
     assert report["kerf_mm"] == 0.4
     assert report["sheets"]["parts"] == len(structure.parts)
     assert 0 < report["sheets"]["waste"] < 1
-    assert report["stock"]["length_mm"] == 5000
+    assert (report["stock"]["bars"], report["stock"]["length_mm"]) == (0, None)
     failed = report["verdict"]["failed"]
     assert failed and len(failed) + report["verdict"]["passed"] == len(structure.parts)
 
@@ -300,10 +373,12 @@ def test_report_for_people_needs_nothing_else(written):
     assert links == []
     assert all(f"<td>{part.name}</td>" in page for part in structure.parts)
     failing = json.loads((folder / "report.json").read_text())["verdict"]["failed"]
-    assert f"{len(failing)} of {len(structure.parts)} parts exceed a limit" in page
+    over = sum(verdict != "ok" for verdict in structure.verdicts)
+    assert (f"{over} of {len(structure.parts)} parts exceed a limit" in page) == bool(over)
+    assert re.search(r"Clashes: \d+ times two beams, at worst B\d{4} and B\d{4} by", page)
     assert page.count('<tr class="bad">') == len(failing)
     assert page.count('class="bad" d=') == 2 * len(failing)
-    assert "twist, deg" in page and "Sheets" in page and "Stock" in page
+    assert "twist, deg" in page and "Sheets" in page
     assert "come near each other" in page
 
 
@@ -351,3 +426,31 @@ def test_bends_read_back(roof, tmp_path):
 
 def test_no_list_of_bends_for_flat_plates(written):
     assert not (written[1] / "bends.csv").exists()
+
+
+def test_a_long_report_ends_its_lists_and_names_the_files(plane, tmp_path):
+    """Groups first, then the parts that fail, then some of the others."""
+    structure = build(plane, [Beams(200, 12), Panels(20, 15)])
+    parts = list(structure.parts)
+    parts[-1] = replace(parts[-1], measures=replace(parts[-1].measures, gap_mm=7.0))
+    many = [
+        replace(part, name=f"{part.name}-{k}", origin=part.origin + [0, 0, 5000.0 * k])
+        for k in range(4)
+        for part in parts
+    ]
+    result = replace(structure.results["panels"], parts=tuple(many))
+    page = report_page(produce(replace(structure, results={"panels": result})))
+    assert page.index("Parts in groups") < page.index("Measures") < page.index("<h2>Parts</h2>")
+    rows = page[page.index("<h2>Parts</h2>") :].split("<tr")[2:]
+    assert len(rows) == 60 and len(many) > 100
+    assert ['class="bad"' in row for row in rows] == [True] * 4 + [False] * 56
+    assert f"<p>{len(many) - 60} more parts: all are in parts.csv.</p>" in page
+    count = {kind: sum(part.kind == kind for part in many) for kind in ("beam", "panel")}
+    assert f"<td>beam</td><td>steel</td><td>12</td><td>{count['beam']}</td>" in page
+    assert f"<td>panel</td><td>steel</td><td>20</td><td>{count['panel']}</td>" in page
+
+
+def test_units_of_measures_in_words():
+    assert measure_words("torsion_deg_per_m") == ("torsion", "deg/m")
+    assert measure_words("min_bend_radius_mm") == ("min bend radius", "mm")
+    assert measure_words("stress_MPa") == ("stress", "MPa")

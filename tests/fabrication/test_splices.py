@@ -182,7 +182,11 @@ def test_closed_lamellas_are_joined_by_a_splice_each():
     assert len(rings) == len(plates) == 3
     circumference = 12 * 2 * 1000 * math.sin(math.pi / 12)
     for ring, plate in zip(rings, plates, strict=True):
-        assert ring.length == pytest.approx(circumference - 1.0, rel=1e-9)
+        along = np.linalg.norm(np.diff(ring.pattern.axis, axis=0), axis=1).sum()
+        assert along == pytest.approx(circumference - 1.0, rel=1e-9)
+        # Its flat pattern is an arc: length and width are those of its box.
+        assert (ring.length, ring.width) == pytest.approx(np.ptp(ring.pattern.outline, axis=0))
+        assert ring.width > 5 * ring.section_height == pytest.approx(5 * 60)
         assert plate.name == f"S{ring.name[1:]}-1"
         assert_bolted(plate, [ring])
     # Neighbouring rings are cut on opposite sides.

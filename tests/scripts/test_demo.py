@@ -18,6 +18,7 @@ FILES = {
     "parts.csv",
     "nodes.csv",
     "stock.csv",
+    "bevels.csv",
     "report.json",
     "report.html",
     "model.FCStd",

@@ -66,8 +66,7 @@ class Sheet:
     @property
     def file_name(self) -> str:
         """The same as the name of its file, ``sheet-001-steel-20mm.dxf``."""
-        material = re.sub(r"[^\w.]+", "-", self.material)
-        return f"{self.name}-{material}-{self.thickness:g}mm.dxf"
+        return drawing_name(self.name, self.material, self.thickness)
 
     @property
     def used(self) -> float:
@@ -78,6 +77,12 @@ class Sheet:
     def waste(self) -> float:
         """Part of the sheet outside of the outlines, 0 to 1."""
         return 1 - self.used / (self.width * self.height)
+
+
+def drawing_name(name: str, material: str, thickness: float, *more: str) -> str:
+    """Name of a file that says what its parts are cut from: ``sheet-001-steel-20mm.dxf``."""
+    words = (name, re.sub(r"[^\w.]+", "-", material), f"{thickness:g}mm", *more)
+    return "-".join(word for word in words if word) + ".dxf"
 
 
 def turned(points: FloatArray, angle_deg: float) -> FloatArray:

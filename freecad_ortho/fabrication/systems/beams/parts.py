@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import Polyhedron
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import (
@@ -47,6 +50,9 @@ def edge_beams(
             pattern, origin = _pattern(geometry, piece, edge, name, ends)
             turn = _LYING if piece.role == "flange" else _UPRIGHT
             body = piece.body(edge, origin, turn)
+            if pattern is not None:
+                seen = "above" if piece.role == "flange" else "right"
+                pattern = replace(pattern, bevels=bevels_of(body), seen=seen)
             parts.append(
                 Part(
                     name=name,
@@ -70,6 +76,7 @@ def edge_beams(
                         gap_mm=float(geometry.twist_mm[edge]), twist_deg=float(twist[edge])
                     ),
                     note=_cut_angles(geometry, section, edge) if pattern is None else "",
+                    section_width=section.width if pattern is None else None,
                 )
             )
     return tuple(parts)
@@ -180,22 +187,10 @@ def _plate_pattern(
     """Outline of the plate seen from its right side, the edge running to the right."""
     height = float(corner[:, 1].max())
     bottom_start, bottom_end, top_end, top_start = corner
-    marks = []
-    for side, (bottom, top, sign) in enumerate(
-        [
-            (bottom_start, top_start, 1.0),
-            (bottom_end, top_end, -1.0),
-            (bottom_end, top_end, -1.0),
-            (bottom_start, top_start, 1.0),
-        ]
-    ):
-        shift = np.array([sign * setback[side], 0.0])
-        if setback[side] > 1e-6:
-            marks.append(Mark(np.stack([bottom + shift, top + shift]), hidden=side > 1))
     start = max(bottom_start[0], top_start[0]) + max(setback[0], setback[3])
     end = min(bottom_end[0], top_end[0]) - max(setback[1], setback[2])
     texts, label, size = _texts(name, start, end, corner[:, 0].max(), height / 2, height, ends)
-    return FlatPattern(corner, (*marks, *texts), label, size)
+    return FlatPattern(corner, texts, label, size)
 
 
 def _plain(name: str, outline: FloatArray, ends: list[str]) -> FlatPattern:

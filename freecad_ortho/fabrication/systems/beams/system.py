@@ -220,7 +220,9 @@ def _messages(report: dict[str, Any], parts: tuple[Part, ...]) -> tuple[str, ...
         )
     tubes = different_tubes(parts)
     if len(tubes) > 1:
-        heights = ", ".join(f"{len(group)} of {group[0].width:.1f}" for group in tubes)
+        heights = ", ".join(
+            f"{len(group)} of {group[0].width:.1f} to {group[-1].width:.1f}" for group in tubes
+        )
         messages.append(
             f"beams: {len(tubes)} different tubes, by their height in mm: {heights}; a net of "
             "constant height needs one"

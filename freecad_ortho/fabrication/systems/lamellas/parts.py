@@ -91,7 +91,6 @@ def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettin
 def lamella_part(made: Cut, site: Site) -> Part:
     """Return the part, its own coordinates in the middle of its axis."""
     lamella, ribbon = made.lamella, made.lamella.ribbon
-    strip = ribbon.strip
     origin, frame = ribbon.middle()
     body: Body = made.body.seen_from(origin, frame)
     if made.holes:
@@ -113,8 +112,8 @@ def lamella_part(made: Cut, site: Site) -> Part:
         origin=origin + site.shift,
         frame=frame,
         pattern=pattern,
-        length=float(strip.lengths.sum()),
-        width=ribbon.width,
+        length=float(pattern.size[0]),
+        width=float(pattern.size[1]),
         thickness=ribbon.thickness,
         area=pattern.area,
         volume=body.volume,
@@ -131,6 +130,7 @@ def lamella_part(made: Cut, site: Site) -> Part:
             lean_deg=measures.lean_deg,
             torsion_deg_per_m=measures.torsion_deg * 1000,
         ),
+        height=ribbon.width,
     )
 
 

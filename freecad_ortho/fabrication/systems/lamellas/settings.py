@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from freecad_ortho.fabrication.sizes import check_size
+from freecad_ortho.fabrication.sizes import check_size, not_negative
+from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.option import Option
 from solver.errors import InputError
 
@@ -35,6 +37,8 @@ class LamellaSettings:
         smooth: solids with smooth ruled sides instead of faceted ones.
         stock: length that lamellas are cut from, mm; longer ones are spliced between crossings with
             plates and bolts of ``hole``. None for one piece a line.
+        trim: cut off at each end of that length, mm.
+        saw: width of the saw cut behind a piece, mm.
 
     Raises:
         InputError: a size that cannot be used, or choices that exclude each other.
@@ -51,6 +55,8 @@ class LamellaSettings:
     pattern: str = "auto"
     smooth: bool = False
     stock: float | None = None
+    trim: float = Workshop.trim
+    saw: float = Workshop.saw
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("width", 80.0, "length", "the strips are this wide"),
@@ -81,6 +87,8 @@ class LamellaSettings:
         Option("pattern", "auto", "choice", "the axes unroll to lines of this kind", PATTERNS),
         Option("smooth", False, "flag", "the solids are smooth instead of faceted"),
         Option("stock", None, "length", "strips are cut from this length; longer ones are spliced"),
+        Option("trim", Workshop.trim, "length", "the stock loses this much at each end"),
+        Option("saw", Workshop.saw, "length", "a saw cut behind a piece is this wide"),
     )
 
     def __post_init__(self) -> None:
@@ -90,8 +98,11 @@ class LamellaSettings:
         check_size("hole", self.hole)
         if self.overhang is not None:
             check_size("overhang", self.overhang)
+        not_negative("trim", self.trim)
+        not_negative("saw", self.saw)
         if self.stock is not None:
             check_size("stock", self.stock)
+            check_size("stock between its trimmed ends", self.longest)
         for name, value, choices in (
             ("position", self.position, POSITIONS),
             ("strip", self.strip, STRIPS),
@@ -102,6 +113,11 @@ class LamellaSettings:
         if self.layers not in (1, 2):
             raise InputError(f"layers: expected 1 or 2, got {self.layers}")
         self._check_together()
+
+    @property
+    def longest(self) -> float:
+        """Of the pieces that the stock gives, mm; infinite without stock."""
+        return math.inf if self.stock is None else self.stock - 2 * self.trim - self.saw
 
     def _check_together(self) -> None:
         if not self.standing and self.layers == 1:

@@ -108,7 +108,7 @@ def _joints(lamella: Lamella, settings: LamellaSettings, begin: Joint, end: Join
     """Where to cut, in order: as few pieces as the stock and the room for splices allow."""
     strip = lamella.ribbon.strip
     reached = np.concatenate([[0.0], np.cumsum(strip.lengths)]) - begin.place
-    total, stock = float(reached[end.face]) + end.place, settings.stock or math.inf
+    total, stock = float(reached[end.face]) + end.place, settings.longest
     if total <= stock * (1 + 1e-9):
         return []
     faces = [
@@ -127,9 +127,9 @@ def _joints(lamella: Lamella, settings: LamellaSettings, begin: Joint, end: Join
         if lengths.min() > 0 and lengths.max() <= stock:
             return [Joint(faces[k], float(strip.lengths[faces[k]]) / 2) for k in chosen]
     raise InputError(
-        f"stock: {lamella.name} is {total:.1f} mm long, the stock {stock:g} mm, and it has no room "
-        f"for splices {2 * half_length(settings):.3g} mm long often enough: they need plane edges "
-        f"of {least_edge(settings):.3g} mm between crossings, the middles of two of them no "
+        f"stock: {lamella.name} is {total:.1f} mm long, a bar gives {stock:g} mm, and it has no "
+        f"room for splices {2 * half_length(settings):.3g} mm long often enough: they need plane "
+        f"edges of {least_edge(settings):.3g} mm between crossings, the middles of two of them no "
         f"further apart than the stock ({np.diff([0.0, *places, total]).max():.0f} mm here), and a "
         f"width of {least_width(settings):.3g} mm; take longer stock, smaller holes or other lines"
     )

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
@@ -11,9 +14,6 @@ from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
 from solver.mesh.quadmesh import FloatArray
-
-# Bevels narrower than this, mm, are not drawn.
-_SEEN = 0.05
 
 
 def panel_parts(
@@ -36,13 +36,15 @@ def panel_parts(
     parts = []
     for face, name in enumerate(names):
         beside = [names[other] if other >= 0 else "" for other in across[face]]
-        pattern = _flat_pattern(name, geometry.outline[face], geometry.upper[face], beside)
+        body = Polyhedron(corners[face], BOX_SIDES)
+        pattern = _flat_pattern(name, geometry.outline[face], beside)
+        pattern = replace(pattern, bevels=bevels_of(body), seen="above")
         parts.append(
             plate_part(
                 site,
                 name,
                 "panel",
-                Polyhedron(corners[face], BOX_SIDES),
+                body,
                 (geometry.origin[face], geometry.frame[face]),
                 pattern,
                 thickness,
@@ -54,14 +56,8 @@ def panel_parts(
     return tuple(parts)
 
 
-def _flat_pattern(
-    name: str, outline: FloatArray, upper: FloatArray, beside: list[str]
-) -> FlatPattern:
-    """Outline seen from above, neighbours' names along the sides, a tick at the first corner.
-
-    Sides of the upper side that lie inside the outline are drawn through: bevels begin there.
-    """
-    upper = upper - outline.min(axis=0)
+def _flat_pattern(name: str, outline: FloatArray, beside: list[str]) -> FlatPattern:
+    """Outline seen from above, neighbours' names along the sides, a tick at the first corner."""
     corner = outline - outline.min(axis=0)
     side = np.roll(corner, -1, axis=0) - corner
     length = np.linalg.norm(side, axis=1)
@@ -72,9 +68,6 @@ def _flat_pattern(
     radius = float(np.abs(np.einsum("kd,kd->k", inward, middle - corner)).min())
     tick = corner[0] + 0.15 * (middle - corner[0])
     marks = [Mark(np.stack([corner[0], tick]))]
-    leans_in = np.einsum("kd,kd->k", upper - corner, inward) > _SEEN
-    for k in np.flatnonzero(leans_in).tolist():
-        marks.append(Mark(upper[[k, (k + 1) % 4]]))
     for k, text in enumerate(beside):
         if text:
             size = fitted_text_size(text, 0.5 * float(length[k]), 0.3 * radius, 12.0)
