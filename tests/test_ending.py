@@ -71,9 +71,17 @@ def test_work_that_does_not_end_is_ended():
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-    # A second by itself, and what a busy machine takes.
-    assert 0.9 < time.monotonic() - begin < 4.0
+    assert 0.9 < time.monotonic() - begin < supervising.grace() + 3.0
     assert work.poll() == -signal.SIGKILL
+
+
+@pytest.mark.parametrize(("load", "seconds"), [(0.0, 1.0), (4.0, 1.0), (8.0, 1.5), (100.0, 4.0)])
+def test_the_more_processes_share_a_core_the_longer_work_may_take_to_end(
+    load, seconds, monkeypatch
+):
+    monkeypatch.setattr(os, "getloadavg", lambda: (load, load, load))
+    monkeypatch.setattr(os, "cpu_count", lambda: 4)
+    assert supervising.grace() == seconds
 
 
 def test_work_that_is_killed_is_said_and_leaves_nothing(fabrication):

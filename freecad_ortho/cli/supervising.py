@@ -8,6 +8,7 @@ killed where it does not end by itself, and what it leaves is swept. Imports not
 from __future__ import annotations
 
 import importlib.util
+import os
 import signal
 import subprocess
 import sys
@@ -26,8 +27,9 @@ from freecad_ortho.cli.endings import (
     let_through,
 )
 
-# Seconds that the work has to end by itself once it has been told to.
-_GRACE = 1.0
+# Seconds that the work has to end by itself once it has been told to, and how many times that at
+# most where others keep the machine busy: what an optimisation has reached is still to be written.
+_GRACE, _MOST = 1.0, 4.0
 
 
 def supervised(arguments: Sequence[str] | None = None) -> int:
@@ -62,9 +64,18 @@ def supervised(arguments: Sequence[str] | None = None) -> int:
     return code
 
 
+def grace() -> float:
+    """Seconds that the work is given, by how many processes share a core."""
+    if not hasattr(os, "getloadavg"):
+        return _GRACE
+    # A command and its workers may keep all cores busy themselves.
+    crowd = os.getloadavg()[0] / (os.cpu_count() or 1) - 0.5
+    return _GRACE * min(max(crowd, 1.0), _MOST)
+
+
 def ended(work: subprocess.Popen[bytes]) -> bool:
     """Ask the work to end; kill it and return false where it does not."""
-    latest = time.monotonic() + _GRACE
+    latest = time.monotonic() + grace()
     for number in ENDING_SIGNALS:
         signal.signal(number, signal.SIG_IGN)
     work.send_signal(signal.SIGTERM)
