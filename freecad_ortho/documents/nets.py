@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,10 +16,12 @@ from freecad_ortho import convert
 from freecad_ortho.documents import net_settings
 from freecad_ortho.documents.common import document_or_new, require_net, transaction
 from freecad_ortho.objects import net as net_object
+from freecad_ortho.objects import source_net
 from freecad_ortho.objects.net_settings import ALL
 from freecad_ortho.units import millimetres_per
 from solver.analysis.upright import side_remark
 from solver.errors import InputError
+from solver.nets.settings import fixed_vertices
 
 if TYPE_CHECKING:
     from solver import Session
@@ -108,7 +111,9 @@ def set_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
 def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     """Optimise a Net in its document; structures on it follow.
 
-    A Net that was made by a source keeps the result and no longer follows that source.
+    A Net that was made by a source keeps the result and no longer follows that source. Where that
+    has changed since, the Net is marked as outdated, and optimising begins anew with what the
+    source makes now.
 
     Args:
         target: the Net.
@@ -130,10 +135,13 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     from freecad_ortho import api
 
     require_net(target)
-    mesh = convert.quad_mesh(target)
+    mesh = source_net.starting_mesh(target)
     ready = _ready.pop(_key(target, settings, mesh.vertices), None)
     kept, passed = net_settings.divided(settings)
-    with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Optimise")):
+    title = FreeCAD.Qt.translate("Ortho", "Optimise")
+    with transaction(target.Document, title), _as_before_on_failure(target):
+        if source_net.is_outdated(target):
+            source_net.remake(target)
         _store(target, kept)
         given = net_settings.for_solver(target, mesh)
         if ready is None:
@@ -146,13 +154,19 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
 
 
 def drag_net(
-    target: FreeCAD.DocumentObject, places: Mapping[int, Sequence[float]], /, **settings: Any
+    target: FreeCAD.DocumentObject,
+    places: Mapping[int, Sequence[float]],
+    /,
+    hold: Sequence[int] = (),
+    **settings: Any,
 ) -> Any:
     """Drag vertices of a Net towards places; the others follow so that it stays its kind of net.
 
     Args:
         target: the Net.
         places: where to, in mm, by vertex; soft: the net wins.
+        hold: vertices that stay exactly where they are in this drag. Both are the Net's handles from
+            then on.
         settings: as for :func:`optimise_net`.
 
     Returns:
@@ -164,19 +178,27 @@ def drag_net(
     """
     require_net(target)
     mesh = convert.quad_mesh(target)
-    given = {**settings, "drag": dict(places)}
+    given = {**settings, "drag": dict(places), "hold": list(hold)}
     kept, passed = net_settings.divided(settings)
     ready = _ready.pop(_key(target, given, mesh.vertices), None)
     with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Drag vertices")):
         _store(target, kept)
         if ready is None:
-            ready = _dragged(dragging(target, mesh, list(places), **passed), mesh, places)
+            session = dragging(target, mesh, list(places), hold, **passed)
+            ready = _dragged(session, mesh, places)
+        moved = ready.mesh.vertices
+        handles = {vertex: moved[vertex].tolist() for vertex in {*places, *hold}}
+        net_settings.store(target, {"handles": handles})
         _keep(target, ready)
     return ready
 
 
 def dragging(
-    target: FreeCAD.DocumentObject, mesh: QuadMesh, handles: Sequence[int], **passed: Any
+    target: FreeCAD.DocumentObject,
+    mesh: QuadMesh,
+    handles: Sequence[int],
+    hold: Sequence[int] = (),
+    **passed: Any,
 ) -> Session:
     """Start a session in which vertices of a Net are dragged, with the Net's own settings.
 
@@ -184,6 +206,7 @@ def dragging(
         target: the Net.
         mesh: its mesh.
         handles: the vertices.
+        hold: vertices that stay exactly where they are, besides those that are fixed anyway.
         passed: what else the solver is told, such as ``backend``.
 
     Raises:
@@ -192,6 +215,9 @@ def dragging(
     from solver import Session
 
     settings = net_settings.for_solver(target, mesh) | passed
+    if hold:
+        fixed = fixed_vertices(mesh, settings["fix"]) | fixed_vertices(mesh, list(hold))
+        settings["fix"] = np.flatnonzero(fixed).tolist()
     return Session(mesh, handles, settings.pop("net"), **settings)
 
 
@@ -225,6 +251,23 @@ def _store(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
         raise
 
 
+@contextmanager
+def _as_before_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
+    """Give an outdated net its mesh back where it is not optimised, also without undo."""
+    if not source_net.is_outdated(target):
+        yield
+        return
+    names = ("MadeFrom", "Outdated", "Remarks")
+    mesh, before = convert.quad_mesh(target), {name: getattr(target, name) for name in names}
+    try:
+        yield
+    except BaseException:
+        convert.store_mesh(target, mesh)
+        for name, value in before.items():
+            setattr(target, name, value)
+        raise
+
+
 def _keep(target: FreeCAD.DocumentObject, outcome: Any) -> None:
     convert.store_vertices(target, outcome.mesh.vertices)
     target.LastReport = json.dumps(outcome.report.as_dict())
@@ -239,7 +282,7 @@ def keep_outcome(
     Args:
         target: the Net.
         settings: exactly the settings of the coming call; for :func:`drag_net` its places too, as
-            ``drag``.
+            ``drag``, and ``hold``.
         start: (V, 3) positions of the Net that the run began with.
         outcome: the result of the run.
     """

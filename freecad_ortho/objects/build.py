@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,7 @@ from freecad_ortho.fabrication import (
     build,
     material,
 )
+from freecad_ortho.objects import outdated
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.limit_properties import limits_of
 from freecad_ortho.objects.net import is_net
@@ -49,7 +50,16 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
         limits=plan.limits,
         selection=plan.selection,
     )
-    return whole.only(*plan.wanted)
+    return _warned(whole.only(*plan.wanted), outdated.notice(features[0]))
+
+
+def _warned(whole: Structure, words: str) -> Structure:
+    """The parts with a remark for their report, if there is one."""
+    if not words:
+        return whole
+    name, first = next(iter(whole.results.items()))
+    told = replace(first, messages=(*first.messages, words))
+    return replace(whole, results={**whole.results, name: told})
 
 
 def recipe(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:

@@ -174,7 +174,7 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
 
     with outdated.timed(feature):
         _lay_out(feature, build.structure(feature.Structures), _workshop(feature))
-    feature.Outdated = False
+    feature.Outdated, feature.Notice = False, outdated.notice(feature)
     feature.BuiltFrom = build.recipe(feature.Structures, _workshop(feature))
     drawings.redraw(feature)
 

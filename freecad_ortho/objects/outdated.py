@@ -53,6 +53,13 @@ def updating(group: str) -> tuple[Property, ...]:
             QT_TRANSLATE_NOOP("App::Property", "Stands for all that the shape was built from"),
             flags=OUTPUT | READ_ONLY | HIDDEN,
         ),
+        Property(
+            "App::PropertyString",
+            "Notice",
+            "Result",
+            QT_TRANSLATE_NOOP("App::Property", "What is to be known before the shape is used"),
+            flags=OUTPUT | READ_ONLY,
+        ),
     )
 
 
@@ -69,7 +76,7 @@ class Following(Persistent):
         """Give an object from an older document the properties that came later."""
         super().onDocumentRestored(feature)
         watch()
-        if feature.Outdated:
+        if feature.Outdated or feature.Notice:
             feature.touch()
 
     def execute(self, feature: FreeCAD.DocumentObject) -> None:
@@ -79,9 +86,11 @@ class Following(Persistent):
             OrthoError: what is wrong and what to do; FreeCAD shows it and marks the object.
         """
         try:
+            known = feature.Notice
+            feature.Notice = notice(feature)
             if self._waits(feature):
                 self._mark(feature)
-            else:
+            elif not (known and self._is_as_before(feature, known)):
                 self.rebuild(feature)
         except OrthoError as error:
             # The report view shows where an exception came from; the inner frames help nobody.
@@ -98,6 +107,10 @@ class Following(Persistent):
     def stands_on(self, feature: FreeCAD.DocumentObject) -> Sequence[FreeCAD.DocumentObject]:
         """Other such shapes that this one would not fit while they wait."""
         raise NotImplementedError
+
+    def _is_as_before(self, feature: FreeCAD.DocumentObject, known: str) -> bool:
+        """Tell whether it is touched only to bear the mark of what it stands on."""
+        return bool(feature.Notice == known and feature.BuiltFrom == self.recipe(feature))
 
     def _waits(self, feature: FreeCAD.DocumentObject) -> bool:
         if feature.Shape.isNull():
@@ -134,16 +147,40 @@ def timed(feature: FreeCAD.DocumentObject) -> Iterator[None]:
 
 
 def waiting(document: FreeCAD.Document) -> list[FreeCAD.DocumentObject]:
-    """Give what waits in a document to be built anew."""
-    return [item for item in document.Objects if getattr(item, "Outdated", False)]
+    """Give the shapes that wait in a document to be built anew."""
+    return [item for item in document.Objects if _is_outdated(item) and _follows(item)]
+
+
+def notice(feature: FreeCAD.DocumentObject) -> str:
+    """What is to be known of an object that stands on nets whose sources have moved on."""
+    nets = [item for item in feature.OutListRecursive if _is_outdated(item) and not _follows(item)]
+    words = FreeCAD.Qt.translate(
+        "Ortho", "{} is outdated: its source has changed since it was optimised or dragged"
+    )
+    return words.format(", ".join(sorted(item.Label for item in nets))) if nets else ""
+
+
+def _is_outdated(feature: FreeCAD.DocumentObject) -> bool:
+    return bool(getattr(feature, "Outdated", False))
+
+
+def _follows(feature: FreeCAD.DocumentObject) -> bool:
+    return isinstance(feature.Proxy, Following)
+
+
+def _marked(document: FreeCAD.Document) -> list[FreeCAD.DocumentObject]:
+    """What is outdated, and what stands on an outdated net."""
+    outdated = [item for item in document.Objects if _is_outdated(item)]
+    above = [other for item in outdated if not _follows(item) for other in item.InListRecursive]
+    return outdated + [item for item in above if hasattr(item, "Proxy")]
 
 
 class _Observer:
     """Called by FreeCAD after each recompute of a document."""
 
     def slotRecomputedDocument(self, document: FreeCAD.Document) -> None:
-        """Mark what waits."""
-        for feature in waiting(document):
+        """Mark what waits, and what stands on something outdated."""
+        for feature in _marked(document):
             feature.touch()
 
 

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
-from typing import Any
+from hashlib import sha256
+from typing import TYPE_CHECKING, Any
 
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.objects import cad_faces
+from freecad_ortho.objects import cad_faces, outdated
 from freecad_ortho.objects.net import NET_PROPERTIES, Net
 from freecad_ortho.objects.properties import (
+    HIDDEN,
     OUTPUT,
     READ_ONLY,
     Property,
@@ -19,6 +22,9 @@ from freecad_ortho.objects.properties import (
 from freecad_ortho.option import Option
 from freecad_ortho.sources import Made, Source, source
 from solver.errors import InputError, OrthoError
+
+if TYPE_CHECKING:
+    from solver.mesh.quadmesh import QuadMesh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -58,6 +64,22 @@ _PROPERTIES = (
         default=True,
     ),
     Property(
+        "App::PropertyBool",
+        "Outdated",
+        "Source",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "The source has changed since the vertices were moved; optimise again"
+        ),
+        flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyString",
+        "MadeFrom",
+        "Source",
+        QT_TRANSLATE_NOOP("App::Property", "Stands for the net as its source made it last"),
+        flags=OUTPUT | READ_ONLY | HIDDEN,
+    ),
+    Property(
         "App::PropertyStringList",
         "Remarks",
         "Source",
@@ -93,17 +115,24 @@ class SourceNet(Net):
         """Give an object from an older document the properties that came later."""
         super().onDocumentRestored(feature)
         ensure(feature, _own_properties(source(feature.MadeBy)))
+        if feature.Outdated:
+            outdated.watch()
+            feature.touch()
 
     def execute(self, feature: FreeCAD.DocumentObject) -> None:
-        """Make the net anew, unless its vertices were moved since; on an error the last one stays.
+        """Make the net anew; on an error the last one stays.
+
+        One whose vertices were moved since stays as well: it is told from what its source would
+        make of it now, and marked.
 
         Raises:
             OrthoError: what is wrong and what to do; FreeCAD shows it and marks the object.
         """
-        if not feature.FollowSource:
-            return
         try:
-            remake(feature)
+            if feature.FollowSource:
+                remake(feature)
+            elif _has_source(feature):
+                _compare(feature)
         except OrthoError as error:
             # The report view shows where an exception came from; the inner frames help nobody.
             raise type(error)(str(error)) from None
@@ -159,12 +188,68 @@ def remake(feature: FreeCAD.DocumentObject) -> None:
     Raises:
         OrthoError: the properties make no net; nothing was changed.
     """
+    _store(feature, _made(feature))
+
+
+def is_outdated(net: FreeCAD.DocumentObject) -> bool:
+    """Tell whether a net was moved away from a source that has changed since."""
+    return is_source_net(net) and net.Outdated
+
+
+def starting_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
+    """What optimising begins with: the net as it is, an outdated one as its source makes it now.
+
+    Raises:
+        OrthoError: the net is empty, or the source makes no net.
+    """
+    return _made(net).mesh if is_outdated(net) else convert.quad_mesh(net)
+
+
+def _has_source(feature: FreeCAD.DocumentObject) -> bool:
+    """Tell whether all that the net is made of is still there."""
+    try:
+        require_inputs(source(feature.MadeBy), *_links(feature))
+    except InputError:
+        return False
+    return True
+
+
+def _compare(feature: FreeCAD.DocumentObject) -> None:
+    """Mark a net whose source makes another mesh than the one that was moved."""
+    now, before = _word(_made(feature).mesh), feature.Outdated
+    if not feature.MadeFrom:
+        # From an older document, which did not say.
+        feature.MadeFrom = now
+    feature.Outdated = now != feature.MadeFrom
+    if feature.Outdated == before:
+        return
+    report = json.loads(feature.LastReport or "{}") | {"outdated": feature.Outdated}
+    feature.LastReport = json.dumps(report)
+    if feature.Outdated:
+        outdated.watch()
+        words = FreeCAD.Qt.translate(
+            "Ortho", "{} stays as it is, though its source has changed: optimise it again"
+        )
+        FreeCAD.Console.PrintWarning(words.format(feature.Label) + "\n")
+
+
+def _word(mesh: QuadMesh) -> str:
+    """A word that is another for another mesh."""
+    return sha256(mesh.vertices.tobytes() + mesh.faces.tobytes()).hexdigest()
+
+
+def _links(feature: FreeCAD.DocumentObject) -> tuple[Sequence[Any], Sequence[Any]]:
+    """The nets and the CAD faces that a net is made of."""
     nets = feature.Nets if "Nets" in feature.PropertiesList else ()
     faces = cad_faces.faces_of(feature.CadFaces) if "CadFaces" in feature.PropertiesList else ()
-    entry = source(feature.MadeBy)
+    return nets, faces
+
+
+def _made(feature: FreeCAD.DocumentObject) -> Made:
+    entry, links = source(feature.MadeBy), _links(feature)
     # What it was made of may have been deleted since.
-    require_inputs(entry, nets, faces)
-    _store(feature, entry.make(values_of(feature), **inputs(nets, faces)))
+    require_inputs(entry, *links)
+    return entry.make(values_of(feature), **inputs(*links))
 
 
 def values_of(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
@@ -196,7 +281,9 @@ def inputs(
 
 def _store(feature: FreeCAD.DocumentObject, made: Made) -> None:
     convert.store_mesh(feature, made.mesh)
-    feature.Remarks = list(made.remarks)
+    feature.MadeFrom, feature.Outdated = _word(made.mesh), False
+    said = outdated.notice(feature)
+    feature.Remarks = [*made.remarks, *([said] if said else [])]
 
 
 def _own_properties(entry: Source) -> list[Property]:

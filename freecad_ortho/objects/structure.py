@@ -189,7 +189,7 @@ def rebuild(
         with missing_package_named():
             shape = convert.part_shape(structure.compound(progress))
         feature.Shape = shape
-    feature.Outdated = False
+    feature.Outdated, feature.Notice = False, outdated.notice(feature)
     feature.BuiltFrom = build.recipe([feature])
     feature.PartNames = [part.name for part in structure.parts]
     feature.Verdicts = list(structure.verdicts)

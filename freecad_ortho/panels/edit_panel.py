@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.net_settings import NETS
+from freecad_ortho.objects.source_net import is_outdated
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.editing import Editing
 from freecad_ortho.panels.fields import ChoiceField, LengthField, form_rows
@@ -40,7 +41,10 @@ class EditPanel:
         self._visible = uncover(net)
         self._build_form(net)
         self._filling = False
-        self._told(None)
+        outdated = translate(
+            "Ortho", "The source of this net has changed since; it stays as it is."
+        )
+        self._told(outdated if is_outdated(net) else None)
         # Others may close the panel too, without asking.
         self.form.destroyed.connect(lambda *_: self._vanished())
 

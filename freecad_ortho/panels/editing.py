@@ -61,7 +61,7 @@ class Editing:
     ) -> None:
         self._net, self._told, self._lost = net, told, lost
         self._stale = False
-        self.handles: dict[int, FloatArray] = {}
+        self.handles: dict[int, FloatArray] = dict.fromkeys(net.Handles, np.zeros(3))
         self.chosen: list[int] = []
         self.mode = dragging.VIEW_PLANE
         self.live: Live | None = None
@@ -93,7 +93,15 @@ class Editing:
         self._stop()
         self.mouse.remove()
         if not gone:
+            self._keep_handles()
             self._net.ViewObject.Proxy.show_stored()
+
+    def _keep_handles(self) -> None:
+        """Have the net keep handles that were chosen or removed since the last drag."""
+        if set(self.handles) != set(self._net.Handles):
+            places = {vertex: tuple(map(float, at)) for vertex, at in self.handles.items()}
+            with messages.errors_shown():
+                context.run("set_net", self._net, handles=places)
 
     def _reread(self, name: str) -> None:
         """Follow a property of the net that something else has changed, undo for one."""
@@ -208,7 +216,7 @@ class Editing:
             if self.mode == dragging.ON_SURFACE and self._surface is not None:
                 place = self._surface.closest(place[None])[0][0]
             self.handles[vertex] = place
-        self.live.aim({vertex: self.handles[vertex] for vertex in self.chosen})
+        self.live.aim({vertex: self.handles[vertex] for vertex in self.live.session.targets})
         if time.perf_counter() - self._shown > _LATE:
             self._mark()
 
@@ -219,9 +227,10 @@ class Editing:
         self.live, self._surface = None, None
         count = len(self.points)
         self.handles = {v: self.points[v].copy() for v in self.handles if v < count}
-        self.chosen = [vertex for vertex in self.chosen if vertex in self.handles]
         self._hovered = None
         self._fixed = self._fixed_mask()
+        self.handles = {v: place for v, place in self.handles.items() if not self._fixed[v]}
+        self.chosen = [vertex for vertex in self.chosen if vertex in self.handles]
 
     def _fixed_mask(self) -> Any:
         fix = net_settings.for_solver(self._net, self._mesh)["fix"]
@@ -243,9 +252,12 @@ class Editing:
     def _begin(self) -> bool:
         """Start stepping, in the session of the last drag where it still fits."""
         with messages.errors_shown():
-            if self.live is None or set(self.live.session.targets) != set(self.handles):
+            drawn, held = self._parted()
+            if self.live is None or set(self.live.session.targets) != set(drawn):
+                if self.live is not None:
+                    self.live.stop()
                 chosen = preferences.solver_settings()
-                session = documents.dragging(self._net, self._mesh, list(self.handles), **chosen)
+                session = documents.dragging(self._net, self._mesh, drawn, held, **chosen)
                 self.live = Live(session, self._stepped, self._settled)
             elif self.live.settling:
                 # Taken up again before it was exact: both drags become one step.
@@ -256,6 +268,16 @@ class Editing:
                 self._surface = self._reference_surface()
             return True
         return False
+
+    def _parted(self) -> tuple[list[int], list[int]]:
+        """The handles that are drawn away, and those that hold the net."""
+        places = self._mesh.vertices
+        drawn = [
+            vertex
+            for vertex, place in self.handles.items()
+            if vertex in self.chosen or not np.array_equal(place, places[vertex])
+        ]
+        return drawn, [vertex for vertex in self.handles if vertex not in drawn]
 
     def _reference_surface(self) -> TriangleSurface:
         """The faces that the net stays near, else the shape it has now."""
@@ -281,16 +303,18 @@ class Editing:
             self.cancel()
             self._told(error)
             return
-        places = {vertex: tuple(map(float, place)) for vertex, place in self.handles.items()}
+        drawn, held = self._parted()
+        places = {vertex: tuple(map(float, self.handles[vertex])) for vertex in drawn}
         # The macro line computes this again when it is replayed; here it only takes the result.
         chosen = preferences.solver_settings()
-        settings = {"drag": places, **chosen}
+        settings = {"drag": places, "hold": held, **chosen}
         documents.keep_outcome(self._net, settings, self._mesh.vertices, outcome)
         self._starts = {}
         self.committing = True
         try:
             with messages.errors_shown():
-                context.run("drag_net", self._net, places, **chosen)
+                more = {"hold": held} if held else {}
+                context.run("drag_net", self._net, places, **more, **chosen)
         finally:
             self.committing = False
         self._read()

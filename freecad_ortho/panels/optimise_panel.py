@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 from freecad_ortho import convert, documents, preferences
 from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import net_settings
+from freecad_ortho.objects import source_net
 from freecad_ortho.panels.advanced_box import AdvancedBox
 from freecad_ortho.panels.constraint_box import ConstraintBox
 from freecad_ortho.panels.fields import NARROW, length_words
@@ -135,7 +136,7 @@ class OptimisePanel:
         if self.run is not None and settings == self._settings:
             return
         self.constraints.stop_picking()
-        self._mesh = convert.quad_mesh(self.net)
+        self._mesh = source_net.starting_mesh(self.net)
         kept, passed = net_settings.divided(settings)
         values = net_settings.words(self.net) | kept
         optimisation = api.start_optimisation(
@@ -143,6 +144,8 @@ class OptimisePanel:
         )
         if self.run is not None:
             self.run.drop()
+        if source_net.is_outdated(self.net):
+            self.net.ViewObject.Proxy.show_mesh(self._mesh)
         self._settings, self._shown_steps = settings, 0
         self.run = Run(optimisation, self._stepped, self._ended)
         self.plot.clear(values["tolerance"])
@@ -264,7 +267,11 @@ class OptimisePanel:
         # What is asked first in a panel stands at hand under these names too.
         self.net_type, self.fix = self.choice.net_type, self.constraints.fix
         self.fairness, self.tolerance = self.advanced.fairness, self.advanced.tolerance
-        self._say("")
+        outdated = translate(
+            "Ortho",
+            "The source of this net has changed. Start begins anew with what it makes now.",
+        )
+        self._say(outdated if source_net.is_outdated(net) else "")
         self._show_state()
 
     def _buttons(self) -> QtGui.QGridLayout:

@@ -139,8 +139,24 @@ class NetView(Stateless):
             self._colour()
         self._draw_overlays(moving=True)
 
+    def show_mesh(self, mesh: QuadMesh | None) -> None:
+        """Show another mesh, in mm, without touching the net itself; None shows nothing."""
+        self._mesh = mesh
+        for shape in (self._face_set, self._line_set):
+            shape.coordIndex.deleteValues(0)
+        if mesh is not None:
+            self._coordinates.point.deleteValues(0)
+            self._coordinates.point.setValues(0, len(mesh.vertices), mesh.vertices)
+            _set_indices(self._face_set, mesh.faces)
+            _set_indices(self._line_set, mesh.connectivity.edges)
+        self._colour()
+        self._draw_overlays()
+
     def show_stored(self) -> None:
-        """Show the positions that the net has."""
+        """Show the mesh that the net has."""
+        if self._mesh is None or self._mesh.faces.ravel().tolist() != self.Object.Faces:
+            self._read_faces()
+            return
         self.show_vertices(convert.array(self.Object.Vertices))
         self._colour()
         self._draw_overlays()
@@ -188,21 +204,11 @@ class NetView(Stateless):
         """Fill the nodes anew; an incomplete net (while it is being read) shows nothing."""
         faces = np.array(self.Object.Faces, dtype=np.int64)
         points = convert.array(self.Object.Vertices)
-        self._mesh = None
-        for shape in (self._face_set, self._line_set):
-            shape.coordIndex.deleteValues(0)
         if len(faces) == 0 or len(faces) % 4 or faces.max() >= len(points):
-            self._legend.hide()
-            self._draw_overlays()
+            self.show_mesh(None)
             return
         connectivity = Connectivity(faces.reshape(-1, 4), len(points))
-        self._mesh = QuadMesh(points, connectivity)
-        self._coordinates.point.deleteValues(0)
-        self._coordinates.point.setValues(0, len(points), points)
-        _set_indices(self._face_set, connectivity.faces)
-        _set_indices(self._line_set, connectivity.edges)
-        self._colour()
-        self._draw_overlays()
+        self.show_mesh(QuadMesh(points, connectivity))
 
     def _colour(self) -> None:
         self._legend.hide()

@@ -78,9 +78,9 @@ class TestDragging(EditingCase):
         kept = vertices(net)
         self.assertLessEqual(max(tools.faults(net)), 1e-10)
         self.assertGreater(np.linalg.norm(kept[MIDDLE] - start[MIDDLE]), 500)
-        # Where the handles were drawn to is where they are, nearly; the corners have held.
+        # Where the middle was drawn to is where it is, nearly; the corners have held exactly.
         held = list(CORNERS)
-        self.assertLess(np.linalg.norm(kept[held] - start[held], axis=1).max(), 300)
+        np.testing.assert_allclose(kept[held], start[held], rtol=0, atol=1e-9)
         self.assertEqual([line.count("drag_net") for line in self.lines], [1])
         net.Document.undo()
         wait()
@@ -91,6 +91,30 @@ class TestDragging(EditingCase):
         wait()
         self.panel.reject()
         self.assertLeft(net)
+
+    def test_handles_persist_with_the_net(self):
+        net = self.edited()
+        self.settled(self.held(net))
+        self.panel.reject()
+        self.assertLeft(net)
+        self.assertEqual(set(net.Handles), {*CORNERS, MIDDLE})
+        places = convert.array(net.HandlePlaces)
+        np.testing.assert_allclose(places, vertices(net)[list(net.Handles)], rtol=0, atol=1e-9)
+        name = net.Name
+        path = str(tools.SCRATCH / "handles.FCStd")
+        net.Document.saveAs(path)
+        FreeCAD.closeDocument(net.Document.Name)
+        net = FreeCAD.openDocument(path).getObject(name)
+        self.enter(net)
+        self.assertEqual(set(self.editing.handles), {*CORNERS, MIDDLE})
+        self.editing.click(MIDDLE, False)
+        self.editing.remove([MIDDLE])
+        self.panel.reject()
+        self.assertLeft(net)
+        self.assertEqual(set(net.Handles), set(CORNERS))
+        self.assertEqual(net.Document.UndoCount, 1)
+        net.Document.undo()
+        self.assertEqual(set(net.Handles), {*CORNERS, MIDDLE})
 
     def test_letting_go_waits_for_no_long_structure(self):
         net = api.import_net(tools.wavy_mesh(rows=SIDE, columns=SIDE))
