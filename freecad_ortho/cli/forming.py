@@ -7,6 +7,7 @@ import sys
 
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK
+from freecad_ortho.sources.forming import lifted
 from solver.analysis.upright import side_remark
 from solver.errors import InputError
 from solver.formfinding import (
@@ -30,7 +31,10 @@ def add(parser: argparse.ArgumentParser) -> None:
     values.add_up(parser)
     parser.add_argument("--supports", default="boundary", metavar="boundary|corners|I,J,K")
     parser.add_argument(
-        "--lift", metavar="I,Z[;I,Z...]", help="raise supports by Z first, e.g. '0,1.5;20,1.5'"
+        "--lift",
+        default="",
+        metavar="I,Z[;I,Z...]",
+        help="raise supports by Z first, e.g. '0,1.5;20,1.5'",
     )
     parser.add_argument("--kind", default="cables", metavar="cables|membrane")
     parser.add_argument("--density", type=float, default=1.0, metavar="Q", help="of the cables")
@@ -57,14 +61,7 @@ def run(options: argparse.Namespace) -> int:
     loaded = reporting.load(options)
     mesh = loaded.near
     held = supported(mesh, options.supports)
-    if options.lift:
-        points = mesh.vertices.copy()
-        for pair in options.lift.split(";"):
-            number, rise = values.numbers("--lift", pair, 2)
-            if number != int(number) or not 0 <= number < len(points) or not held[int(number)]:
-                raise InputError(f"--lift: vertex {number:g} is no support; name one of these")
-            points[int(number), 2] += rise
-        mesh = mesh.with_vertices(points)
+    mesh = lifted(mesh, held, options.lift, "--lift")
     loads = Loads(
         values.numbers("--vertex-load", options.vertex_load, 3),
         values.numbers("--area-load", options.area_load, 3),

@@ -19,10 +19,13 @@ from solver.formfinding import (
     find_form,
     supported,
 )
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
 
 Vector = tuple[float, float, float]
 _NONE = (0.0, 0.0, 0.0)
+# So many supports are named to someone who named another vertex.
+_NAMED = 8
 
 
 def _formed(
@@ -41,7 +44,7 @@ def _formed(
 ) -> Made:
     mesh = meshes[0]
     held = supported(mesh, supports.replace(" ", ""))
-    mesh = _lifted(mesh, held, lift)
+    mesh = lifted(mesh, held, lift)
     densities = family_densities(mesh, density, density, border_density or None)
     tension: Tension = CableNet(densities)
     loads = Loads(vertex_load, area_load, edge_load, pressure)
@@ -63,19 +66,34 @@ def _formed(
     )
 
 
-def _lifted(mesh: QuadMesh, held: np.ndarray, text: str) -> QuadMesh:
-    """Supports raised as ``number:height`` in mm, separated by semicolons."""
+def lifted(mesh: QuadMesh, held: BoolArray, text: str, name: str = "lift") -> QuadMesh:
+    """Raise supports before the form is found.
+
+    Args:
+        mesh: the start.
+        held: (V,) which vertices are supports.
+        text: ``I,Z;I,Z ...``: numbers of supports and how far each goes up, in the mesh's unit.
+        name: what the option is called where it was given.
+
+    Raises:
+        InputError: not such pairs, or a vertex that is no support.
+    """
     points = mesh.vertices.copy()
     for pair in filter(None, (word.strip() for word in text.split(";"))):
-        number, _, height = pair.partition(":")
+        # Documents of earlier versions have a colon.
+        number, _, height = pair.replace(":", ",").partition(",")
         try:
             vertex, rise = int(number), float(height)
         except ValueError:
             raise InputError(
-                f"lift: expected VERTEX:HEIGHT in mm such as 0:1500; 20:1500, got '{pair[:40]}'"
+                f"{name}: expected VERTEX,HEIGHT such as 0,1500; 20,1500, got '{pair[:40]}'"
             ) from None
         if not 0 <= vertex < len(points) or not held[vertex]:
-            raise InputError(f"lift: vertex {vertex} is no support; name one of these")
+            supports = np.flatnonzero(held)
+            known = ", ".join(map(str, supports[:_NAMED])) + ", ..." * (len(supports) > _NAMED)
+            raise InputError(f"{name}: vertex {vertex} is no support; these are: {known}")
+        if not np.isfinite(rise):
+            raise InputError(f"{name}: vertex {vertex} cannot be raised by {height}; mend it")
         points[vertex, 2] += rise
     return mesh.with_vertices(points)
 
@@ -87,7 +105,7 @@ FORM = Source(
         Option("kind", "cables", "choice", "Cables of given force density, or constant stress",
                ("cables", "membrane")),
         Option("supports", "boundary", "text", "Held: boundary, corners or vertices as 0,5,12"),
-        Option("lift", "", "text", "Supports to raise first, VERTEX:HEIGHT in mm as 0:1500"),
+        Option("lift", "", "text", "Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900"),
         Option("density", 1.0, "number", "Force density of the cables, force / length"),
         Option("border_density", 0.0, "number", "Force density of border cables; 0: the same"),
         Option("stress", 1.0, "number", "Stress of the membrane, force / length"),

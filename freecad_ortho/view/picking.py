@@ -13,6 +13,8 @@ from solver.mesh.quadmesh import FloatArray
 
 # Pixels around a vertex in which a click means it.
 _NEAR = 12.0
+# With more than this they would cover each other.
+_MOST_NUMBERS = 200
 _CHOSEN, _OTHER = (0.84, 0.15, 0.16), (0.55, 0.60, 0.66)
 
 
@@ -48,6 +50,20 @@ class Picking:
         self._colours.diffuseColor.deleteValues(0)
         self._colours.diffuseColor.setValues(0, len(shades), shades)
         self._markers.numPoints = len(rows)
+        self._write_numbers()
+
+    def _write_numbers(self) -> None:
+        """Each chosen vertex has its number beside it, as other fields ask for it."""
+        self._numbers.removeAllChildren()
+        if len(self.chosen) > _MOST_NUMBERS:
+            return
+        for vertex in sorted(self.chosen):
+            one, place, text = coin.SoSeparator(), coin.SoTranslation(), coin.SoText2()
+            place.translation = tuple(self._points[vertex].tolist())
+            text.string = f"  {vertex}"
+            one.addChild(place)
+            one.addChild(text)
+            self._numbers.addChild(one)
 
     def remove(self) -> None:
         """Take nodes and callback out of the view; doing it again changes nothing."""
@@ -67,6 +83,11 @@ class Picking:
             self._events, nodes.unpickable(), nodes.unlit(), on_top, self._coordinates,
             self._colours, each, self._markers,
         ):  # fmt: skip
+            self.root.addChild(node)
+        self._numbers, ink, font = coin.SoSeparator(), coin.SoBaseColor(), coin.SoFont()
+        ink.rgb = _CHOSEN
+        font.name, font.size = "Sans", 14
+        for node in (ink, font, self._numbers):
             self.root.addChild(node)
         kind = coin.SoMouseButtonEvent.getClassTypeId()
         self._callback = (kind, self._events.addEventCallback(kind, self._pressed))

@@ -65,7 +65,7 @@ def test_every_option_is_explained(entry):
         ("elliptic multi-net", {"semi_axes": (1.0, 2.0, 3.0)}, "a > b > c"),
         ("elliptic multi-net", {"curve": "formulas", "first_formula": "import os"}, "formula"),
         ("form-finding", {"supports": "roof"}, "boundary, corners or"),
-        ("form-finding", {"lift": "0;100"}, "VERTEX:HEIGHT"),
+        ("form-finding", {"lift": "0;100"}, "VERTEX,HEIGHT"),
         ("form-finding", {"lift": "40:100"}, "no support"),
         ("trim", {"rings": 0}, "got none"),
         ("trim", {"rings": 9}, "no face is left"),
