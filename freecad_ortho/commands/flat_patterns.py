@@ -33,12 +33,12 @@ class FlatPatterns(Command):
 
 
 class DrawingPage(Command):
-    """A TechDraw page of flat patterns."""
+    """TechDraw pages of flat patterns, one a sheet."""
 
     icon = "drawing_page"
     text = QT_TRANSLATE_NOOP("Ortho_DrawingPage", "Drawing page")
     tip = QT_TRANSLATE_NOOP(
-        "Ortho_DrawingPage", "Show the selected flat patterns on a page to print"
+        "Ortho_DrawingPage", "Show each sheet of the selected flat patterns on a page to print"
     )
 
     def IsActive(self) -> bool:
@@ -46,6 +46,6 @@ class DrawingPage(Command):
         return super().IsActive() and context.current_flat_patterns() is not None
 
     def Activated(self) -> None:
-        """Add the page."""
+        """Add the pages."""
         with messages.errors_shown():
-            context.run("add_drawing_page", context.current_flat_patterns())
+            context.run("add_drawing_pages", context.current_flat_patterns())

@@ -15,6 +15,10 @@ def open(filename: str) -> FreeCAD.Document | None:
     label = os.path.splitext(os.path.basename(filename))[0]
     document = FreeCAD.newDocument(label)
     if insert(filename, document.Name):
+        if FreeCAD.GuiUp:
+            from freecad_ortho.view import picture
+
+            picture.look(picture.three_d_view(document))
         return document
     FreeCAD.closeDocument(document.Name)
     return None

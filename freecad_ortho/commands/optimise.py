@@ -1,4 +1,4 @@
-"""The commands Optimise and Edit net."""
+"""The commands Optimise, Edit net and Flip net."""
 
 from __future__ import annotations
 
@@ -44,3 +44,19 @@ class EditNet(NetCommand):
         """Enter edit mode."""
         net = context.current_net()
         FreeCADGui.getDocument(net.Document.Name).setEdit(net.Name)
+
+
+class FlipNet(NetCommand):
+    """Turn the other side of a net up."""
+
+    icon = "flip"
+    text = QT_TRANSLATE_NOOP("Ortho_FlipNet", "Flip net")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_FlipNet",
+        "Turn the other side of the selected net up; an arrow shows it, offsets and parts follow",
+    )
+
+    def Activated(self) -> None:
+        """Flip it."""
+        with messages.errors_shown(), messages.busy():
+            context.run("flip_net", context.current_net())

@@ -7,12 +7,14 @@ as it was.
 
 from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
+from freecad_ortho.documents.drawing_pages import add_drawing_page, add_drawing_pages
 from freecad_ortho.documents.examples import open_example
-from freecad_ortho.documents.flat_patterns import add_drawing_page, add_flat_patterns
+from freecad_ortho.documents.flat_patterns import add_flat_patterns
 from freecad_ortho.documents.nets import (
     drag_net,
     dragging,
     export_net,
+    flip_net,
     import_net,
     keep_outcome,
     optimise_net,
@@ -43,6 +45,7 @@ from freecad_ortho.documents.structures import (
 __all__ = [
     "add_beams",
     "add_drawing_page",
+    "add_drawing_pages",
     "add_elliptic_net",
     "add_flat_patterns",
     "add_multi_net",
@@ -58,6 +61,7 @@ __all__ = [
     "dragging",
     "export_fabrication",
     "export_net",
+    "flip_net",
     "form_net",
     "import_net",
     "keep_outcome",

@@ -22,8 +22,8 @@ def show_net(
 
     Args:
         net: the Net.
-        colour_map: ``"None"``, or a field of :data:`solver.analysis.fields.FIELDS`; None leaves
-            it as it is.
+        colour_map: ``"None"``, ``"Target"`` (what the kind of net is judged by), or a field of
+            :data:`solver.analysis.fields.FIELDS`; None leaves it as it is.
         value_range: lowest and highest value of the scale in mm, 1/m, 1/m2 or degrees; of residuals
             powers of ten, such as ``(-6, -1)``. Without it the range follows the values.
         overlays: names of the view's overlays (``"Diagonals"``, ``"Axes"``, ...), all others are
@@ -50,7 +50,10 @@ def show_net(
             return
         from freecad_ortho.view import look
 
-        look.show(net, look.wanted(chosen, value_range, overlays, legend))
+        if not net.Visibility:
+            words = FreeCAD.Qt.translate("Ortho", "{} is hidden: nothing of this is seen yet")
+            FreeCAD.Console.PrintMessage(words.format(net.Label) + "\n")
+        look.show(net, look.wanted(net, chosen, value_range, overlays, legend))
 
 
 def _refuse_unknown(overlays: Sequence[str]) -> None:

@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho.documents.nets import import_net, optimise_net
-from freecad_ortho.documents.structures import add_beams, add_panels
+from freecad_ortho.documents.structures import add_beams, add_panels, add_structure
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.packages import HOME
 from solver import QuadMesh
@@ -88,7 +88,7 @@ def _gridshell(document: FreeCAD.Document) -> None:
     part = diagonal_meshes(film).first
     net = net_object.create(document, compact(part, part.faces), "Net")
     optimise_net(net, net="asymptotic")
-    add_beams(net, height=100.0)
+    add_structure(net, "lamellas", width=60.0, thickness=4.0)
 
 
 def _multi_nets(document: FreeCAD.Document) -> None:

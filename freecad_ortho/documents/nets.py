@@ -21,6 +21,7 @@ from freecad_ortho.objects.net_settings import ALL
 from freecad_ortho.units import millimetres_per
 from solver.analysis.upright import side_remark
 from solver.errors import InputError
+from solver.mesh.mirror import reversed_orientation
 from solver.nets.settings import fixed_vertices
 
 if TYPE_CHECKING:
@@ -153,6 +154,23 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     return ready
 
 
+def flip_net(target: FreeCAD.DocumentObject) -> None:
+    """Turn the other side of a Net up; offsets and all that stands on it follow.
+
+    Args:
+        target: the Net; vertex and face numbers and the families of its lines stay.
+
+    Raises:
+        InputError: not a Net, or an empty one.
+    """
+    require_net(target)
+    mesh = reversed_orientation(convert.quad_mesh(target))
+    with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Flip net")):
+        target.Flipped = not target.Flipped
+        convert.store_mesh(target, mesh)
+        target.Document.recompute()
+
+
 def drag_net(
     target: FreeCAD.DocumentObject,
     places: Mapping[int, Sequence[float]],
@@ -165,8 +183,7 @@ def drag_net(
     Args:
         target: the Net.
         places: where to, in mm, by vertex; soft: the net wins.
-        hold: vertices that stay exactly where they are in this drag. Both are the Net's handles from
-            then on.
+        hold: vertices that stay exactly where they are. Both are the Net's handles from then on.
         settings: as for :func:`optimise_net`.
 
     Returns:

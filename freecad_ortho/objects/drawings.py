@@ -36,17 +36,42 @@ _PROPERTIES = (
         default=1.0,
         flags=HIDDEN,
     ),
+    Property(
+        "App::PropertyInteger",
+        "Sheet",
+        "Drawing",
+        QT_TRANSLATE_NOOP("App::Property", "Number of the sheet that is shown; 0: all there is"),
+    ),
 )
 
 
+def frame(feature: FreeCAD.DocumentObject, sheet: int) -> FreeCAD.BoundBox:
+    """The rectangle that a sheet takes of flat patterns; that of all for 0 or one that is gone."""
+    # Behind the parts in the shape come the sheets.
+    places = feature.Shape.SubShapes[len(feature.PartNames) :]
+    return places[sheet - 1].BoundBox if 0 < sheet <= len(places) else feature.Shape.BoundBox
+
+
+def names_on(feature: FreeCAD.DocumentObject, sheet: int) -> list[tuple[str, FreeCAD.Vector]]:
+    """Names of the parts on a sheet, and where they stand."""
+    box = frame(feature, sheet)
+    pairs = zip(feature.PartNames, feature.LabelPlaces, strict=True)
+    return [(name, place) for name, place in pairs if _inside(place, box)]
+
+
 def add_picture(
-    page: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject, content: str, scale: float
+    page: FreeCAD.DocumentObject,
+    feature: FreeCAD.DocumentObject,
+    content: str,
+    scale: float,
+    sheet: int = 0,
 ) -> FreeCAD.DocumentObject:
-    """Add a picture of the lines or the names of flat patterns to a page."""
+    """Add a picture of the lines or the names of flat patterns, or of one sheet, to a page."""
     picture = page.Document.addObject("TechDraw::DrawViewSymbol", content)
     page.addView(picture)
     ensure(picture, _PROPERTIES)
     picture.Patterns, picture.Content, picture.PatternScale = feature, content, scale
+    picture.Sheet = sheet
     _draw(picture)
     return picture
 
@@ -59,28 +84,33 @@ def redraw(feature: FreeCAD.DocumentObject) -> None:
 
 
 def _draw(picture: FreeCAD.DocumentObject) -> None:
+    feature, scale, sheet = picture.Patterns, picture.PatternScale, picture.Sheet
     content = _lines if picture.Content == LINES else _names
-    feature, scale = picture.Patterns, picture.PatternScale
-    picture.Symbol = _svg(feature, scale, content(feature, scale))
+    box = frame(feature, sheet)
+    picture.Symbol = _svg(box, scale, content(feature, sheet, box, scale))
 
 
-def _lines(feature: FreeCAD.DocumentObject, scale: float) -> str:
-    """All edges of the patterns as one group of SVG, mm on the page."""
-    box = feature.Shape.BoundBox
+def _inside(place: FreeCAD.Vector, box: FreeCAD.BoundBox) -> bool:
+    return bool(box.XMin <= place.x <= box.XMax and box.YMin <= place.y <= box.YMax)
+
+
+def _lines(feature: FreeCAD.DocumentObject, sheet: int, box: FreeCAD.BoundBox, scale: float) -> str:
+    """The edges of the patterns as one group of SVG, mm on the page."""
     found = []
     for edge in feature.Shape.Edges:
+        if sheet and not _inside(edge.BoundBox.Center, box):
+            continue
         points = edge.discretize(2 if edge.Curve.TypeId == "Part::GeomLine" else _ARC_POINTS)
         places = [((p.x - box.XMin) * scale, (box.YMax - p.y) * scale) for p in points]
         found.append("M" + " L".join(f"{x:.3f},{y:.3f}" for x, y in places))
     return f'<path d="{" ".join(found)}" fill="none" stroke="#22303c" stroke-width="0.1"/>'
 
 
-def _names(feature: FreeCAD.DocumentObject, scale: float) -> str:
+def _names(feature: FreeCAD.DocumentObject, sheet: int, box: FreeCAD.BoundBox, scale: float) -> str:
     """Each part's name in its place as one group of SVG, mm on the page."""
-    box = feature.Shape.BoundBox
     size = max(1.0, min(4.0, 25.0 * scale))
     texts = []
-    for name, place in zip(feature.PartNames, feature.LabelPlaces, strict=True):
+    for name, place in names_on(feature, sheet):
         x, y = (place.x - box.XMin) * scale, (box.YMax - place.y) * scale
         texts.append(f'<text x="{x:.3f}" y="{y + size / 3:.3f}">{name}</text>')
     return (
@@ -99,9 +129,8 @@ def _page_millimetre() -> float:
     return 96 / 90 if QtCore.qVersion().startswith("5.") else 1.0
 
 
-def _svg(feature: FreeCAD.DocumentObject, scale: float, content: str) -> str:
-    """A picture as large as the scaled patterns."""
-    box = feature.Shape.BoundBox
+def _svg(box: FreeCAD.BoundBox, scale: float, content: str) -> str:
+    """A picture as large as what it shows, scaled."""
     size = box.XLength * scale, box.YLength * scale
     width, height = (f"{length:.3f}" for length in size)
     wide, high = (f"{length * _page_millimetre():.3f}mm" for length in size)

@@ -16,7 +16,21 @@ if TYPE_CHECKING:
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 VERSION = 2
-COLOUR_MAPS = ("None", *FIELDS)
+# Colours by what the target of the net asks for, whatever that is.
+BY_TARGET = "Target"
+COLOUR_MAPS = ("None", BY_TARGET, *FIELDS)
+# What a net of each kind is judged by; on its diagonals where there are such colours.
+_JUDGED_BY = {
+    "principal": "Planarity",
+    "circular": "Circular",
+    "conical": "Conical",
+    "geodesic": "Geodesic",
+    "dog": "Geodesic",
+    "chebyshev": "Chebyshev",
+    "geodesic-chebyshev": "Chebyshev",
+    "asymptotic": "Asymptotic",
+    "cmc": "Mean curvature",
+}
 
 NET_PROPERTIES = (
     Property(
@@ -32,6 +46,13 @@ NET_PROPERTIES = (
         "Net",
         QT_TRANSLATE_NOOP("App::Property", "Vertex numbers of the quads, four a face"),
         flags=HIDDEN,
+    ),
+    Property(
+        "App::PropertyBool",
+        "Flipped",
+        "Net",
+        QT_TRANSLATE_NOOP("App::Property", "The other side is up than where the net came from"),
+        flags=OUTPUT | READ_ONLY,
     ),
     Property(
         "App::PropertyString",
@@ -54,7 +75,7 @@ NET_PROPERTIES = (
         QT_TRANSLATE_NOOP(
             "App::Property", "Quantity that colours the net, explained by the scale in the view"
         ),
-        default="Planarity",
+        default=BY_TARGET,
         choices=COLOUR_MAPS,
         flags=OUTPUT,
     ),
@@ -106,6 +127,21 @@ def create(document: FreeCAD.Document, mesh: QuadMesh, label: str) -> FreeCAD.Do
 
         NetView(feature.ViewObject)
     return feature
+
+
+def colour_field(net: FreeCAD.DocumentObject, colour_map: str | None = None) -> str:
+    """Name of the field that colours a net, ``"None"`` where nothing does.
+
+    Args:
+        net: the Net.
+        colour_map: one of ``COLOUR_MAPS``; without it the net's own.
+    """
+    chosen = net.ColourMap if colour_map is None else colour_map
+    if chosen != BY_TARGET:
+        return chosen
+    found = _JUDGED_BY.get(net.NetType, "Orthogonality")
+    on_diagonals = f"{found} diagonals"
+    return on_diagonals if net.DiagonalNet and on_diagonals in FIELDS else found
 
 
 def is_net(feature: object) -> bool:

@@ -22,6 +22,7 @@ from freecad_ortho.objects.properties import (
 from freecad_ortho.option import Option
 from freecad_ortho.sources import Made, Source, source
 from solver.errors import InputError, OrthoError
+from solver.mesh.mirror import reversed_orientation
 
 if TYPE_CHECKING:
     from solver.mesh.quadmesh import QuadMesh
@@ -202,7 +203,7 @@ def starting_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
     Raises:
         OrthoError: the net is empty, or the source makes no net.
     """
-    return _made(net).mesh if is_outdated(net) else convert.quad_mesh(net)
+    return _turned(net, _made(net).mesh) if is_outdated(net) else convert.quad_mesh(net)
 
 
 def _has_source(feature: FreeCAD.DocumentObject) -> bool:
@@ -231,6 +232,11 @@ def _compare(feature: FreeCAD.DocumentObject) -> None:
             "Ortho", "{} stays as it is, though its source has changed: optimise it again"
         )
         FreeCAD.Console.PrintWarning(words.format(feature.Label) + "\n")
+
+
+def _turned(feature: FreeCAD.DocumentObject, mesh: QuadMesh) -> QuadMesh:
+    """A mesh of the source's with that side up which the net has chosen."""
+    return reversed_orientation(mesh) if feature.Flipped else mesh
 
 
 def _word(mesh: QuadMesh) -> str:
@@ -280,7 +286,7 @@ def inputs(
 
 
 def _store(feature: FreeCAD.DocumentObject, made: Made) -> None:
-    convert.store_mesh(feature, made.mesh)
+    convert.store_mesh(feature, _turned(feature, made.mesh))
     feature.MadeFrom, feature.Outdated = _word(made.mesh), False
     said = outdated.notice(feature)
     feature.Remarks = [*made.remarks, *([said] if said else [])]

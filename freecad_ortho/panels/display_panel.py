@@ -9,8 +9,8 @@ import FreeCADGui
 from PySide import QtGui
 
 from freecad_ortho.commands import context, messages
-from freecad_ortho.objects.net import COLOUR_MAPS
-from freecad_ortho.panels.fields import ChoiceField, NumberField, form_rows
+from freecad_ortho.objects.net import COLOUR_MAPS, colour_field
+from freecad_ortho.panels.fields import ChoiceField, NumberField, elided, form_rows, hint
 from freecad_ortho.resources import icon
 from freecad_ortho.view import look
 from solver.analysis.fields import RESIDUALS
@@ -30,7 +30,13 @@ class DisplayPanel:
         self.form.setWindowIcon(QtGui.QIcon(icon("display")))
         rows = form_rows(self.form)
         rows.setContentsMargins(0, 6, 0, 6)
-        rows.addRow(translate("Ortho", "Net"), QtGui.QLabel(net.Label))
+        rows.addRow(translate("Ortho", "Net"), elided(net.Label))
+        self.hidden = hint(translate("Ortho", "The net is hidden: nothing of this is seen."))
+        self.reveal = QtGui.QPushButton(translate("Ortho", "Show the net"))
+        self.reveal.clicked.connect(self._reveal)
+        for widget in (self.hidden, self.reveal):
+            rows.addRow(widget)
+            widget.setVisible(not net.Visibility)
         words = {name: translate("Ortho", name) for name in COLOUR_MAPS}
         self.colour_map = ChoiceField(words, net.ColourMap)
         self.low = NumberField(translate("Ortho", "From"))
@@ -98,6 +104,13 @@ class DisplayPanel:
         FreeCADGui.Control.closeDialog()
         return True
 
+    def _reveal(self) -> None:
+        """Show the net, beside what stands on it."""
+        if self.net is not None:
+            self.net.Visibility = True
+        for widget in (self.hidden, self.reveal):
+            widget.setVisible(False)
+
     def _listen(self) -> None:
         self.colour_map.widget.currentTextChanged.connect(self._explain_range)
         self.colour_map.widget.currentTextChanged.connect(self._preview)
@@ -108,7 +121,7 @@ class DisplayPanel:
 
     def _explain_range(self, *_: Any) -> None:
         """Say in which units the range is given; a range of another quantity means nothing."""
-        residual = self.colour_map.word in RESIDUALS
+        residual = colour_field(self.net, self.colour_map.word) in RESIDUALS
         tip = (
             translate("Ortho", "The range goes by powers of ten, such as -6.")
             if residual
@@ -127,12 +140,13 @@ class DisplayPanel:
         except InputError:
             # Half-typed: shown as soon as it is whole, said when OK is pressed.
             return
-        look.show(self.net, look.wanted(**{"value_range": None, **settings}))
+        look.show(self.net, look.wanted(self.net, **{"value_range": None, **settings}))
 
 
 def overlay_words() -> dict[str, str]:
     """Overlays by name, in the user's language."""
     return {
+        "Upside": translate("Ortho", "Arrow on the upper side"),
         "ParameterLines": translate("Ortho", "Parameter lines u and v"),
         "Diagonals": translate("Ortho", "Diagonals"),
         "MedialLines": translate("Ortho", "Medial lines"),

@@ -14,7 +14,7 @@ from freecad_ortho.objects.net_settings import NETS
 from freecad_ortho.objects.source_net import is_outdated
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.editing import Editing
-from freecad_ortho.panels.fields import ChoiceField, LengthField, form_rows
+from freecad_ortho.panels.fields import ChoiceField, LengthField, elided, form_rows
 from freecad_ortho.panels.net_words import explain, net_words, outlook
 from freecad_ortho.panels.watch import cover, uncover
 from freecad_ortho.resources import icon
@@ -157,8 +157,8 @@ class EditPanel:
         column = QtGui.QVBoxLayout(self.form)
         column.setContentsMargins(0, 6, 0, 6)
         column.addWidget(self._net_box(net))
-        column.addWidget(self._handle_box())
         column.addWidget(self._state_box())
+        column.addWidget(self._handle_box())
         column.addWidget(_hints())
 
     def _net_box(self, net: FreeCAD.DocumentObject) -> QtGui.QGroupBox:
@@ -173,8 +173,9 @@ class EditPanel:
         self.outlook = QtGui.QLabel()
         self.outlook.setWordWrap(True)
         self._explain(net)
-        box = QtGui.QGroupBox(net.Label)
+        box = QtGui.QGroupBox(translate("Ortho", "Net"))
         form = form_rows(box)
+        form.addRow(elided(net.Label))
         form.addRow(translate("Ortho", "Stays"), self.net_type.widget)
         form.addRow(self.isometric)
         form.addRow(self.outlook)
@@ -243,8 +244,8 @@ def _hints() -> QtGui.QLabel:
         translate(
             "Ortho",
             "Drag a vertex. Click: choose; Ctrl: several; Shift and drag: all in a frame; Del: no "
-            "handle any more; Esc: put back. Handles that are not dragged hold the net. Each drag "
-            "is one step for Undo.",
+            "handle any more; Esc: put back. Handles that are not dragged stay exactly where they "
+            "are. Each drag is one step for Undo.",
         )
     )
     text.setWordWrap(True)

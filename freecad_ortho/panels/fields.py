@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
+from freecad_ortho.panels.quantity import QuantityField
 from solver.errors import InputError
 
 NARROW = 100
 # The most that one line of a task panel holds, in the width that FreeCAD gives it at first.
 _BROAD = 190
+# Letters of a name in a title.
+_TITLE = 20
 
 
 def form_rows(parent: QtGui.QWidget | None = None) -> QtGui.QFormLayout:
@@ -55,34 +57,16 @@ def elided(text: str) -> QtGui.QLabel:
     return _Elided(text)
 
 
-class Absent(QtCore.QObject):
-    """Shows words in the place of a zero that stands for something else.
+def shortened(text: str) -> str:
+    """Cut a name that the user chose so that a title with it is no wider than a panel."""
+    return text if len(text) <= _TITLE else text[: _TITLE - 1] + "\N{HORIZONTAL ELLIPSIS}"
 
-    FreeCAD's own field for quantities knows no text for a special value.
-    """
 
-    def __init__(self, box: QtGui.QWidget, words: str) -> None:
-        super().__init__(box)
-        self._box, self._line = box, box.findChild(QtGui.QLineEdit)
-        self._line.setPlaceholderText(words)
-        # The field writes its number anew when it loses the focus: look after that.
-        self._later = QtCore.QTimer(self)
-        self._later.setSingleShot(True)
-        self._later.timeout.connect(self.show)
-        box.installEventFilter(self)
-        self._line.installEventFilter(self)
-
-    def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
-        """Look at the number again; Qt calls this."""
-        if event.type() == QtCore.QEvent.FocusOut:
-            self._later.start(0)
-        return False
-
-    def show(self) -> None:
-        """Make room for the words where the number is zero."""
-        typing = self._box.hasFocus() or self._line.hasFocus()
-        if self._box.property("rawValue") == 0.0 and not typing:
-            self._line.clear()
+def hint(text: str = "") -> QtGui.QLabel:
+    """Give a label for sentences, on as many lines as they need."""
+    label = QtGui.QLabel(text)
+    label.setWordWrap(True)
+    return label
 
 
 class LengthField:
@@ -95,30 +79,25 @@ class LengthField:
         self, millimetres: float, optional: bool = False, signed: bool = False, absent: str = ""
     ) -> None:
         self._optional = optional
-        self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        self.widget.setProperty("unit", "mm")
-        if not signed:
-            self.widget.setProperty("minimum", 0.0)
+        least = None if signed else 0.0
+        self._quantity = QuantityField("mm", millimetres, minimum=least, absent=absent)
+        self.widget = self._quantity.widget
         # Its own hint leaves room for the largest number there is, wider than the task panel.
         self.widget.setMinimumWidth(NARROW)
-        self._absent = Absent(self.widget, absent) if absent else None
-        self.millimetres = millimetres
 
     @property
     def millimetres(self) -> float:
         """The length in mm."""
-        return float(self.widget.property("rawValue"))
+        return self._quantity.value
+
+    @millimetres.setter
+    def millimetres(self, value: float) -> None:
+        self._quantity.value = value
 
     @property
     def length(self) -> float | None:
         """The length in mm, None where an optional one is not given."""
         return None if self._optional and self.millimetres == 0.0 else self.millimetres
-
-    @millimetres.setter
-    def millimetres(self, value: float) -> None:
-        self.widget.setProperty("rawValue", float(value))
-        if self._absent is not None:
-            self._absent.show()
 
 
 class ChoiceField:

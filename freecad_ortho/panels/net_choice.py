@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtGui
 
 from freecad_ortho import convert
@@ -20,6 +19,7 @@ from freecad_ortho.panels.fields import (
     leave_room,
 )
 from freecad_ortho.panels.net_words import explain, net_words, reason_words
+from freecad_ortho.panels.quantity import QuantityField
 from solver.analysis.advisor import Advice, advise
 
 translate = FreeCAD.Qt.translate
@@ -72,7 +72,7 @@ class NetChoice:
         return {
             "net": self.net_type.word,
             "diagonal": self.diagonal.isChecked(),
-            "angle": float(self.angle.property("rawValue")),
+            "angle": self.angle.value,
             "radius": self.radius.millimetres or None,
             "length": self.length.millimetres or None,
             "per_family": self.per_family.isChecked(),
@@ -93,10 +93,8 @@ class NetChoice:
         self.length = LengthField(stored["length"] or 0.0, absent=automatic)
         for field in (self.radius, self.length):
             field.widget.setToolTip(translate("Ortho", "Without a number the solver finds it."))
-        self.angle = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        self.angle.setProperty("unit", "deg")
-        self.angle.setProperty("rawValue", float(stored["angle"]))
-        self.angle.setMinimumWidth(NARROW)
+        self.angle = QuantityField("deg", stored["angle"])
+        self.angle.widget.setMinimumWidth(NARROW)
         self._references = [None, *_twins(self._net)]
         self.reference = QtGui.QComboBox()
         self.reference.addItem(translate("Ortho", "as it starts"))
@@ -116,7 +114,7 @@ class NetChoice:
         named = translate
         self._rows: list[tuple[str, QtGui.QWidget, tuple[str, ...]]] = [
             (named("Ortho", "Asked"), self.diagonal, _STAR_NETS),
-            (named("Ortho", "Angle"), self.angle, ("orthogonal",)),
+            (named("Ortho", "Angle"), self.angle.widget, ("orthogonal",)),
             (named("Ortho", "Radius"), self.radius.widget, ("cmc",)),
             (named("Ortho", "Edge length"), self.length.widget, _CHEBYSHEV),
             (named("Ortho", "Edges"), self.per_family, _CHEBYSHEV),

@@ -15,7 +15,7 @@ from freecad_ortho.documents import net_settings
 from freecad_ortho.objects import source_net
 from freecad_ortho.panels.advanced_box import AdvancedBox
 from freecad_ortho.panels.constraint_box import ConstraintBox
-from freecad_ortho.panels.fields import NARROW, length_words
+from freecad_ortho.panels.fields import NARROW, length_words, shortened
 from freecad_ortho.panels.net_choice import NetChoice
 from freecad_ortho.panels.net_words import remark_words
 from freecad_ortho.panels.residual_plot import ResidualPlot
@@ -255,14 +255,16 @@ class OptimisePanel:
             )
         )
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(translate("Ortho", "Optimise {}").format(net.Label))
+        self.form.setWindowTitle(translate("Ortho", "Optimise {}").format(shortened(net.Label)))
         self.form.setWindowIcon(QtGui.QIcon(icon("optimise")))
         column = QtGui.QVBoxLayout(self.form)
         column.setContentsMargins(0, 6, 0, 6)
-        for widget in (self.choice.box, self.constraints.box, self.advanced.widget):
-            column.addWidget(widget)
+        # What came of a run stands where it is seen without scrolling, below what was asked for.
+        column.addWidget(self.choice.box)
         column.addLayout(self._buttons())
-        for widget in (self.plot, self.statistics, self.message):
+        for widget in (self.message, self.plot, self.statistics):
+            column.addWidget(widget)
+        for widget in (self.constraints.box, self.advanced.widget):
             column.addWidget(widget)
         # What is asked first in a panel stands at hand under these names too.
         self.net_type, self.fix = self.choice.net_type, self.constraints.fix

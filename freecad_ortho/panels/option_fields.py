@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtGui
 
 from freecad_ortho.option import Option
-from freecad_ortho.panels.fields import NARROW, Absent, ChoiceField, sentence
+from freecad_ortho.panels.fields import NARROW, ChoiceField, sentence
+from freecad_ortho.panels.quantity import QuantityField
 
 translate = FreeCAD.Qt.translate
 
@@ -45,7 +45,6 @@ class OptionField:
         self.option = option
         self._value = value
         self._parts: list[Any] = []
-        self._absent: Absent | None = None
         self.widget = self._build(value)
         if self.widget is not None:
             self.widget.setToolTip(sentence(translate("Ortho", option.meaning)))
@@ -88,13 +87,12 @@ class OptionField:
     def _part(self) -> Any:
         kind = self.option.kind
         if kind in _UNITS:
-            widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-            widget.setProperty("unit", _UNITS[kind])
-            widget.setProperty("minimum", 0.0 if kind == "length" else -_MOST)
-            widget.setProperty("maximum", _MOST)
-            if self.option.absent:
-                self._absent = Absent(widget, translate("Ortho", self.option.absent))
-        elif kind in _PLAIN:
+            least = 0.0 if kind == "length" else -_MOST
+            absent = translate("Ortho", self.option.absent) if self.option.absent else ""
+            quantity = QuantityField(_UNITS[kind], minimum=least, maximum=_MOST, absent=absent)
+            quantity.widget.setMinimumWidth(_LEGIBLE)
+            return quantity
+        if kind in _PLAIN:
             widget = _NumberBox()
             if isinstance(self.option.default, tuple):
                 widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
@@ -108,14 +106,14 @@ class OptionField:
             return QtGui.QCheckBox()
         else:
             widget = QtGui.QLineEdit()
-        words = kind in _UNITS or isinstance(widget, QtGui.QLineEdit)
+        words = isinstance(widget, QtGui.QLineEdit)
         widget.setMinimumWidth(_LEGIBLE if words else NARROW // 2)
         return widget
 
     def _read(self, part: Any) -> Any:
         kind = self.option.kind
         if kind in _UNITS:
-            return float(part.property("rawValue"))
+            return part.value
         if kind in (*_PLAIN, "count"):
             return part.value()
         if kind == "choice":
@@ -125,9 +123,7 @@ class OptionField:
     def _write(self, part: Any, value: Any) -> None:
         kind = self.option.kind
         if kind in _UNITS:
-            part.setProperty("rawValue", float(value))
-            if self._absent is not None:
-                self._absent.show()
+            part.value = float(value)
         elif kind in _PLAIN:
             part.setValue(float(value))
         elif kind == "count":

@@ -12,7 +12,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.objects import source_net
-from freecad_ortho.panels.fields import form_rows, leave_room
+from freecad_ortho.panels.fields import form_rows, leave_room, shortened
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.resources import icon
 from freecad_ortho.sources import GROUPS, Made, Source, source
@@ -141,6 +141,9 @@ class SourcePanel:
         values = {name: _plain(value) for name, value in self.values().items()}
         changed = {k: value for k, value in values.items() if value != _plain(before[k])}
         document = FreeCAD.getDocument(self._document)
+        # What the function hides from here on, Undo shows again.
+        for feature in self._shown_before:
+            feature.Visibility = True
         if self._edited:
             context.run("change_source", document.getObject(self._edited), **changed)
         elif self.source.name in GROUPS["primitive"]:
@@ -182,7 +185,7 @@ class SourcePanel:
         self, title: str, picture: str, group: str, edited: FreeCAD.DocumentObject | None
     ) -> None:
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(title)
+        self.form.setWindowTitle(shortened(title))
         self.form.setWindowIcon(QtGui.QIcon(icon(picture)))
         column = QtGui.QVBoxLayout(self.form)
         self.choice = QtGui.QComboBox()
@@ -197,8 +200,9 @@ class SourcePanel:
         self.message.setWordWrap(True)
         column.addWidget(self.choice)
         column.addWidget(self.explained)
-        column.addLayout(self._rows)
+        # Above the fields, of which there may be more than the window shows.
         column.addWidget(self.message)
+        column.addLayout(self._rows)
         self._table: QtGui.QWidget | None = None
         self._starting = source_net.values_of(edited) if edited else {}
 

@@ -10,6 +10,7 @@ from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import structures
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.panels.buttons import number
+from freecad_ortho.panels.fields import shortened
 from freecad_ortho.panels.structure_panel import StructurePanel
 
 
@@ -20,7 +21,7 @@ class StructureEditPanel(StructurePanel):
         self._edited = edited.Name
         self._tried: set[str] = set()
         system = structure_object.TITLES[edited.System]
-        super().__init__(edited.Net, system, edited.Label, edited)
+        super().__init__(edited.Net, system, shortened(edited.Label), edited)
         # Others may close the panel too, without asking.
         self.form.destroyed.connect(lambda *_: self._take_back())
 

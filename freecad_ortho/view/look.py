@@ -7,6 +7,7 @@ from typing import Any
 
 import FreeCAD
 
+from freecad_ortho.objects.net import colour_field
 from freecad_ortho.view.net_properties import OVERLAY_NAMES
 from solver.analysis.fields import RESIDUALS
 
@@ -20,6 +21,7 @@ def current(net: FreeCAD.DocumentObject) -> dict[str, Any]:
 
 
 def wanted(
+    net: FreeCAD.DocumentObject,
     colour_map: str,
     value_range: tuple[float, float] | None,
     overlays: Sequence[str] | None,
@@ -32,7 +34,7 @@ def wanted(
     if value_range is None:
         return look | {"AutomaticRange": True}
     low, high = value_range
-    if colour_map in RESIDUALS:
+    if colour_field(net, colour_map) in RESIDUALS:
         return look | {"LowestDecade": round(low), "HighestDecade": round(high)}
     return look | {"AutomaticRange": False, "LowestValue": low, "HighestValue": high}
 

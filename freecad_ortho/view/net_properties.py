@@ -79,6 +79,13 @@ PROPERTIES = (
     ),
     Property(
         "App::PropertyBool",
+        "Upside",
+        "Overlays",
+        QT_TRANSLATE_NOOP("App::Property", "Show an arrow on the side that is up"),
+        default=True,
+    ),
+    Property(
+        "App::PropertyBool",
         "ParameterLines",
         "Overlays",
         QT_TRANSLATE_NOOP("App::Property", "Show the parameter lines u and v in two colours"),

@@ -11,9 +11,10 @@ from pivy import coin
 
 from freecad_ortho import convert, preferences
 from freecad_ortho.objects.guides import reference_surface
+from freecad_ortho.objects.net import colour_field
 from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon
-from freecad_ortho.view import nodes
+from freecad_ortho.view import legends, nodes
 from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
 from freecad_ortho.view.legend import Legend
 from freecad_ortho.view.net_properties import PROPERTIES
@@ -61,6 +62,7 @@ class NetView(Stateless):
         self.ViewObject = view_object
         self.Object = view_object.Object
         self._mesh: QuadMesh | None = None
+        self._explanation: Painting | None = None
         self._build_nodes()
         view_object.addDisplayMode(self._mode(self._faces, self._edges), _FLAT_LINES)
         view_object.addDisplayMode(self._mode(self._faces), _SHADED)
@@ -117,7 +119,7 @@ class NetView(Stateless):
                 self.show_stored()
             else:
                 self._read_faces()
-        elif name == "ColourMap":
+        elif name in ("ColourMap", "NetType", "DiagonalNet"):
             self._colour()
 
     def onChanged(self, view_object: Any, name: str) -> None:
@@ -135,7 +137,7 @@ class NetView(Stateless):
             return
         self._mesh = self._mesh.with_vertices(points)
         self._coordinates.point.setValues(0, len(points), points)
-        if is_quick(self.Object.ColourMap):
+        if is_quick(colour_field(self.Object)):
             self._colour()
         self._draw_overlays(moving=True)
 
@@ -210,9 +212,23 @@ class NetView(Stateless):
         connectivity = Connectivity(faces.reshape(-1, 4), len(points))
         self.show_mesh(QuadMesh(points, connectivity))
 
+    def explains(self) -> bool:
+        """Tell whether the net is seen in colours that need a scale."""
+        return self._explanation is not None and self.ViewObject.Visibility
+
+    def show_legend(self, shown: bool, name: str = "") -> None:
+        """Show the scale of the colours or not, with a name where there are other nets."""
+        painted = self._explanation
+        if painted is None or not shown:
+            self._legend.hide()
+            return
+        title = FreeCAD.Qt.translate("Ortho", colour_field(self.Object))
+        self._legend.show(f"{title}: {name}" if name else title, painted.note, painted.scale)
+
     def _colour(self) -> None:
-        self._legend.hide()
         if self._mesh is None:
+            self._explanation = None
+            legends.changed(self.Object)
             return
         if self.ViewObject.ReflectionLines:
             self._reflection.show(self._mesh)
@@ -231,9 +247,8 @@ class NetView(Stateless):
         widening = 1.0 if lines is None else _COLOURED_LINES
         self._line_style.lineWidth = widening * self.ViewObject.LineWidth
         explained = painted.scale is not None and not self.ViewObject.ReflectionLines
-        if explained and self.ViewObject.Legend:
-            title = FreeCAD.Qt.translate("Ortho", self.Object.ColourMap)
-            self._legend.show(title, painted.note, painted.scale)
+        self._explanation = painted if explained and self.ViewObject.Legend else None
+        legends.changed(self.Object)
 
     def _draw_overlays(self, moving: bool = False) -> None:
         view = self.ViewObject
@@ -242,7 +257,7 @@ class NetView(Stateless):
 
     def _painting(self, mesh: QuadMesh) -> Painting:
         view = self.ViewObject
-        name = self.Object.ColourMap
+        name = colour_field(self.Object)
         if name == "None":
             return plain(mesh, view.FaceColor)
         decades = (view.LowestDecade, view.HighestDecade)

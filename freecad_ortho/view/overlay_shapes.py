@@ -25,6 +25,8 @@ _ORANGE: Colour = (0.94, 0.58, 0.17)
 _GREEN: Colour = (0.10, 0.52, 0.30)
 # Lengths in mean edges.
 _AXIS, _ARROW, _HEAD, _RULING = 0.6, 0.6, 0.18, 0.7
+# In parts of the size of the net.
+_UPSIDE = 0.1
 _CAPS, _CAP_SEGMENTS = 200, 32
 _WIDTH_CLASSES = 6
 _WIDEST = 9.0
@@ -108,6 +110,21 @@ def axes(mesh: QuadMesh) -> list[Shape]:
     used = mesh.connectivity.referenced
     ends = np.stack([mesh.vertices - half, mesh.vertices + half], axis=1)
     return [Lines(ends[used], _GREEN, 2.5)]
+
+
+def upside(mesh: QuadMesh) -> list[Shape]:
+    """An arrow that stands on the upper side, in the middle of the net."""
+    net = mesh.connectivity
+    inner = np.flatnonzero(net.referenced)
+    low, high = mesh.vertices[inner].min(axis=0), mesh.vertices[inner].max(axis=0)
+    middle = inner[np.linalg.norm(mesh.vertices[inner] - (low + high) / 2, axis=1).argmin()]
+    foot, normal = mesh.vertices[middle], mesh.vertex_normals[middle]
+    length = _UPSIDE * float(np.linalg.norm(high - low))
+    tip = foot + length * normal
+    across = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
+    barbs = tip - 0.25 * length * normal + 0.12 * length * np.outer([1.0, -1.0], across)
+    ends = [np.stack([foot, tip]), *(np.stack([barb, tip]) for barb in barbs)]
+    return [Lines(np.stack(ends), _GREEN, 3.0)]
 
 
 def star_spheres(mesh: QuadMesh) -> list[Shape]:
@@ -206,6 +223,7 @@ def gauss_image(mesh: QuadMesh) -> list[Shape]:
 # Name of the view provider's property -> what it shows, and whether it is quick enough to follow a
 # mesh that moves.
 OVERLAYS: dict[str, tuple[Callable[[QuadMesh], list[Shape]], bool]] = {
+    "Upside": (upside, True),
     "ParameterLines": (parameter_lines, True),
     "Diagonals": (diagonals, True),
     "MedialLines": (medial_lines, True),

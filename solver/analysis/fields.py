@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -80,10 +81,11 @@ def _residual(place: str, measure: Callable[[QuadMesh], FloatArray]) -> Compute:
     return lambda mesh, reference: Field(place, measure(mesh), decades=True)
 
 
-def _star_residual(measure: Callable[[QuadMesh], FloatArray]) -> Compute:
+def _star_residual(measure: Callable[[QuadMesh], FloatArray], diagonal: bool = False) -> Compute:
     def compute(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
+        net = mesh.connectivity
         values = np.full(len(mesh.vertices), np.nan)
-        values[mesh.connectivity.stars[:, 0]] = measure(mesh)
+        values[(net.diagonal_stars if diagonal else net.stars)[:, 0]] = measure(mesh)
         return Field(VERTICES, values, decades=True)
 
     return compute
@@ -109,6 +111,8 @@ RESIDUALS: dict[str, Compute] = {
     "Geodesic": _star_residual(measures.geodesic),
     "Asymptotic": _star_residual(measures.asymptotic),
     "Chebyshev": _residual(EDGES, measures.chebyshev),
+    "Geodesic diagonals": _star_residual(partial(measures.geodesic, diagonal=True), True),
+    "Asymptotic diagonals": _star_residual(partial(measures.asymptotic, diagonal=True), True),
 }
 FIELDS: dict[str, Compute] = {
     **RESIDUALS,

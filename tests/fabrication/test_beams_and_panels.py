@@ -9,6 +9,7 @@ import pytest
 from freecad_ortho.fabrication import Beams, Panels, build, material
 from freecad_ortho.fabrication.part import part_names
 from solver.errors import InputError
+from solver.mesh.mirror import reversed_orientation
 from solver.mesh.quadmesh import QuadMesh, unit_rows
 
 BEAMS = Beams(200, 30)
@@ -170,6 +171,21 @@ def test_panels_lie_on_the_beams(roof):
             top = beam.points[6:][beam.body.corners[6:, 2] * side >= 0]
             assert ((top - foot) @ normal).max() <= 1e-6
     assert 0 < lifts.max() <= 15
+
+
+def test_panels_under_the_beams_are_said(roof):
+    def said(mesh, *systems):
+        words = build(mesh, systems).report()["messages"]
+        return [word for word in words if "under the beams" in word]
+
+    panels = Panels(20, 15)
+    lying = roof.with_vertices(roof.vertices[:, [2, 0, 1]])
+    (words,) = said(reversed_orientation(lying), BEAMS, panels)
+    assert "turn it over" in words
+    assert not said(lying, BEAMS, panels)
+    assert not said(reversed_orientation(lying), panels)
+    # Neither side of a wall is up.
+    assert not said(roof, BEAMS, panels) + said(reversed_orientation(roof), BEAMS, panels)
 
 
 def test_names_follow_the_numbers(structure, roof):

@@ -105,6 +105,8 @@ class TestDisplay(AnalyseCase):
     def test_every_overlay_shows_and_hides(self):
         from freecad_ortho.view.net_properties import OVERLAY_NAMES
 
+        self.assertTrue(self.net.ViewObject.Upside)
+        self.net.ViewObject.Upside = False
         plain = self.picture("plain")
         seen = {plain}
         shown = [name for name in OVERLAY_NAMES if name != "IrregularVertices"]
@@ -151,6 +153,76 @@ class TestReference(AnalyseCase):
         values = field(convert.quad_mesh(net), "Gap to reference", reference).values
         self.assertAlmostEqual(values.max(), 300.0, delta=1.0)
         self.assertGreater(net.ViewObject.Proxy._painting(convert.quad_mesh(net)).scale.high, 250.0)
+
+
+class TestColours(AnalyseCase):
+    def title(self, net):
+        """The first words of the scale that a net shows; None where it shows none."""
+        legend = net.ViewObject.Proxy._legend
+        return legend._explained[0] if legend.root.whichChild.getValue() != -1 else None
+
+    def test_they_follow_the_target(self):
+        self.assertEqual((self.net.ColourMap, self.title(self.net)), ("Target", "Planarity"))
+        for net, diagonal, title in (
+            ("asymptotic", False, "Asymptotic"),
+            ("asymptotic", True, "Asymptotic diagonals"),
+            ("cmc", False, "Mean curvature"),
+            ("orthogonal", False, "Orthogonality"),
+        ):
+            api.set_net(self.net, net=net, diagonal=diagonal)
+            self.assertEqual(self.title(self.net), title)
+        api.show_net(self.net, colour_map="Planarity")
+        self.assertEqual(self.title(self.net), "Planarity")
+
+    def test_one_scale_a_view(self):
+        other = api.add_primitive("sphere", document=self.document)
+        titles = {net.Name: self.title(net) for net in (self.net, other)}
+        self.assertEqual(titles, {self.net.Name: None, other.Name: f"Planarity: {other.Label}"})
+        other.Visibility = False
+        self.assertEqual((self.title(self.net), self.title(other)), ("Planarity", None))
+        other.Visibility = True
+        api.show_net(self.net, colour_map="Orthogonality")
+        self.assertEqual(self.title(self.net), f"Orthogonality: {self.net.Label}")
+        self.assertIsNone(self.title(other))
+
+    def test_a_hidden_net_says_so(self):
+        api.add_beams(self.net)
+        self.assertFalse(self.net.Visibility)
+        panel = self.opened("Ortho_Display", display_panel, "DisplayPanel")
+        self.assertTrue(panel.hidden.isVisible())
+        panel.reveal.click()
+        wait()
+        self.assertTrue(self.net.Visibility)
+        self.assertFalse(panel.hidden.isVisible())
+        press("Ok")
+
+    def test_the_upper_side_is_seen_and_turned(self):
+        before, normal = self.picture("up"), convert.quad_mesh(self.net).vertex_normals[0]
+        panels = api.add_panels(self.net, offset="above")
+        level = panels.Shape.BoundBox.ZMax
+        self.net.Visibility = True
+        FreeCADGui.Selection.addSelection(self.net)
+        steps = self.document.UndoCount
+        FreeCADGui.runCommand("Ortho_FlipNet")
+        wait()
+        self.assertIn("flip_net", self.lines[-1])
+        np.testing.assert_allclose(convert.quad_mesh(self.net).vertex_normals[0], -normal)
+        self.assertLess(panels.Shape.BoundBox.ZMax, level)
+        panels.Visibility = False
+        FreeCADGui.Selection.clearSelection()
+        self.assertNotEqual(self.picture("down"), before)
+        self.assertEqual((self.document.UndoCount, self.errors), (steps + 1, []))
+        self.document.undo()
+        np.testing.assert_allclose(convert.quad_mesh(self.net).vertex_normals[0], normal)
+
+    def test_a_net_that_follows_a_source_stays_turned(self):
+        net = api.add_primitive("rectangle", document=self.document)
+        up = convert.quad_mesh(net).face_normals[0, 2]
+        api.flip_net(net)
+        net.Length = 2 * net.Length.Value
+        self.document.recompute()
+        self.assertEqual(convert.quad_mesh(net).face_normals[0, 2], -up)
+        self.assertTrue(net.FollowSource)
 
 
 class TestCheck(AnalyseCase):

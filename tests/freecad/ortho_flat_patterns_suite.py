@@ -1,12 +1,14 @@
 """Flat patterns and drawing pages in documents. Run by FreeCAD without a window."""
 
+import re
 from unittest import mock
 
 import FreeCAD
 import ortho_suite_tools as tools
 from ortho_suite_cases import DocumentCase
 
-from freecad_ortho import api, documents
+from freecad_ortho import api
+from freecad_ortho.documents import drawing_pages
 from solver.errors import InputError
 
 
@@ -113,9 +115,34 @@ class TestDrawing(FlatCase):
         with self.assertRaises(InputError):
             api.add_drawing_page(self.beams)
 
+    def test_each_sheet_has_a_page_with_its_parts_and_its_title_block(self):
+        flat = api.add_flat_patterns(self.beams, sheet=(2200, 1000))
+        self.assertGreater(flat.SheetCount, 2)
+        steps = self.document.UndoCount
+        pages = api.add_drawing_pages(flat)
+        self.assertEqual((len(pages), self.document.UndoCount), (flat.SheetCount, steps + 1))
+        seen = []
+        for number, page in enumerate(pages, 1):
+            lines, names = page.Views
+            shown = re.findall(r">([^<]+)</text>", names.Symbol)
+            seen += shown
+            fields = page.Template.EditableTexts
+            self.assertEqual(fields["SheetNumber"], f"{number} / {flat.SheetCount}")
+            self.assertIn(f"{shown[0]} to {shown[-1]}", fields["Subtitle"])
+            scale = float(fields["FC-Scale"].split(":")[1])
+            self.assertLessEqual(2200 / scale, 420.0)
+            self.assertGreater(2200 / scale, 100.0)
+            # The parts' edges and the four of the sheet, nothing of the next sheet.
+            self.assertEqual(lines.Sheet, number)
+            self.assertNotIn("-", re.sub(r"[^-\d]", "", lines.Symbol.split('d="')[1].split('"')[0]))
+            self.assertEqual([text for text in fields.values() if text.isupper()], [])
+        self.assertEqual(sorted(seen), sorted(flat.PartNames))
+        with self.assertRaises(InputError):
+            api.add_drawing_page(flat, sheet=99)
+
     def test_many_parts_are_drawn_as_a_picture(self):
         flat = api.add_flat_patterns(self.beams, sheet=(4000, 2000))
-        with mock.patch.object(documents.flat_patterns, "_MOST_PARTS", 3):
+        with mock.patch.object(drawing_pages, "_MOST_PARTS", 3):
             page = api.add_drawing_page(flat)
         lines, names = page.Views
         lines_name = lines.Name

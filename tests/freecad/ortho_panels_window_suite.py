@@ -5,7 +5,7 @@ import json
 import FreeCAD
 import FreeCADGui
 import ortho_suite_tools as tools
-from ortho_panel_tools import PANELS, cut_off, document_for_panels, open_panel
+from ortho_panel_tools import PANELS, broad, cut_off, document_for_panels, open_panel, width
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
 from PySide import QtGui
@@ -13,6 +13,9 @@ from PySide import QtGui
 from freecad_ortho import api
 from freecad_ortho.commands import dialogs
 from freecad_ortho.panels import structure_edit_panel, workshop_panels
+from freecad_ortho.panels.fields import LengthField
+from freecad_ortho.panels.option_fields import OptionField
+from freecad_ortho.sources import source
 
 LANGUAGES = ("English", "German", "French")
 # Lists at the top of these panels choose what fields there are.
@@ -37,6 +40,17 @@ class TestWidths(WindowCase):
                 self.close()
         self.assertFalse(found, "\n".join(found))
 
+    def test_long_names_widen_nothing(self):
+        found, document = [], document_for_panels()
+        for item in document.Objects:
+            item.Label = f"{item.Label} whose name is far longer than a task panel is wide at first"
+        for command in PANELS:
+            panel = open_panel(document, command)
+            if panel.width() > width():
+                found.append(f"{command} ({panel.width()} > {width()}): {broad(panel)}")
+            self.close()
+        self.assertFalse(found, "\n".join(found))
+
     def states(self, command, panel):
         """The panel with everything unfolded, and with each of its choices in turn."""
         for each in panel.findChildren(QtGui.QToolButton):
@@ -56,7 +70,66 @@ class TestWidths(WindowCase):
             FreeCADGui.ActiveDocument.resetEdit()
         if FreeCADGui.Control.activeDialog():
             FreeCADGui.Control.closeDialog()
-        wait(seconds=0.05)
+        self.assertTrue(wait(lambda: not self.buttons(), 10))
+
+    def buttons(self):
+        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+        return [box for box in boxes if box.isVisible()]
+
+
+class TestUnits(WindowCase):
+    """Lengths are those that were given, whatever the user's units can show."""
+
+    def setUp(self):
+        super().setUp()
+        group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+        before = group.GetInt("UserSchema", 0)
+        self.addCleanup(FreeCAD.Units.setSchema, before)
+        self.addCleanup(group.SetInt, "UserSchema", before)
+        group.SetInt("UserSchema", 5)
+        FreeCAD.Units.setSchema(5)
+
+    def test_defaults_are_shown_and_stored_exactly_in_us_building_units(self):
+        net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(net)
+        FreeCADGui.runCommand("Ortho_Beams")
+        wait()
+        height = tools.field("Height")
+        self.assertEqual(height.text(), "200 mm")
+        self.assertEqual(tools.field("Thickness").text(), "12 mm")
+        press("Ok")
+        beams = net.Document.Beams
+        self.assertEqual((beams.Height.Value, beams.Thickness.Value), (200.0, 12.0))
+        FreeCADGui.runCommand("Ortho_FlatPatterns")
+        wait()
+        press("Ok")
+        self.assertIn("sheet=(3000.0, 1500.0,), spacing=10.0", self.lines[-1])
+
+    def test_what_is_typed_stays_when_the_field_comes_into_sight_again(self):
+        field = LengthField(12.0)
+        for typed, expected in (("250 mm", 250.0), ('3/4"', 19.05), ("1 m", 1000.0)):
+            field.widget.show()
+            wait(seconds=0.05)
+            line = field.widget.findChild(QtGui.QLineEdit)
+            line.selectAll()
+            line.insert(typed)
+            self.assertAlmostEqual(field.millimetres, expected, delta=1e-9)
+            field.widget.hide()
+            wait(seconds=0.05)
+            field.widget.show()
+            wait(seconds=0.05)
+            self.assertAlmostEqual(field.millimetres, expected, delta=1e-9)
+        field.widget.deleteLater()
+
+    def test_sources_begin_with_their_own_numbers(self):
+        for name in ("sphere", "catenoid", "helicoid", "offset", "inversion"):
+            for option in source(name).options:
+                shown = OptionField(option, option.default)
+                if shown.widget is not None:
+                    shown.widget.show()
+                    wait(seconds=0.02)
+                    self.assertEqual(shown.value, option.default, f"{name} {option.name}")
+                    shown.widget.deleteLater()
 
 
 class TestSettings(WindowCase):

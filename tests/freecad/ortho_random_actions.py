@@ -186,6 +186,26 @@ class Sequence:
             return False
         self.allowed_to_fail(api.add_drawing_page, self.dice.choice(patterns))
 
+    def add_drawing_pages(self):
+        patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
+        if not patterns or self.document.getObject("Page"):
+            return False
+        self.allowed_to_fail(api.add_drawing_pages, self.dice.choice(patterns))
+
+    def flip_net(self):
+        net = self.any_net()
+        if net is None:
+            return False
+        self.allowed_to_fail(api.flip_net, net)
+
+    def change_structure(self):
+        if not self.structures():
+            return False
+        thickness = self.dice.choice([8.0, 14.0, -1.0])
+        self.allowed_to_fail(
+            api.change_structure, self.dice.choice(self.structures()), thickness=thickness
+        )
+
     def update_structures(self):
         self.allowed_to_fail(api.update_structures, self.document)
 

@@ -133,6 +133,11 @@ class TestPanels(SourceWindowCase):
         box.Height = 20
         self.document.recompute()
         self.assertEqual(len(net.Faces) // 4, 2 * 32)
+        self.assertFalse(box.Visibility)
+        self.document.undo()
+        wait()
+        self.assertEqual(self.document.Objects, [box])
+        self.assertTrue(box.Visibility and box.ViewObject.Visibility)
 
     def test_a_net_is_seen_on_its_faces(self):
         box = self.document.addObject("Part::Box", "Box")
@@ -270,7 +275,12 @@ class TestPanels(SourceWindowCase):
         for vertex in (0, 4, 20, 24, 12, 12):
             hand.click(pixels[vertex])
         self.assertEqual(panel.fields["supports"].value, "0,4,20,24")
-        panel.fields["lift"].value = "0:2000; 24:2000"
+        shown = [
+            panel.picking._numbers.getChild(k).getChild(1).string.getValues()[0].strip()
+            for k in range(panel.picking._numbers.getNumChildren())
+        ]
+        self.assertEqual(shown, ["0", "4", "20", "24"])
+        panel.fields["lift"].value = "0,2000; 24,2000"
         press("Ok")
         sail = self.document.Objects[-1]
         self.assertEqual(sail.Supports, "0,4,20,24")

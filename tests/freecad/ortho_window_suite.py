@@ -7,12 +7,13 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
+from ortho_panel_tools import form, scroll_area, width
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, vertices, wait
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from freecad_ortho import api
-from freecad_ortho.commands import dialogs
+from freecad_ortho.commands import dialogs, open_file
 from freecad_ortho.panels import optimise_panel
 
 NEEDS_NET = ("Ortho_Optimise", "Ortho_EditNet", "Ortho_Beams", "Ortho_Panels")
@@ -347,12 +348,35 @@ class TestOptimisePanel(WorkbenchCase):
         press("Cancel")
 
 
+class TestSmallScreen(WorkbenchCase):
+    def test_what_came_of_a_run_is_seen_without_scrolling(self):
+        net = self.imported(tools.wavy_mesh())
+        net.Label = "A net with a name that is longer than any panel of FreeCAD is wide at first"
+        report = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Report view")
+        report.show()
+        self.addCleanup(report.hide)
+        FreeCADGui.runCommand("Ortho_Optimise")
+        wait()
+        self.panel.start_button.click()
+        self.assertTrue(wait(lambda: self.panel.run.optimisation.finished, 60))
+        wait()
+        area = scroll_area()
+        self.assertLessEqual(form().width(), width())
+        for widget in (self.panel.start_button, self.panel.message, self.panel.plot):
+            foot = widget.mapTo(area.widget(), QtCore.QPoint(0, widget.height()))
+            self.assertLessEqual(area.widget().mapTo(area.viewport(), foot).y(), area.height())
+        FreeCADGui.getMainWindow().grab().save(str(tools.SCRATCH / "small.png"))
+        press("Cancel")
+
+
 class TestNetView(WorkbenchCase):
     def test_colour_maps_and_modes_change_the_picture(self):
         net = self.imported(tools.wavy_mesh())
         seen = []
         maps = net.getEnumerationsOfProperty("ColourMap")
         maps.remove("Gap to reference")
+        # The same as one of the others.
+        maps.remove("Target")
         for colour_map in maps:
             net.ColourMap = colour_map
             seen.append(self.picture(colour_map).tobytes())
@@ -377,6 +401,19 @@ class TestNetView(WorkbenchCase):
         width, height = view.getSize()
         found = view.getObjectInfo((width // 2, height // 2))
         self.assertEqual(found["Object"], net.Name)
+
+    def test_file_open_looks_at_it_from_the_front_right_and_above(self):
+        document = open_file.open(tools.wavy_mesh())
+        wait()
+        view = FreeCADGui.ActiveDocument.ActiveView
+        x, y, z = view.getViewDirection()
+        self.assertLess(max(x, z), -0.2)
+        self.assertGreater(y, 0.2)
+        hand_size = np.array(view.getSize())
+        ask = getattr(view, "getPointOnViewport", None) or view.getPointOnScreen
+        pixels = np.array([ask(*map(float, point)) for point in vertices(document.Net)])
+        self.assertTrue(((pixels > 0) & (pixels < hand_size)).all())
+        self.assertGreater(np.ptp(pixels, axis=0).max(), 0.4 * hand_size.min())
 
     def test_structures_open_in_their_colours(self):
         net = self.imported(tools.wavy_mesh())

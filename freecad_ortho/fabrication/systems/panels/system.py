@@ -21,12 +21,14 @@ from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.option import Option
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 EDGES = ("square", "bevel")
 
 # Distance between diagonals above which a face is visibly not planar, mm.
 _GAP_WORTH_SAYING = 0.1
+# Mean height of the faces' unit normals from which on a net has an upper and a lower side.
+_CLEARLY = 0.2
 
 
 @dataclass(frozen=True)
@@ -109,7 +111,13 @@ class Panels(System):
         gaps = diagonal_distances(site.mesh)
         parts = panel_parts(site, geometry, self.thickness, gaps)
         report = self._report(geometry, parts, beams is not None)
-        return SystemParts(parts, report, _messages(report, float(gaps.max())), geometry)
+        messages = _messages(report, float(gaps.max()))
+        if beams is not None and _faces_down(site.mesh):
+            messages += (
+                "panels: they lie under the beams, because the upper side of the net faces down; "
+                "turn it over (Flip net, or orient on the command line)",
+            )
+        return SystemParts(parts, report, messages, geometry)
 
     def _report(
         self, geometry: PanelGeometry, parts: tuple[Part, ...], on_beams: bool
@@ -127,6 +135,12 @@ class Panels(System):
             "lift_max_mm": float(geometry.lift.max()),
             **sums(parts),
         }
+
+
+def _faces_down(mesh: QuadMesh) -> bool:
+    """Tell whether the upper side faces down; a wall or a closed shape has none that does."""
+    areas = mesh.face_area_vectors
+    return float(areas[:, 2].sum()) < -_CLEARLY * float(np.linalg.norm(areas, axis=1).sum())
 
 
 def _inward(site: Site) -> FloatArray:

@@ -1,0 +1,107 @@
+"""A field for a number with a unit that holds exactly what it was given or what was typed."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+
+class Absent(QtCore.QObject):
+    """Shows words in the place of a zero that stands for something else.
+
+    FreeCAD's own field for quantities knows no text for a special value.
+    """
+
+    def __init__(self, box: QtGui.QWidget, words: str) -> None:
+        super().__init__(box)
+        self._box, self._line = box, box.findChild(QtGui.QLineEdit)
+        self._line.setPlaceholderText(words)
+        # The field writes its number anew when it loses the focus: look after that.
+        self._later = QtCore.QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self.show)
+        box.installEventFilter(self)
+        self._line.installEventFilter(self)
+
+    def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
+        """Look at the number again; Qt calls this."""
+        if event.type() == QtCore.QEvent.FocusOut:
+            self._later.start(0)
+        return False
+
+    def show(self) -> None:
+        """Make room for the words where the number is zero."""
+        typing = self._box.hasFocus() or self._line.hasFocus()
+        if self._box.property("rawValue") == 0.0 and not typing:
+            self._line.clear()
+
+
+class QuantityField(QtCore.QObject):
+    """FreeCAD's own field in the user's unit system, which by itself takes what it shows for true.
+
+    In US building units it makes 1/2", 12.7 mm, of 12 mm, and again whenever it comes into sight.
+    What the user's units cannot show is shown in the field's own unit instead.
+
+    Args:
+        unit: ``mm``, ``mm^2`` or ``deg``: that of the value.
+        value: to begin with.
+        minimum: the least that can be entered.
+        maximum: the most.
+        absent: shown in place of 0, where that stands for something else.
+
+    Attributes:
+        widget: to be put into a form.
+    """
+
+    def __init__(
+        self,
+        unit: str,
+        value: float = 0.0,
+        minimum: float | None = None,
+        maximum: float | None = None,
+        absent: str = "",
+    ) -> None:
+        self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        super().__init__(self.widget)
+        self._unit = unit
+        self.widget.setProperty("unit", unit)
+        for name, limit in (("minimum", minimum), ("maximum", maximum)):
+            if limit is not None:
+                self.widget.setProperty(name, limit)
+        self._line = self.widget.findChild(QtGui.QLineEdit)
+        self._absent = Absent(self.widget, absent) if absent else None
+        self.value = value
+        self._afterwards = QtCore.QTimer(self)
+        self._afterwards.setSingleShot(True)
+        self._afterwards.timeout.connect(self._write_again)
+        self.widget.installEventFilter(self)
+
+    @property
+    def value(self) -> float:
+        """The value, in the unit of the field."""
+        shown = self._line.text()
+        return self._value if shown in self._texts else float(self.widget.property("rawValue"))
+
+    @value.setter
+    def value(self, value: float) -> None:
+        self.widget.setProperty("rawValue", float(value))
+        rounded = self._line.text()
+        if not math.isclose(self.widget.property("rawValue"), value, rel_tol=1e-9, abs_tol=1e-12):
+            self._line.setText(f"{value:.12g} {self._unit}")
+        self._value = float(value)
+        self._texts = {rounded, self._line.text()}
+
+    def eventFilter(self, watched: Any, event: Any) -> bool:
+        """Write again what FreeCAD rounds when the field comes into sight; Qt calls this."""
+        if event.type() == QtCore.QEvent.Show:
+            self._value, self._seen = self.value, self._line.text()
+            self._texts.add(self._seen)
+            self._afterwards.start(0)
+        return False
+
+    def _write_again(self) -> None:
+        self._texts = {self._line.text(), self._seen}
+        self._line.setText(self._seen)
