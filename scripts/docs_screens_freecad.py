@@ -86,7 +86,7 @@ def tutorial() -> None:
     def seen(name: str) -> None:
         if name == "drag":
             three_d_view().getCameraNode().scaleHeight(1.2)
-        else:
+        elif name != "open":  # which is seen as it opens
             stand(1.35 if story.net.Visibility else 0.75)
         look(name)
 
@@ -108,9 +108,7 @@ def tutorial() -> None:
     close()
     story.open_gridshell()
     document = story.document
-    story.only(document.Net)
-    story.select(document.Net)
-    story.structure("Lamellas", "lamellas", [("Width", 60.0), ("Thickness", 4.0)])
+    story.change_structure(document.Lamellas, "lamellas", [("Width", 80.0)])
     near("lamellas-near")
     story.select(document.Lamellas)
     story.flat_patterns("strips", on_sheets=False)
@@ -203,7 +201,6 @@ def files_and_pages() -> None:
     flat = api.add_flat_patterns(beams, sheet=("3 m", "1.5 m"))
     FreeCADGui.Selection.addSelection(flat)
     FreeCADGui.runCommand("Ortho_DrawingPage")
-    FreeCAD.ActiveDocument.Page.ViewObject.doubleClicked()
     tools.wait(seconds=2.0)
     FreeCADGui.runCommand("Std_ViewFitAll")
     tools.wait(seconds=1.0)

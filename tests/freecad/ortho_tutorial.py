@@ -12,6 +12,7 @@ import ortho_suite_tools as tools
 from ortho_dialog_tools import Answers
 from ortho_mouse_tools import Hand
 from ortho_suite_tools import click, press, vertices, wait
+from pivy import coin
 from PySide import QtCore, QtGui
 
 from freecad_ortho import convert
@@ -68,7 +69,7 @@ class Tutorial:
         yield
 
     def drag(self):
-        """Double click the net, hold its corners by Ctrl-clicks, pull its middle up."""
+        """Double click the net, hold its corners by Ctrl-clicks, press Z, pull its middle up."""
         net = self.net
         hand = Hand(self.document)
         net.ViewObject.Proxy.doubleClicked(net.ViewObject)
@@ -78,6 +79,7 @@ class Tutorial:
         for corner in corners(mesh):
             hand.click(pixels[corner], ctrl=True)
         middle = int(np.argmin(np.linalg.norm(mesh.vertices - mesh.vertices.mean(axis=0), axis=1)))
+        hand.key(coin.SoKeyboardEvent.Z)
         start = pixels[middle]
         end = start + [0, 40]
         hand.drag(start, end)
@@ -108,6 +110,17 @@ class Tutorial:
         press("Ok")
         wait()
         self.look(name)
+
+    def change_structure(self, structure, name, numbers):
+        """A double click on it in the tree, other numbers, Apply, OK."""
+        structure.ViewObject.Proxy.doubleClicked(structure.ViewObject)
+        wait()
+        for label, value in numbers:
+            tools.field(label).setProperty("rawValue", value)
+        press("Apply")
+        self.look(name)
+        press("Ok")
+        wait()
 
     def flat_patterns(self, name, on_sheets):
         FreeCADGui.runCommand("Ortho_FlatPatterns")
