@@ -12,7 +12,7 @@ NARROW = 100
 # The most that one line of a task panel holds, in the width that FreeCAD gives it at first.
 _BROAD = 190
 # Letters of a name in a title.
-_TITLE = 20
+_TITLE = 14
 
 
 def form_rows(parent: QtGui.QWidget | None = None) -> QtGui.QFormLayout:

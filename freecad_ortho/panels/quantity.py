@@ -17,14 +17,15 @@ class Absent(QtCore.QObject):
 
     def __init__(self, box: QtGui.QWidget, words: str) -> None:
         super().__init__(box)
-        self._box, self._line = box, box.findChild(QtGui.QLineEdit)
-        self._line.setPlaceholderText(words)
+        self._box = box
+        line = box.findChild(QtGui.QLineEdit)
+        line.setPlaceholderText(words)
         # The field writes its number anew when it loses the focus: look after that.
         self._later = QtCore.QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.show)
         box.installEventFilter(self)
-        self._line.installEventFilter(self)
+        line.installEventFilter(self)
 
     def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
         """Look at the number again; Qt calls this."""
@@ -34,9 +35,11 @@ class Absent(QtCore.QObject):
 
     def show(self) -> None:
         """Make room for the words where the number is zero."""
-        typing = self._box.hasFocus() or self._line.hasFocus()
+        # Asked for anew: PySide forgets a child that it was asked for with the widgets around it.
+        line = self._box.findChild(QtGui.QLineEdit)
+        typing = self._box.hasFocus() or line.hasFocus()
         if self._box.property("rawValue") == 0.0 and not typing:
-            self._line.clear()
+            line.clear()
 
 
 class QuantityField(QtCore.QObject):
@@ -71,7 +74,6 @@ class QuantityField(QtCore.QObject):
         for name, limit in (("minimum", minimum), ("maximum", maximum)):
             if limit is not None:
                 self.widget.setProperty(name, limit)
-        self._line = self.widget.findChild(QtGui.QLineEdit)
         self._absent = Absent(self.widget, absent) if absent else None
         self.value = value
         self._afterwards = QtCore.QTimer(self)
@@ -82,26 +84,35 @@ class QuantityField(QtCore.QObject):
     @property
     def value(self) -> float:
         """The value, in the unit of the field."""
-        shown = self._line.text()
-        return self._value if shown in self._texts else float(self.widget.property("rawValue"))
+        shown = self.widget.text() in self._texts
+        return self._value if shown else float(self.widget.property("rawValue"))
 
     @value.setter
     def value(self, value: float) -> None:
         self.widget.setProperty("rawValue", float(value))
-        rounded = self._line.text()
+        rounded = self.widget.text()
         if not math.isclose(self.widget.property("rawValue"), value, rel_tol=1e-9, abs_tol=1e-12):
-            self._line.setText(f"{value:.12g} {self._unit}")
+            self._write(f"{value:.12g} {self._unit}")
+        self._show_absent()
         self._value = float(value)
-        self._texts = {rounded, self._line.text()}
+        self._texts = {rounded, self.widget.text()}
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
         """Write again what FreeCAD rounds when the field comes into sight; Qt calls this."""
         if event.type() == QtCore.QEvent.Show:
-            self._value, self._seen = self.value, self._line.text()
+            self._value, self._seen = self.value, self.widget.text()
             self._texts.add(self._seen)
             self._afterwards.start(0)
         return False
 
     def _write_again(self) -> None:
-        self._texts = {self._line.text(), self._seen}
-        self._line.setText(self._seen)
+        self._texts = {self.widget.text(), self._seen}
+        self._write(self._seen)
+        self._show_absent()
+
+    def _show_absent(self) -> None:
+        if self._absent is not None:
+            self._absent.show()
+
+    def _write(self, text: str) -> None:
+        self.widget.findChild(QtGui.QLineEdit).setText(text)
