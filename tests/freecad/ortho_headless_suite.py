@@ -52,7 +52,7 @@ class TestNet(DocumentCase):
         net.Version = 0
         for _ in range(2):
             net.Proxy.onDocumentRestored(net)
-            self.assertEqual(net.ColourMap, "Planarity")
+            self.assertEqual(net.ColourMap, "Target")
             self.assertEqual(net.Version, VERSION)
         self.assertEqual(net.PropertiesList.count("ColourMap"), 1)
 
