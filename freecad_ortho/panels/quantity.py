@@ -8,6 +8,9 @@ from typing import Any
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+# A number with no more than these was chosen by someone; others come out of a calculation.
+_DIGITS = 6
+
 
 class Absent(QtCore.QObject):
     """Shows words in the place of a zero that stands for something else.
@@ -46,7 +49,7 @@ class QuantityField(QtCore.QObject):
     """FreeCAD's own field in the user's unit system, which by itself takes what it shows for true.
 
     In US building units it makes 1/2", 12.7 mm, of 12 mm, and again whenever it comes into sight.
-    What the user's units cannot show is shown in the field's own unit instead.
+    A round number that the user's units cannot show is shown in the field's own unit instead.
 
     Args:
         unit: ``mm``, ``mm^2`` or ``deg``: that of the value.
@@ -91,8 +94,10 @@ class QuantityField(QtCore.QObject):
     def value(self, value: float) -> None:
         self.widget.setProperty("rawValue", float(value))
         rounded = self.widget.text()
-        if not math.isclose(self.widget.property("rawValue"), value, rel_tol=1e-9, abs_tol=1e-12):
-            self._write(f"{value:.12g} {self._unit}")
+        exact = f"{value:.{_DIGITS}g}"
+        held = self.widget.property("rawValue")
+        if float(exact) == value and not math.isclose(held, value, rel_tol=1e-9, abs_tol=1e-12):
+            self._write(f"{exact} {self._unit}")
         self._show_absent()
         self._value = float(value)
         self._texts = {rounded, self.widget.text()}

@@ -13,6 +13,8 @@ from solver.mesh.quadmesh import FloatArray
 
 # Of vertices under the mouse, those further behind than this part of the scene are hidden.
 _BEHIND = 0.02
+# Pixels between vertices that are seen in the same place.
+_SAME_PLACE = 3.0
 
 
 @dataclass(frozen=True)
@@ -65,12 +67,16 @@ class Screen:
         return Ray(near, way / np.linalg.norm(way))
 
     def vertex_at(self, pixel: FloatArray, points: FloatArray, reach: float) -> int | None:
-        """Number of the vertex within ``reach`` pixels, the nearest of those that are in front."""
+        """Number of the nearest vertex within ``reach`` pixels, or of the one that hides it."""
         places, depths = self.pixels(points)
         distance = np.linalg.norm(places - np.asarray(pixel), axis=1)
         near = np.flatnonzero(distance <= reach)
         if not len(near):
             return None
+        # What hides a vertex lies before it in the same place; neighbours of one that is seen at a
+        # flat angle lie before it too, but beside it.
+        best = places[near[np.argmin(distance[near])]]
+        near = near[np.linalg.norm(places[near] - best, axis=1) <= _SAME_PLACE]
         spread = np.ptp(depths[np.isfinite(places[:, 0])])
         front = near[depths[near] <= depths[near].min() + _BEHIND * spread]
         return int(front[np.argmin(distance[front])])
