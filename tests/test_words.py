@@ -35,11 +35,13 @@ def test_a_noun_without_a_rule_is_given_its_plural():
     assert plural("louvre") == "louvres"
 
 
-def test_the_line_about_patches(tmp_path):
-    (tmp_path / "report.json").write_text(json.dumps({"verdict": {"failed": []}, "mass_kg": 7}))
+def test_the_line_about_patches(tmp_path, capsys):
+    report = {"verdict": {"failed": []}, "mass_kg": 7, "messages": ["sheet: 1 part does not fit"]}
+    (tmp_path / "report.json").write_text(json.dumps(report))
     structure = SimpleNamespace(parts=[SimpleNamespace(kind="patch")] * 2)
     line = fabrication_line(structure, str(tmp_path))
     assert line == f"2 patches, 7.0 kg; files are in {tmp_path}"
+    assert capsys.readouterr().err == "note: sheet: 1 part does not fit\n"
 
 
 def options() -> list[Option]:
