@@ -1,21 +1,15 @@
-"""Bodies with round holes through them."""
+"""Bodies with round holes through them, which the clash check fills."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from freecad_ortho.fabrication.bodies import Body, Polyhedron
-from freecad_ortho.fabrication.solids import cut_solids
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     import cadquery
-
-# A drill reaches this many thicknesses through the plate, enough for one that bends at the hole.
-_REACH = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,14 +31,16 @@ class Drill:
 
 @dataclass(frozen=True, eq=False)
 class DrilledBody(Body):
-    """A body less its holes, which may lie across bends: the one cut that no corners can express.
+    """A body with its holes, and the same without.
 
     Attributes:
         whole: the body without holes.
+        cut: the body with them.
         drills: the holes; they do not overlap.
     """
 
     whole: Body
+    cut: Body
     drills: tuple[Drill, ...]
 
     @property
@@ -54,9 +50,8 @@ class DrilledBody(Body):
 
     @property
     def volume(self) -> float:
-        """Volume less a cylinder of the plate's thickness for each hole."""
-        bored = (np.pi / 4 * drill.diameter**2 * drill.thickness for drill in self.drills)
-        return self.whole.volume - float(sum(bored))
+        """Volume of the body with its holes."""
+        return self.cut.volume
 
     def filled(self) -> Body:
         """The whole body."""
@@ -71,18 +66,5 @@ class DrilledBody(Body):
         return self.whole.filling()
 
     def solid(self) -> cadquery.Solid:
-        """Build the whole and cut all holes from it at once."""
-        import cadquery
-
-        tools = []
-        for drill in self.drills:
-            start = drill.centre - _REACH / 2 * drill.thickness * drill.direction
-            tools.append(
-                cadquery.Solid.makeCylinder(
-                    drill.diameter / 2,
-                    _REACH * drill.thickness,
-                    cadquery.Vector(*start.tolist()),
-                    cadquery.Vector(*drill.direction.tolist()),
-                )
-            )
-        return cut_solids(self.whole.solid(), tools)
+        """Build the closed solid with its holes."""
+        return self.cut.solid()

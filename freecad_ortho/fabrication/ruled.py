@@ -5,23 +5,55 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from freecad_ortho.fabrication.bezier import bernstein, gauss, raised
 from freecad_ortho.fabrication.bodies import Body, Loops, Polyhedron
-from freecad_ortho.fabrication.solids import plane_of
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     import cadquery
 
 Side = tuple[int, ...]
-# Distance from a plane, mm, below which the CAD kernel takes a side for plane.
-_PLANE = 1e-8
-_TOLERANCE = 1e-7
 # Corners at one end of a block that has more points than its corners.
 _RING = {16: 4}
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """A side that is cut from a surface along curves.
+
+    Attributes:
+        loops: corner numbers around it, counter-clockwise seen from outside, then those around each
+            of its openings, clockwise; the curves between them are the body's.
+        rails: (2, P, 3) control points of the two curves that straight lines join, u along them and
+            v from the first to the second; None for a plane.
+        places: for each loop the control points (M, 2) in u and v of each of its curves; none for a
+            plane.
+    """
+
+    loops: tuple[Side, ...]
+    rails: FloatArray | None = None
+    places: tuple[tuple[FloatArray, ...], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Bore:
+    """A cylindrical hole square through two plane sides.
+
+    Attributes:
+        start: (3,) where its axis enters.
+        end: (3,) where it leaves.
+        diameter: mm.
+        sides: numbers of the sides that it enters and leaves by, in the order of the body's.
+    """
+
+    start: FloatArray
+    end: FloatArray
+    diameter: float
+    sides: tuple[int, int]
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,16 +65,20 @@ class RuledBody(Body):
         sides: corner numbers around each side, counter-clockwise seen from outside. A side of four
             corners may be ruled: straight lines join the edge from the first to the second corner
             with that from the fourth to the third. All others are plane.
-        handles: inner control points (2, 3) of the edges that are cubic curves, by their corners,
+        handles: inner control points (M, 3) of the edges that are Bezier curves, by their corners,
             the smaller number first; all other edges are straight.
         blocks: (6, 3) or (8, 3) corners of prisms that together hold the body, one end's, then the
             other's; (16, 3) with the control points of curved edges after them.
+        sheets: further sides, cut from surfaces.
+        bores: holes through ``sides``.
     """
 
     corners: FloatArray
     sides: tuple[Side, ...]
     handles: Mapping[tuple[int, int], FloatArray] = field(default_factory=dict)
     blocks: tuple[FloatArray, ...] = ()
+    sheets: tuple[Sheet, ...] = ()
+    bores: tuple[Bore, ...] = ()
 
     def pieces(self) -> tuple[Polyhedron, ...]:
         """The blocks."""
@@ -60,11 +96,22 @@ class RuledBody(Body):
 
     def seen_from(self, origin: FloatArray, frame: FloatArray) -> RuledBody:
         """The same body seen from an ``origin`` (3,), its axes the rows of ``frame`` (3, 3)."""
+
+        def seen(points: FloatArray) -> FloatArray:
+            return np.asarray((points - origin) @ frame.T)
+
         return replace(
             self,
-            corners=(self.corners - origin) @ frame.T,
-            handles={ends: (inner - origin) @ frame.T for ends, inner in self.handles.items()},
-            blocks=tuple((block - origin) @ frame.T for block in self.blocks),
+            corners=seen(self.corners),
+            handles={ends: seen(inner) for ends, inner in self.handles.items()},
+            blocks=tuple(seen(block) for block in self.blocks),
+            sheets=tuple(
+                each if each.rails is None else replace(each, rails=seen(each.rails))
+                for each in self.sheets
+            ),
+            bores=tuple(
+                replace(each, start=seen(each.start), end=seen(each.end)) for each in self.bores
+            ),
         )
 
     @cached_property
@@ -73,11 +120,14 @@ class RuledBody(Body):
         return np.concatenate([self.corners, *self.handles.values()])
 
     def rails(self, side: Side) -> tuple[FloatArray, FloatArray]:
-        """(4, 3) or (2, 3) control points of a side's two edges that straight lines join."""
+        """(P, 3) twice: control points of a side's two edges that straight lines join."""
         a, b, c, d = side
-        return self._poles(a, b), self._poles(d, c)
+        one, other = self.poles(a, b), self.poles(d, c)
+        count = max(len(one), len(other))
+        return raised(one, count), raised(other, count)
 
-    def _poles(self, start: int, end: int) -> FloatArray:
+    def poles(self, start: int, end: int) -> FloatArray:
+        """(P, 3) control points of an edge, straight or not, from one corner to the other."""
         inner = self.handles.get((min(start, end), max(start, end)))
         if inner is None:
             return self.corners[[start, end]]
@@ -87,21 +137,38 @@ class RuledBody(Body):
     @cached_property
     def volume(self) -> float:
         """Volume by the divergence theorem; quadrature that is exact for these sides."""
-        u, weight_u = _gauss(6)
-        v, weight_v = _gauss(2)
-        values, slopes = _cubic(u)
         origin = self.corners[0]
-        ruled = [side for side in self.sides if len(side) == 4]
-        rails = np.array([[_raised(rail) - origin for rail in self.rails(each)] for each in ruled])
-        one, two = np.moveaxis(np.einsum("qp,srpk->srqk", values, rails), 1, 0)
-        along_one, along_two = np.moveaxis(np.einsum("qp,srpk->srqk", slopes, rails), 1, 0)
+        total = self._volume_to_ruled(origin) + self._volume_to_planes(origin)
+        for sheet in self.sheets:
+            if sheet.rails is None:
+                total += self._volume_to_plane_sheet(sheet, origin)
+            else:
+                total += _volume_to_surface(sheet.rails - origin, sheet.places)
+        bored = (np.linalg.norm(b.end - b.start) * b.diameter**2 for b in self.bores)
+        return total - np.pi / 4 * float(sum(bored))
+
+    def _volume_to_ruled(self, origin: FloatArray) -> float:
+        """Volume of the cones from a point to the sides of four corners."""
+        rails: dict[int, list[FloatArray]] = {}
+        for side in self.sides:
+            if len(side) == 4:
+                pair = np.array(self.rails(side)) - origin
+                rails.setdefault(pair.shape[1], []).append(pair)
         total = 0.0
-        for place, weight in zip(v, weight_v, strict=True):
-            point = (1 - place) * one + place * two
-            along = (1 - place) * along_one + place * along_two
-            flux = np.einsum("sqk,sqk->q", point, np.cross(along, two - one))
-            total += weight * float(weight_u @ flux)
-        return total / 3 + self._volume_to_planes(origin)
+        for count, pairs in rails.items():
+            # A product of two curves and a slope.
+            u, weight_u = gauss((3 * count) // 2)
+            v, weight_v = gauss(2)
+            values, slopes = bernstein(count, u)
+            poles = np.array(pairs)
+            one, two = np.moveaxis(values @ poles, 1, 0)
+            along_one, along_two = np.moveaxis(slopes @ poles, 1, 0)
+            for place, weight in zip(v, weight_v, strict=True):
+                point = (1 - place) * one + place * two
+                along = (1 - place) * along_one + place * along_two
+                flux = np.einsum("sqk,sqk->q", point, np.cross(along, two - one))
+                total += weight * float(weight_u @ flux)
+        return total / 3
 
     def _volume_to_planes(self, origin: FloatArray) -> float:
         """Volume of the cones from a point to the sides that do not have four corners."""
@@ -116,143 +183,47 @@ class RuledBody(Body):
         a, b, c = np.moveaxis(self.corners[np.array(fans)] - origin, 1, 0)
         return float(np.einsum("tk,tk->", a, np.cross(b, c))) / 6
 
+    def _volume_to_plane_sheet(self, sheet: Sheet, origin: FloatArray) -> float:
+        """Volume of the cone from a point to a plane side with curved edges."""
+        start = self.corners[sheet.loops[0][0]]
+        area = np.zeros(3)
+        for loop in sheet.loops:
+            for here, after in zip(loop, loop[1:] + loop[:1], strict=True):
+                poles = self.poles(here, after) - start
+                t, weight = gauss(len(poles))
+                values, slopes = bernstein(len(poles), t)
+                area += 0.5 * weight @ np.cross(values @ poles, slopes @ poles)
+        return float(area @ (start - origin)) / 3
+
     def solid(self) -> cadquery.Solid:
         """Build the closed solid from shared edges; no boolean operation, no sewing."""
-        return _Builder(self).solid()
+        from freecad_ortho.fabrication.ruled_solid import ruled_solid
+
+        return ruled_solid(self)
 
 
-class _Builder:
-    """Turns a body into a solid of the CAD kernel."""
+def _volume_to_surface(rails: FloatArray, places: tuple[tuple[FloatArray, ...], ...]) -> float:
+    """Volume of the cone from the origin to what loops cut from a ruled surface.
 
-    def __init__(self, body: RuledBody) -> None:
-        from OCP.BRep import BRep_Builder
-        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
-        from OCP.gp import gp_Pnt
-
-        self.body = body
-        self.builder = BRep_Builder()
-        rows = body.corners.tolist()
-        self.vertices = [BRepBuilderAPI_MakeVertex(gp_Pnt(*row)).Vertex() for row in rows]
-        self.edges: dict[tuple[int, int], tuple[Any, float]] = {}
-
-    def solid(self) -> cadquery.Solid:
-        import cadquery
-        from OCP.TopoDS import TopoDS_Shell, TopoDS_Solid
-
-        shell = TopoDS_Shell()
-        self.builder.MakeShell(shell)
-        for side in self.body.sides:
-            self.builder.Add(shell, self._face(side))
-        shell.Closed(True)
-        solid = TopoDS_Solid()
-        self.builder.MakeSolid(solid)
-        self.builder.Add(solid, shell)
-        return cadquery.Solid(solid)
-
-    def _edge(self, start: int, end: int) -> tuple[Any, float, bool]:
-        """The edge, the end of its parameter range, and whether it runs from start to end."""
-        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
-        from OCP.Geom import Geom_BezierCurve
-
-        low, high = min(start, end), max(start, end)
-        if (low, high) not in self.edges:
-            ends = self.vertices[low], self.vertices[high]
-            poles = self.body._poles(low, high)
-            if len(poles) == 2:
-                edge = BRepBuilderAPI_MakeEdge(*ends).Edge()
-                length = float(np.linalg.norm(poles[1] - poles[0]))
-            else:
-                curve = Geom_BezierCurve(_point_array(poles))
-                edge, length = BRepBuilderAPI_MakeEdge(curve, *ends).Edge(), 1.0
-            self.edges[low, high] = edge, length
-        return *self.edges[low, high], start < end
-
-    def _face(self, side: Side) -> Any:
-        from OCP.TopoDS import TopoDS_Face, TopoDS_Wire
-
-        surface, plane = self._surface(side)
-        face, wire = TopoDS_Face(), TopoDS_Wire()
-        self.builder.MakeFace(face, surface, _TOLERANCE)
-        self.builder.MakeWire(wire)
-        square = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
-        for number, (start, end) in enumerate(zip(side, side[1:] + side[:1], strict=True)):
-            edge, length, forward = self._edge(start, end)
-            if not plane:
-                ends = (square[number], square[(number + 1) % 4])[:: 1 if forward else -1]
-                self.builder.UpdateEdge(edge, _flat_line(*ends, length), face, _TOLERANCE)
-            self.builder.Add(wire, edge if forward else edge.Reversed())
-        wire.Closed(True)
-        self.builder.Add(face, wire)
-        return face
-
-    def _surface(self, side: Side) -> tuple[Any, bool]:
-        """The side's surface, and whether it is a plane."""
-        from OCP.Geom import Geom_BezierSurface, Geom_Plane
-        from OCP.gp import gp_Dir, gp_Pln, gp_Pnt
-        from OCP.TColgp import TColgp_Array2OfPnt
-
-        if len(side) == 4:
-            first, second = self.body.rails(side)
-            outline = np.concatenate([first, second[::-1]])
-        else:
-            first = second = outline = self.body.corners[list(side)]
-        middle, normal = plane_of(outline)
-        miss = float(np.abs((outline - middle) @ np.array(normal)).max())
-        if miss <= _PLANE or len(side) != 4:
-            return Geom_Plane(gp_Pln(gp_Pnt(*middle), gp_Dir(*normal))), True
-        degree = max(len(first), len(second))
-        if degree > 2:
-            first, second = _raised(first), _raised(second)
-        poles = TColgp_Array2OfPnt(1, degree, 1, 2)
-        for row, pair in enumerate(zip(first.tolist(), second.tolist(), strict=True), start=1):
-            for column, pole in enumerate(pair, start=1):
-                poles.SetValue(row, column, gp_Pnt(*pole))
-        return Geom_BezierSurface(poles), False
-
-
-def _flat_line(start: tuple[float, float], end: tuple[float, float], length: float) -> Any:
-    """Straight curve in the parameters of a surface, run through as its edge is."""
-    from OCP.Geom2d import Geom2d_BSplineCurve
-    from OCP.gp import gp_Pnt2d
-    from OCP.TColgp import TColgp_Array1OfPnt2d
-    from OCP.TColStd import TColStd_Array1OfInteger, TColStd_Array1OfReal
-
-    poles = TColgp_Array1OfPnt2d(1, 2)
-    knots, counts = TColStd_Array1OfReal(1, 2), TColStd_Array1OfInteger(1, 2)
-    for index, (pole, knot) in enumerate(((start, 0.0), (end, length)), start=1):
-        poles.SetValue(index, gp_Pnt2d(*pole))
-        knots.SetValue(index, knot)
-        counts.SetValue(index, 2)
-    return Geom2d_BSplineCurve(poles, knots, counts, 1)
-
-
-def _point_array(points: FloatArray) -> Any:
-    from OCP.gp import gp_Pnt
-    from OCP.TColgp import TColgp_Array1OfPnt
-
-    result = TColgp_Array1OfPnt(1, len(points))
-    for index, row in enumerate(points.tolist(), start=1):
-        result.SetValue(index, gp_Pnt(*row))
-    return result
-
-
-def _raised(poles: FloatArray) -> FloatArray:
-    """(4, 3) control points of the same curve as a cubic."""
-    if len(poles) == 4:
-        return poles
-    share = np.arange(4)[:, None] / 3
-    return np.asarray((1 - share) * poles[0] + share * poles[1])
-
-
-def _gauss(count: int) -> tuple[FloatArray, FloatArray]:
-    """Places and weights of Gauss quadrature on [0, 1]."""
-    places, weights = np.polynomial.legendre.leggauss(count)
-    return 0.5 * (places + 1), 0.5 * weights
-
-
-def _cubic(u: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """(Q, 4) Bernstein polynomials of degree three and their derivatives."""
-    v = 1 - u
-    values = np.stack([v**3, 3 * u * v**2, 3 * u**2 * v, u**3], axis=1)
-    slopes = np.stack([-3 * v**2, 3 * v**2 - 6 * u * v, 6 * u * v - 3 * u**2, 3 * u**2], axis=1)
-    return values, slopes
+    With f the flux through the surface a unit of u and v, Green's theorem makes of its integral the
+    one of (integral of f over u) dv around the loops.
+    """
+    curves = [curve for loop in places for curve in loop]
+    most = max(len(curve) for curve in curves)
+    count = rails.shape[1]
+    t, weight = gauss((3 * count * most) // 2 + 1)
+    values, slopes = bernstein(most, t)
+    poles = np.array([raised(curve, most) for curve in curves])
+    place, change = values @ poles, slopes @ poles
+    u, v = place[..., 0], place[..., 1]
+    share, weight_u = gauss((3 * count) // 2)
+    bernsteins, derivatives = bernstein(count, (u[..., None] * share).ravel())
+    shape = (*u.shape, len(share), 2, 3)
+    at = np.einsum("qp,rpk->qrk", bernsteins, rails).reshape(shape)
+    along = np.einsum("qp,rpk->qrk", derivatives, rails).reshape(shape)
+    across = at[..., 1, :] - at[..., 0, :]
+    both = v[..., None, None]
+    point = at[..., 0, :] + both * across
+    slope = (1 - both) * along[..., 0, :] + both * along[..., 1, :]
+    flux = np.einsum("csqk,csqk->csq", point, np.cross(slope, across)) @ weight_u
+    return float(np.einsum("cs,cs,cs,s->", flux, u, change[..., 1], weight)) / 3

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body, Loops
-from solver.errors import OrthoError
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -131,18 +130,3 @@ def brep_text(shape: cadquery.Shape) -> str:
     version = TopTools_FormatVersion.TopTools_FormatVersion_VERSION_1
     BRepTools.Write_s(shape.wrapped, stream, False, False, version, Message_ProgressRange())
     return stream.getvalue().decode("ascii")
-
-
-def cut_solids(solid: cadquery.Solid, tools: Iterable[cadquery.Solid]) -> cadquery.Solid:
-    """Return the solid less all tools, cut at once.
-
-    Raises:
-        OrthoError: the cut leaves no single solid.
-    """
-    import cadquery
-
-    left = solid.cut(*tools)
-    solids = left.Solids()
-    if len(solids) != 1:
-        raise OrthoError(f"solid: a cut left {len(solids)} pieces of it; take smaller holes")
-    return cadquery.Solid(solids[0].wrapped)

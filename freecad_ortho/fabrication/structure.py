@@ -130,7 +130,7 @@ class Structure:
             self._build_elsewhere(say, executor)
         result = []
         for number, part in enumerate(self.parts):
-            if number % 64 == 0:
+            if number % 64 == 0 or not part.body.quick:
                 say(number / len(self.parts), f"solid {number + 1} of {len(self.parts)}")
             result.append(part.solid())
         return result

@@ -346,9 +346,7 @@ def test_a_helicoid_may_stand_in_two_layers():
         [Lamellas(30, 3, layers=2)],
         selection=Selection(lines=(3,)),
     )
-    for part, solid in zip(structure.parts, structure.solids(), strict=True):
-        assert solid.isValid()
-        assert solid.Volume() == pytest.approx(part.volume, rel=1e-4)
+    check_solids(structure)
 
 
 def test_bends_are_positive_where_the_sides_rise_to_the_side_that_is_seen():

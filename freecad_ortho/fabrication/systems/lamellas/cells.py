@@ -1,19 +1,18 @@
-"""A ribbon that may twist, or bends smoothly, as a solid of ruled sides.
+"""Convex hulls that hold a ribbon that may twist, or bends smoothly, for the clash check.
 
 The ribbon is a grid of cells between cross lines (stations and sides of slots) and levels (edges
-and floors of slots). A slot is a cell left out; the sides of the solid are those of the cells that
-no other cell shares.
+and floors of slots). A slot is a cell left out.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from freecad_ortho.fabrication.ruled import RuledBody
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from solver.mesh.connectivity import BoolArray
@@ -36,7 +35,7 @@ class Grid:
     full: BoolArray
 
 
-def grid_of(ribbon: Ribbon, slots: list[Slot]) -> Grid:
+def grid_of(ribbon: Ribbon, slots: Sequence[Slot]) -> Grid:
     """Lay out the cells of a ribbon whose slots stand along its rulings."""
     floors = {round(slot.floor * (1 if slot.upward else -1), 9) for slot in slots}
     levels = np.array([ribbon.lower, *sorted(floors), ribbon.upper])
@@ -53,13 +52,13 @@ def grid_of(ribbon: Ribbon, slots: list[Slot]) -> Grid:
         slot = cut_at[station]
         floor = slot.floor * (1 if slot.upward else -1)
         left_out = (levels[:-1] >= floor - 1e-6) if slot.upward else levels[1:] <= floor + 1e-6
-        behind, ahead = (_side(ribbon, slot, levels, sign) for sign in (-1, 1))
+        behind, ahead = (slot_side(ribbon, slot, levels, sign) for sign in (-1, 1))
         lines += [behind, here, ahead]
         full += [~left_out, ~left_out, every]
     return Grid(np.array(lines), levels, np.array(full[:-1]))
 
 
-def _side(ribbon: Ribbon, slot: Slot, levels: FloatArray, sign: int) -> FloatArray:
+def slot_side(ribbon: Ribbon, slot: Slot, levels: FloatArray, sign: int) -> FloatArray:
     """(L,) parameter of one side of a slot at each level."""
     strip, station = ribbon.strip, slot.station
     face = station if sign > 0 else station - 1
@@ -72,82 +71,21 @@ def _side(ribbon: Ribbon, slot: Slot, levels: FloatArray, sign: int) -> FloatArr
     return face + behind / (behind + ahead)
 
 
-def ruled_body(ribbon: Ribbon, grid: Grid, smooth: bool, plated: float = 0.0) -> RuledBody:
-    """Make the solid of a ribbon's cells.
-
-    Args:
-        ribbon: that may twist.
-        grid: its cells.
-        smooth: its edges are cubic splines.
-        plated: length at the ends that splice plates lie on, mm.
-    """
-    rails = _Rails(ribbon, grid.levels, smooth)
-    lines, rows = grid.places.shape
-    corners = np.stack(
-        [rails.at(grid.places[:, row], row, side) for side in (0, 1) for row in range(rows)], axis=1
-    ).reshape(lines, 2, rows, 3)
-    corners = np.moveaxis(corners, 1, 2).reshape(-1, 3)
-
-    def number(line: int, row: int, side: int) -> int:
-        return (line * rows + row) * 2 + side
-
-    quads = []
-    padded = np.pad(grid.full, 1)
-    for cell, row in np.argwhere(grid.full).tolist():
-        a, b = (number(cell, row, side) for side in (0, 1))
-        c, d = (number(cell + 1, row, side) for side in (0, 1))
-        e, f = (number(cell, row + 1, side) for side in (0, 1))
-        g, h = (number(cell + 1, row + 1, side) for side in (0, 1))
-        quads += [(b, d, h, f), (e, g, c, a)]
-        outer = {
-            (1, 0): (a, c, d, b),
-            (1, 2): (f, h, g, e),
-            (0, 1): (b, f, e, a),
-            (2, 1): (c, g, h, d),
-        }
-        for (step, turn), quad in outer.items():
-            if not padded[cell + step, row + turn]:
-                quads.append(quad)
-    handles = {}
-    if smooth:
-        for line in range(lines - 1):
-            for row in range(rows):
-                for side in (0, 1):
-                    ends = number(line, row, side), number(line + 1, row, side)
-                    span = grid.places[line : line + 2, row]
-                    handles[ends] = rails.handles(span, row, side)
-    return _used(corners, quads, handles, _blocks(rails, grid, ribbon.width, plated))
-
-
-def _used(
-    corners: FloatArray,
-    quads: list[tuple[int, int, int, int]],
-    handles: dict[tuple[int, int], FloatArray],
-    blocks: tuple[FloatArray, ...],
-) -> RuledBody:
-    """The body without corners and curves that no side uses."""
-    kept = np.unique(np.array(quads))
-    new = np.full(len(corners), -1)
-    new[kept] = np.arange(len(kept))
-    sides = tuple((int(new[a]), int(new[b]), int(new[c]), int(new[d])) for a, b, c, d in quads)
-    pairs = {
-        (min(pair), max(pair))
-        for quad in sides
-        for pair in ((quad[0], quad[1]), (quad[3], quad[2]))
-    }
-    curves = {
-        (int(new[a]), int(new[b])): inner
-        for (a, b), inner in handles.items()
-        if (int(new[a]), int(new[b])) in pairs
-    }
-    return RuledBody(corners[kept], sides, curves, blocks)
-
-
-def _blocks(rails: _Rails, grid: Grid, width: float, plated: float) -> tuple[FloatArray, ...]:
+def hulls(
+    ribbon: Ribbon, slots: Sequence[Slot], smooth: bool, plated: float = 0.0
+) -> tuple[FloatArray, ...]:
     """Hulls of the cells, long ones in three so that they are nearly plane where others cross.
 
     Those at the ends are cut where splice plates end, so that a plate's sides part it from them.
+
+    Args:
+        ribbon: that may twist.
+        slots: in it.
+        smooth: its edges are cubic splines.
+        plated: length at the ends that splice plates lie on, mm.
     """
+    grid = grid_of(ribbon, slots)
+    rails, width = Rails(ribbon, grid.levels, smooth), ribbon.width
     found = []
     for cell, row in np.argwhere(grid.full).tolist():
         rows = slice(row, row + 2)
@@ -184,7 +122,7 @@ def _blocks(rails: _Rails, grid: Grid, width: float, plated: float) -> tuple[Flo
     return tuple(found)
 
 
-class _Rails:
+class Rails:
     """The curves at each level on both sides of the plate, run through by stations."""
 
     def __init__(self, ribbon: Ribbon, levels: FloatArray, smooth: bool) -> None:
@@ -217,6 +155,16 @@ class _Rails:
         points = self.spline(ends)[:, row, side]
         third = (ends[1] - ends[0]) / 3
         return np.stack([points[0] + third * slopes[0], points[1] - third * slopes[1]])
+
+    def poles(self) -> FloatArray:
+        """(face, side, level, P, 3) control points of the curves from station to station."""
+        ends = np.stack([self.corners[:-1], self.corners[1:]])
+        if self.spline is None:
+            return np.moveaxis(ends, (1, 3, 2, 0), (0, 1, 2, 3))
+        slopes = self.spline(self.lengths, 1)
+        third = (np.diff(self.lengths) / 3)[:, None, None, None]
+        inner = [ends[0] + third * slopes[:-1], ends[1] - third * slopes[1:]]
+        return np.moveaxis(np.stack([ends[0], *inner, ends[1]]), (1, 3, 2, 0), (0, 1, 2, 3))
 
     def length(self, start: float, end: float) -> float:
         """Length of the axis between two parameters, mm."""

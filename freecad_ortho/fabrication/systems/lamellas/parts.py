@@ -23,12 +23,13 @@ from freecad_ortho.fabrication.ruled import RuledBody
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.bolts import half_length
-from freecad_ortho.fabrication.systems.lamellas.cells import grid_of, ruled_body
+from freecad_ortho.fabrication.systems.lamellas.cells import hulls
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
 from freecad_ortho.fabrication.systems.lamellas.facets import folded_body
-from freecad_ortho.fabrication.systems.lamellas.outline import notch, outline
+from freecad_ortho.fabrication.systems.lamellas.outline import Slot, notch, outline
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
+from freecad_ortho.fabrication.systems.lamellas.spans import Drilled, span_body
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
@@ -44,13 +45,15 @@ class Cut:
         holes: bolt holes in the same plane: at crossings where layers are bolted, then at spliced
             ends.
         body: solid in the model's coordinates near the origin, without holes.
+        drilled: the same with holes.
     """
 
     lamella: Lamella
     crossings: Sequence[Crossing]
     outline: FloatArray
-    holes: tuple[Hole, ...]
+    holes: tuple[Drilled, ...]
     body: RuledBody
+    drilled: RuledBody
 
 
 def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettings) -> Cut:
@@ -73,19 +76,45 @@ def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettin
             f"lamellas: the flat pattern of {lamella.name} overlaps itself; build its "
             "two families apart, or cut the mesh"
         )
-    holes: tuple[Hole, ...] = ()
-    if settings.layers == 2:
-        level = 0.5 * (ribbon.lower + ribbon.upper)
-        middle = ribbon.edge(level)
-        holes = tuple(Hole(middle[each.station], settings.hole) for each in crossings)
-    holes += tuple(Hole(place, settings.hole) for _, points in lamella.bolts for place in points)
-    body: RuledBody
-    if lamella.twisted:
-        plated = half_length(settings) - settings.clearance / 2 if lamella.bolts else 0.0
-        body = ruled_body(ribbon, grid_of(ribbon, slots), settings.smooth, plated)
-    else:
-        body = folded_body(ribbon, edge)
-    return Cut(lamella, crossings, edge, holes, body)
+    holes = _holes(lamella, crossings, settings)
+    body, drilled = _bodies(lamella, slots, edge, holes, settings)
+    return Cut(lamella, crossings, edge, holes, body, drilled)
+
+
+def _holes(
+    lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettings
+) -> tuple[Drilled, ...]:
+    """Holes at crossings where layers are bolted, then those at spliced ends."""
+    ribbon = lamella.ribbon
+    middle = ribbon.edge(0.5 * (ribbon.lower + ribbon.upper))
+    bolted = [each.station for each in crossings if each.slot is None]
+    return (
+        *(Drilled(None, station, middle[station], settings.hole) for station in bolted),
+        *(
+            Drilled(face, None, place, settings.hole)
+            for face, points in lamella.bolts
+            for place in points
+        ),
+    )
+
+
+def _bodies(
+    lamella: Lamella,
+    slots: Sequence[Slot],
+    edge: FloatArray,
+    holes: Sequence[Drilled],
+    settings: LamellaSettings,
+) -> tuple[RuledBody, RuledBody]:
+    """The solid without its holes and with them."""
+    ribbon = lamella.ribbon
+    if not lamella.twisted:
+        whole = folded_body(ribbon, edge)
+        return whole, folded_body(ribbon, edge, holes) if holes else whole
+    smooth, name = settings.smooth, lamella.name
+    plated = half_length(settings) - settings.clearance / 2 if lamella.bolts else 0.0
+    blocks = hulls(ribbon, slots, smooth, plated)
+    whole = span_body(ribbon, slots, (), smooth, name, blocks)
+    return whole, span_body(ribbon, slots, holes, smooth, name) if holes else whole
 
 
 def lamella_part(made: Cut, site: Site) -> Part:
@@ -98,7 +127,7 @@ def lamella_part(made: Cut, site: Site) -> Part:
             Drill(frame @ (place - origin), frame @ direction, hole.diameter, ribbon.thickness)
             for (place, direction), hole in zip(_drills(made), made.holes, strict=True)
         )
-        body = DrilledBody(body, placed)
+        body = DrilledBody(body, made.drilled.seen_from(origin, frame), placed)
     pattern = _pattern(made)
     measures = lamella.measures
     straight = lamella.pattern == "straight"

@@ -9,6 +9,7 @@ from freecad_ortho.fabrication.drilled import Drill, DrilledBody
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
+from freecad_ortho.fabrication.ruled import Bore, RuledBody
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.bolts import bolts, half_length
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
@@ -42,7 +43,12 @@ def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
         Drill(np.append(hole.centre - middle, 0.0), lift / lift[2], hole.diameter, thickness)
         for hole in pattern.holes
     )
-    body = DrilledBody(Polyhedron(whole, BOX_SIDES), drills)
+    bores = tuple(
+        Bore(each.centre - lift, each.centre + lift, each.diameter, (1, 0)) for each in drills
+    )
+    body = DrilledBody(
+        Polyhedron(whole, BOX_SIDES), RuledBody(whole, BOX_SIDES, bores=bores), drills
+    )
     return plate_part(
         site,
         splice.name,

@@ -1,0 +1,52 @@
+"""Bezier curves: values and slopes, degree elevation, the curve through points; and quadrature."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import comb
+
+import numpy as np
+
+from solver.mesh.quadmesh import FloatArray
+
+
+def bernstein(count: int, t: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """(Q, count) Bernstein polynomials of ``count`` control points and their derivatives."""
+    degree = count - 1
+    powers = np.arange(count)
+    binomial = np.array([comb(degree, k) for k in powers], dtype=float)
+    values = binomial * t[:, None] ** powers * (1 - t[:, None]) ** (degree - powers)
+    if degree == 0:
+        return values, np.zeros_like(values)
+    lower, _ = bernstein(degree, t)
+    slopes = np.zeros_like(values)
+    slopes[:, 1:] += degree * lower
+    slopes[:, :-1] -= degree * lower
+    return values, slopes
+
+
+def raised(poles: FloatArray, count: int) -> FloatArray:
+    """(count, D) control points of the same curve as the (P, D) given ones, P at most ``count``."""
+    while len(poles) < count:
+        share = np.arange(1, len(poles))[:, None] / len(poles)
+        inner = share * poles[:-1] + (1 - share) * poles[1:]
+        poles = np.concatenate([poles[:1], inner, poles[-1:]])
+    return poles
+
+
+def through(points: FloatArray) -> FloatArray:
+    """(P, D) control points of the curve through (P, D) points at equal steps of its parameter."""
+    return np.asarray(_fit(len(points)) @ points)
+
+
+@cache
+def _fit(count: int) -> FloatArray:
+    values, _ = bernstein(count, np.linspace(0.0, 1.0, count))
+    return np.asarray(np.linalg.inv(values))
+
+
+@cache
+def gauss(count: int) -> tuple[FloatArray, FloatArray]:
+    """Places and weights of Gauss quadrature on [0, 1]."""
+    places, weights = np.polynomial.legendre.leggauss(count)
+    return 0.5 * (places + 1), 0.5 * weights

@@ -1,0 +1,99 @@
+"""Lamellas that are slotted, drilled and spliced: closed from corner points, read back, quick."""
+
+import time
+
+import cadquery
+import numpy as np
+import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+
+from freecad_ortho.fabrication import Lamellas, Selection, build
+from freecad_ortho.fabrication.bezier import bernstein, raised, through
+from freecad_ortho.fabrication.step import read_step, write_step
+from tests.fabrication.test_lamellas import check_solids, rounded
+from tests.meshes import helicoid
+
+KINDS = {
+    "bent, drilled on the bends": {"strip": "developable", "layers": 2},
+    "twisted, drilled": {"strip": "twisted", "layers": 2},
+    "twisted, slotted, spliced": {"strip": "twisted", "stock": 3000.0},
+    "smooth, drilled, spliced": {"smooth": True, "layers": 2, "stock": 3000.0},
+    "lying, spliced": {"position": "lying", "layers": 2, "stock": 3000.0},
+}
+
+
+@pytest.fixture(scope="module", params=KINDS.values(), ids=KINDS)
+def some(request):
+    selection = Selection(lines=(2, 3))
+    return build(rounded(), [Lamellas(60, 4, **request.param)], selection=selection)
+
+
+def test_solids_are_valid_and_read_back(some, tmp_path):
+    check_solids(some)
+    path = tmp_path / "some.step"
+    write_step(path, some.parts)
+    for (name, shape), part in zip(read_step(path), some.parts, strict=True):
+        assert shape.isValid(), name
+        assert shape.Volume() == pytest.approx(part.volume, rel=1e-7), name
+
+
+def test_a_bolt_passes_every_hole(some):
+    drilled = [part for part in some.parts if part.pattern.holes]
+    assert drilled
+    for part in drilled[::3]:
+        plate = part.body.solid()
+        for drill in part.body.drills:
+            start = drill.centre - 2 * drill.thickness * drill.direction
+            ends = (cadquery.Vector(*start.tolist()), cadquery.Vector(*drill.direction.tolist()))
+            sizes = [(0.49 * drill.diameter, True), (0.51 * drill.diameter, False)]
+            for radius, passes in sizes:
+                bolt = cadquery.Solid.makeCylinder(radius, 4 * drill.thickness, *ends)
+                shared = BRepAlgoAPI_Common(plate.wrapped, bolt.wrapped).Shape()
+                assert (cadquery.Shape.cast(shared).Volume() <= 1e-6) is passes, part.name
+
+
+def test_holes_take_their_cylinders_from_the_plate(some):
+    for part in some.parts:
+        bored = part.body.whole.volume - part.volume if part.pattern.holes else 0.0
+        cylinders = sum(np.pi / 4 * hole.diameter**2 for hole in part.pattern.holes)
+        assert bored == pytest.approx(cylinders * part.thickness, rel=3e-3)
+
+
+def test_plane_holes_are_cylinders_for_whoever_drills_them():
+    structure = build(helicoid().scaled(3000.0), [Lamellas(40, 3, hole=6.0, stock=2500.0)])
+    plate = next(part for part in structure.parts if part.kind == "splice")
+    walls = [face for face in plate.solid().Faces() if face.geomType() == "CYLINDER"]
+    assert len(walls) == len(plate.pattern.holes) > 0
+
+
+@pytest.mark.parametrize("settings", KINDS.values(), ids=KINDS)
+def test_solids_take_no_longer_than_three_times_the_writing(settings, tmp_path):
+    structure = build(rounded(), [Lamellas(60, 4, **settings)])
+    seconds = []
+    for work in (structure.solids, lambda: write_step(tmp_path / "a.step", structure.parts)):
+        start = time.process_time()
+        work()
+        seconds.append(time.process_time() - start)
+    assert seconds[0] <= 3 * seconds[1]
+
+
+def test_a_face_between_two_stations_is_one_side():
+    """Two sides and two edges a face, and of each slot two flanks and the floor's halves."""
+    structure = build(helicoid().scaled(3000.0), [Lamellas(40, 3, strip="twisted")])
+    for part in structure.parts:
+        faces = len(part.pattern.axis) - 1
+        slots = sum(1 for mark in part.pattern.marks if mark.text)
+        assert len(part.solid().Faces()) == 4 * faces + 4 * slots + 2
+
+
+def test_bezier_curves_stay_themselves():
+    random = np.random.default_rng(3)
+    poles = random.normal(size=(4, 3))
+    t = np.linspace(0, 1, 11)
+    values, slopes = bernstein(4, t)
+    higher, _ = bernstein(7, t)
+    assert higher @ raised(poles, 7) == pytest.approx(values @ poles, abs=1e-14)
+    steps, _ = bernstein(4, np.linspace(0, 1, 4))
+    assert through(steps @ poles) == pytest.approx(poles, abs=1e-13)
+    ahead, _ = bernstein(4, t + 1e-6)
+    assert (ahead - values) / 1e-6 == pytest.approx(slopes, abs=1e-4)
