@@ -87,7 +87,7 @@ class Site:
         _refuse_long_edges(mesh_mm)
         centre = mesh_mm.vertices[mesh_mm.connectivity.referenced].mean(axis=0)
         mesh = mesh_mm.with_vertices(mesh_mm.vertices - centre)
-        lines = ParameterLines(mesh.connectivity)
+        lines = ParameterLines.of(mesh)
         site = cls(mesh, centre, torsion_free_axes(mesh), lines, selection)
         site._refuse_missing_lines()
         return site

@@ -78,7 +78,7 @@ def rulings(mesh: QuadMesh) -> list[Shape]:
     """The rulings of developable strips that stand along the parameter lines."""
     half = 0.5 * _RULING * mesh.mean_edge
     ends: dict[str, list[FloatArray]] = {}
-    for line in ParameterLines(mesh.connectivity).all:
+    for line in ParameterLines.of(mesh).all:
         vertices = np.append(line.vertices, line.vertices[:1]) if line.closed else line.vertices
         points = mesh.vertices[vertices]
         strip = developable_strip(points, mesh.vertex_normals[vertices], closed=line.closed)

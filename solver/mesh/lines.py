@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import combinations
 
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
+from solver.mesh.quadmesh import QuadMesh, unit_rows
 
 FAMILIES = ("u", "v")
+# Degrees that a line may turn at a border vertex and still run on: more than lines of a usable net
+# turn, and a third of the 45 from where another edge would go on as straight.
+STRAIGHT_ON = 15.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,11 +43,36 @@ class ParameterLines:
     """All parameter lines of a connectivity.
 
     Side 0 of the first face of each component is a u line. Lines end at the boundary and at
-    irregular vertices. Everything depends on the connectivity alone: lines are numbered, in each
-    family, in the order of their smallest edge, and run away from the smaller of their ends.
+    irregular vertices, but for ``joined``. They are numbered, in each family, in the order of their
+    smallest edge, and run away from the smaller of their ends.
+
+    Attributes:
+        connectivity: that the lines are of.
+        joined: (J, 2) further pairs of edges of one family that follow each other on a line, each
+            edge at each end once.
     """
 
     connectivity: Connectivity
+    joined: IntArray = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))
+
+    @classmethod
+    def of(cls, mesh: QuadMesh) -> ParameterLines:
+        """Lines that run on through border vertices where they are nearly straight.
+
+        The border of a diagonal mesh is a zigzag: where three faces meet at one of its vertices two
+        lines cross that the connectivity alone would end there.
+        """
+        return cls(mesh.connectivity, joined_at_border(mesh))
+
+    @cached_property
+    def passed(self) -> BoolArray:
+        """(V,) true where a line goes on: at regular vertices and between joined edges."""
+        result = self.connectivity.regular.copy()
+        one, two = self.connectivity.edges[self.joined[:, 0]], self.joined[:, 1]
+        other = self.connectivity.edges[two]
+        shared = (one == other[:, :1]) | (one == other[:, 1:])
+        result[one[shared]] = True
+        return result
 
     @cached_property
     def edge_family(self) -> IntArray:
@@ -71,8 +101,8 @@ class ParameterLines:
         onward = self.connectivity.continuation
         half = np.flatnonzero(onward >= 0)
         edge_of = self.connectivity.face_edges.ravel()
-        pairs = np.sort(np.stack([edge_of[half], edge_of[onward[half]]], axis=1), axis=1)
-        return np.unique(pairs, axis=0)
+        pairs = np.stack([edge_of[half], edge_of[onward[half]]], axis=1)
+        return np.unique(np.sort(np.concatenate([pairs, self.joined]), axis=1), axis=0)
 
     @cached_property
     def all(self) -> tuple[ParameterLine, ...]:
@@ -125,6 +155,44 @@ class ParameterLines:
         paths = [(_vertices(walk, ends), walk) for walk in walks]
         vertices, edges = min(paths, key=lambda path: path[0][0])
         return np.array(vertices[: len(vertices) - closed]), np.array(edges), closed
+
+
+def joined_at_border(mesh: QuadMesh) -> IntArray:
+    """(J, 2) pairs of edges that go straight on at border vertices where connectivity ends them.
+
+    Both are of one family (or neither has one), share no face and turn by at most ``STRAIGHT_ON``
+    degrees; of several that could go on, those that turn least.
+    """
+    net = mesh.connectivity
+    at = np.flatnonzero(net.boundary_vertices & ~net.regular & (net.edge_valence > 3))
+    if not len(at):
+        return np.empty((0, 2), dtype=np.int64)
+    family = ParameterLines(net).edge_family
+    sides = net.face_edges
+    beside = {(min(pair), max(pair)) for k in range(4) for pair in sides[:, [k, k - 1]].tolist()}
+    around: dict[int, list[int]] = {vertex: [] for vertex in at.tolist()}
+    for edge, ends in enumerate(net.edges.tolist()):
+        for vertex in ends:
+            if vertex in around:
+                around[vertex].append(edge)
+    found: list[tuple[int, int]] = []
+    least = -np.cos(np.radians(STRAIGHT_ON))
+    for vertex, edges in around.items():
+        away = mesh.vertices[net.edges[edges].sum(axis=1) - vertex] - mesh.vertices[vertex]
+        turned = unit_rows(away) @ unit_rows(away).T
+        pairs = [
+            (turned[i, j], edges[i], edges[j])
+            for i, j in combinations(range(len(edges)), 2)
+            if turned[i, j] <= least
+            and family[edges[i]] == family[edges[j]]
+            and (edges[i], edges[j]) not in beside
+        ]
+        free = set(edges)
+        for _, one, two in sorted(pairs):
+            if {one, two} <= free:
+                free -= {one, two}
+                found.append((one, two))
+    return np.array(found, dtype=np.int64).reshape(-1, 2)
 
 
 def _walk(start: int, beside: list[list[int]], length: int) -> list[int]:

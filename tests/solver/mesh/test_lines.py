@@ -3,9 +3,12 @@
 import numpy as np
 import pytest
 
+from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import Connectivity
+from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.grid import grid_faces
 from solver.mesh.lines import ParameterLines
+from solver.mesh.primitives import rectangle
 
 
 def lines_of(m, n, **closed):
@@ -78,3 +81,47 @@ def test_names_survive_a_move_and_do_not_depend_on_the_start_corner_within_a_fam
     for one, other in zip(plain.all, turned.all, strict=True):
         assert one.family == other.family
         assert one.vertices.tolist() == other.vertices.tolist()
+
+
+def zigzag(bulge=0.0):
+    """A diagonal mesh of a square, its border a zigzag, raised by ``bulge`` at the middle."""
+    flat = rectangle(9, 9, length=8.0, width=8.0)
+    part = diagonal_meshes(flat).first
+    mesh = compact(part, part.faces)
+    away = np.hypot(*(mesh.vertices[:, :2] - mesh.vertices[:, :2].mean(axis=0)).T)
+    return mesh.with_vertices(mesh.vertices + bulge * np.stack([0 * away, 0 * away, away**2], 1))
+
+
+@pytest.mark.parametrize("bulge", [0.0, 0.01])
+def test_lines_run_on_through_a_zigzag_border(bulge):
+    mesh = zigzag(bulge)
+    ends = [line for line in ParameterLines(mesh.connectivity).all if len(line.edges) == 1]
+    lines = ParameterLines.of(mesh)
+    assert len(ends) > 10
+    assert len(lines.all) < len(ParameterLines(mesh.connectivity).all) - len(ends) / 2
+    # Whatever meets at a vertex runs through it, but at corners of the border.
+    count = np.zeros(mesh.connectivity.vertex_count, dtype=int)
+    for line in lines.all:
+        count[line.vertices[[0, -1]]] += 1
+        steps = np.diff(mesh.vertices[line.vertices], axis=0)
+        steps /= np.linalg.norm(steps, axis=1, keepdims=True)
+        assert np.einsum("ij,ij->i", steps[1:], steps[:-1]).min(initial=1.0) > np.cos(0.3)
+    inwards = mesh.connectivity.boundary_vertices & (mesh.connectivity.edge_valence == 4)
+    assert inwards.sum() > 5 and not count[inwards].any()
+    assert lines.passed[inwards].all()
+    covered = np.concatenate([line.edges for line in lines.all])
+    assert sorted(covered) == list(range(len(mesh.connectivity.edges)))
+
+
+def test_lines_that_turn_too_much_at_the_border_end_there():
+    mesh = zigzag(0.3)
+    assert len(ParameterLines.of(mesh).all) > len(ParameterLines.of(zigzag()).all)
+
+
+def test_lines_of_nets_without_a_zigzag_are_those_of_the_connectivity():
+    mesh = rectangle(6, 5, length=5.0, width=4.0)
+    one, other = ParameterLines.of(mesh), ParameterLines(mesh.connectivity)
+    assert not len(one.joined)
+    for here, there in zip(one.all, other.all, strict=True):
+        assert (here.family, here.number) == (there.family, there.number)
+        assert here.vertices.tolist() == there.vertices.tolist()

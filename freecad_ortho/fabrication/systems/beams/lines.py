@@ -60,7 +60,7 @@ def half_laps(site: Site, around: Around, thickness: float, clearance: float) ->
     most = np.full(net.vertex_count, -1)
     np.minimum.at(least, around.vertex[built], rank[built])
     np.maximum.at(most, around.vertex[built], rank[built])
-    crossed = net.regular & (least < most)
+    crossed = site.lines.passed & (least < most)
 
     beside = np.zeros(len(rank))
     other = around.left[built]
