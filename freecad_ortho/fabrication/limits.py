@@ -8,6 +8,8 @@ from freecad_ortho.fabrication.part import Part, measure_words
 from freecad_ortho.fabrication.sizes import positive
 
 OK = "ok"
+# Limits of parts whose patterns are straight or arcs.
+_OF_PATTERNS = ("straightness_mm", "radius_spread_mm")
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,10 @@ class Limits:
 def verdict(part: Part, limits: Limits) -> str:
     """Say "ok", or in one sentence what exceeds which limit."""
     complaints = []
+    skipped = _OF_PATTERNS if part.curved else ()
     for field in fields(limits):
+        if field.name in skipped:
+            continue
         limit, value = getattr(limits, field.name), getattr(part.measures, field.name)
         if limit is not None and value is not None and value > limit:
             name, unit = _words(field.name)
@@ -53,6 +58,8 @@ def verdict(part: Part, limits: Limits) -> str:
             f"{material.name}: bent to {part.measures.min_bend_radius_mm:.0f} mm, needs "
             f"{material.least_radius(part.thickness):.0f} mm"
         )
+    if part.assembly:
+        complaints.append(part.assembly)
     return "; ".join(complaints) or OK
 
 

@@ -75,6 +75,9 @@ class Part:
         family: "u" or "v" of the parameter line it lies on, "" for none.
         line: number of that line in its family, counted from 0, None for none.
         measures: how true it is.
+        curved: its pattern is cut curved where others of its kind are straight or arcs: how far
+            it is from these is measured, but no limit.
+        assembly: in one clause what keeps it from being put together, "" where nothing does.
         note: how to cut a part that has no flat pattern, in words.
         height: of the section where the width is not that, as the flat pattern is curved, mm.
         section_width: of a tube, across its height, mm.
@@ -97,6 +100,8 @@ class Part:
     family: str = ""
     line: int | None = None
     measures: Measures = Measures()
+    curved: bool = False
+    assembly: str = ""
     note: str = ""
     height: float | None = None
     section_width: float | None = None

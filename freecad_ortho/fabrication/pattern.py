@@ -50,10 +50,15 @@ class Bend:
         points: (2, 2) ends of the line, mm.
         angle_deg: by which the two sides leave their common plane, positive when they rise towards
             the side that is seen.
+        axis: (2,) where the axis crosses the line, mm, None where the part has none.
+        twist_deg: by which the plate turns about its axis from this line to the next, as a
+            right-handed screw; 0 where it is plane between them.
     """
 
     points: FloatArray
     angle_deg: float
+    axis: FloatArray | None = None
+    twist_deg: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)

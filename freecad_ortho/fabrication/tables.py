@@ -54,7 +54,10 @@ NODE_COLUMNS = (
     *("name", "vertex", "x_mm", "y_mm", "z_mm", "axis_x", "axis_y", "axis_z"),
     *("parts", "neighbours", "angles_deg", "slopes_deg", "equal_to"),
 )
-BEND_COLUMNS = ("part", "bend", "x1_mm", "y1_mm", "x2_mm", "y2_mm", "angle_deg")
+BEND_COLUMNS = (
+    *("part", "bend", "x1_mm", "y1_mm", "x2_mm", "y2_mm", "angle_deg"),
+    *("axis_x_mm", "axis_y_mm", "twist_deg"),
+)
 BEVEL_COLUMNS = ("part", "bevel", "x1_mm", "y1_mm", "x2_mm", "y2_mm", "angle_deg", "line_on")
 STOCK_COLUMNS = (
     *("name", "kind", "material", "section", "width_mm", "width_min_mm", "thickness_mm"),
@@ -166,6 +169,9 @@ def write_stock(path: Path, bars: Sequence[Bar]) -> None:
 def write_bends(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
     """Write one row a bend line: its ends in the flat pattern, mm, and its angle in degrees.
 
+    Where the part has an axis, its place on the line follows, and the twist from there to the next
+    line: enough digits to fold the pattern back.
+
     Args:
         path: file to write.
         patterns: by the names of their parts.
@@ -174,7 +180,13 @@ def write_bends(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
         OSError: the file cannot be written.
     """
     rows = (
-        [name, number, *_line_and_angle(bend)]
+        [
+            name,
+            number,
+            *_line_and_angle(bend, 9),
+            *(("", "") if bend.axis is None else (f"{x:.6f}" for x in bend.axis)),
+            f"{bend.twist_deg:.9f}",
+        ]
         for name, pattern in patterns.items()
         for number, bend in enumerate(pattern.bends)
     )
@@ -199,8 +211,8 @@ def write_bevels(path: Path, patterns: Mapping[str, FlatPattern]) -> None:
     write_table(path, BEVEL_COLUMNS, rows)
 
 
-def _line_and_angle(line: Bend | Bevel) -> list[str]:
-    return [*(f"{x:.6f}" for x in line.points.ravel()), f"{line.angle_deg:.6f}"]
+def _line_and_angle(line: Bend | Bevel, digits: int = 6) -> list[str]:
+    return [*(f"{x:.6f}" for x in line.points.ravel()), f"{line.angle_deg:.{digits}f}"]
 
 
 def _bevel_cells(pattern: FlatPattern | None) -> list[str]:

@@ -82,10 +82,13 @@ def check_solids(structure):
 def test_lamellas_of_a_minimal_surface_unroll_straight(minimal):
     structure = build(minimal, [Lamellas(40, 3)])
     assert structure.results["lamellas"].report["pattern"] == "straight"
-    measured = [part.measures for part in structure.parts if part.measures.straightness_mm]
-    assert len(measured) >= 20
+    straight = [part for part in structure.parts if not part.curved]
+    assert len(straight) >= 20
+    assert all(part.measures.straightness_mm is not None for part in structure.parts)
     for part in structure.parts:
-        if part.measures.straightness_mm is not None:
+        if part.curved:
+            assert part.measures.straightness_mm <= 1e-3 * part.length
+        else:
             assert part.measures.straightness_mm <= 1e-9 * part.length
             axis = part.pattern.axis
             assert np.ptp(axis[:, 1]) <= 1e-9 * part.length
@@ -201,22 +204,28 @@ def test_names_and_ticks_lie_on_the_plate(strip, layers):
                 assert plate.contains(shapely.affinity.translate(box, *mark.points[0]))
 
 
-def test_two_layers_have_a_bolt_hole_at_each_crossing():
-    for position in ("standing", "lying"):
-        system = Lamellas(60, 5, position=position, layers=2, hole=11)
-        structure = build(flat_grid(), [system])
-        for part, solid in zip(structure.parts, structure.solids(), strict=True):
-            assert len(part.pattern.holes) == len(part.vertices)
-            assert {hole.diameter for hole in part.pattern.holes} == {11}
-            centres = np.array([hole.centre for hole in part.pattern.holes])
-            for mark in part.pattern.marks:
-                if not mark.text:
-                    arms = np.linalg.norm(mark.points[:, None] - centres, axis=2)
-                    assert arms.min() == pytest.approx(0.3 * 60) and mark.points.min() >= -1e-9
-            assert solid.isValid()
-            assert solid.Volume() == pytest.approx(part.area * 5, rel=1e-9)
-        assert worst_clash(structure) == 0.0
-    # lying: the holes of both layers are above each other
+def test_standing_ones_in_two_layers_have_no_holes_without_a_mate():
+    structure = build(flat_grid(), [Lamellas(60, 5, layers=2, hole=11)])
+    check_solids(structure)
+    assert not any(part.pattern.holes for part in structure.parts)
+    assert any("no bolt holds them" in words for words in structure.report()["messages"])
+    assert worst_clash(structure) == 0.0
+
+
+def test_two_lying_layers_have_a_bolt_hole_at_each_crossing():
+    structure = build(flat_grid(), [Lamellas(60, 5, position="lying", layers=2, hole=11)])
+    for part, solid in zip(structure.parts, structure.solids(), strict=True):
+        assert len(part.pattern.holes) == len(part.vertices)
+        assert {hole.diameter for hole in part.pattern.holes} == {11}
+        centres = np.array([hole.centre for hole in part.pattern.holes])
+        for mark in part.pattern.marks:
+            if not mark.text:
+                arms = np.linalg.norm(mark.points[:, None] - centres, axis=2)
+                assert arms.min() == pytest.approx(5.5 + 6) and mark.points.min() >= -1e-9
+        assert solid.isValid()
+        assert solid.Volume() == pytest.approx(part.area * 5, rel=1e-9)
+    assert worst_clash(structure) == 0.0
+    # The holes of both layers are above each other.
     holes = {}
     for part in structure.parts:
         for hole, vertex in zip(part.pattern.holes, part.vertices, strict=True):
@@ -225,6 +234,23 @@ def test_two_layers_have_a_bolt_hole_at_each_crossing():
     for vertex, pair in holes.items():
         assert len(pair) == 2
         assert np.abs(np.diff(pair, axis=0))[0, :2].max() <= 1e-9, vertex
+
+
+def test_the_clearance_that_keeps_lying_layers_apart_is_named():
+    settings = Lamellas(60, 5, position="lying", layers=2, strip="twisted")
+    some = Selection(lines=(2, 3, 4))
+    structure = build(rounded(), [settings], selection=some)
+    clashes = check_clashes(structure.parts).clashes
+    (words,) = [words for words in structure.report()["messages"] if "take clearance" in words]
+    assert f"touch at {len(clashes)} crossing" in words and clashes
+    least = float(words.rpartition(" ")[2])
+    for clearance, apart in ((least, True), (0.7 * least, False)):
+        made = build(
+            rounded(), [dataclasses.replace(settings, clearance=clearance)], selection=some
+        )
+        assert (not check_clashes(made.parts).clashes) is apart
+        named = any("take clearance" in words for words in made.report()["messages"])
+        assert named is not apart
 
 
 def test_files_read_back(minimal, tmp_path):
@@ -259,7 +285,7 @@ def test_files_read_back(minimal, tmp_path):
         ({"clearance": 50}, "deeper than three quarters"),
         ({"position": "lying"}, "cannot cross in one layer"),
         ({"layers": 3}, "expected 1 or 2"),
-        ({"layers": 2, "hole": 40}, "a hole of at most 33.3 mm"),
+        ({"position": "lying", "layers": 2, "hole": 40}, "a hole of at most 33.3 mm"),
         ({"strip": "developable", "smooth": True}, "take strip twisted"),
         ({"strip": "rigid"}, "expected one of auto, developable"),
         ({"overhang": -4}, "overhang: expected a number above 0"),
@@ -313,7 +339,7 @@ def test_rulings_with_few_digits_do_not_make_lamellas_lean(strip):
     torsion = one.report["torsion_max_deg_per_m"]
     assert two.report["torsion_max_deg_per_m"] == pytest.approx(torsion, rel=1e-3)
     for part in two.parts:
-        if part.measures.straightness_mm is not None:
+        if not part.curved:
             assert part.measures.straightness_mm <= 1e-4 * part.length
 
 

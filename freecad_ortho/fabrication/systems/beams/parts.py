@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from freecad_ortho.fabrication.assembly import SlotWay, judged, lean
 from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import Polyhedron
 from freecad_ortho.fabrication.part import Measures, Part, part_names
@@ -18,7 +19,7 @@ from freecad_ortho.fabrication.pattern import (
 )
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.beams.folded import FoldedPlate, folded_plate
+from freecad_ortho.fabrication.systems.beams.folded import Chain, FoldedPlate, folded_plate
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
 from freecad_ortho.fabrication.systems.beams.sections import Piece, Section, pieces
@@ -88,8 +89,8 @@ def line_beams(
     thickness: float,
     lines: tuple[ParameterLine, ...],
     laps: Crossings | None,
-) -> tuple[Part, ...]:
-    """Return one folded plate for each line.
+) -> tuple[tuple[Part, ...], list[str]]:
+    """Return one folded plate for each line, and what is to be said about putting them together.
 
     Raises:
         InputError: sizes that do not fit, or a flat pattern that overlaps itself.
@@ -97,10 +98,13 @@ def line_beams(
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
     across, nodes = _names_across(site), part_names("N", len(site.mesh.vertices))
     parts = []
+    ways: dict[str, list[SlotWay]] = {}
     for line in lines:
         form = chain(site, geometry, line, thickness / 2, laps)
         plate = folded_plate(form)
         name = line_name(line)
+        if laps is not None:
+            ways[name] = _ways(site, geometry, line, form, laps.clearance, across)
         if overlaps_itself(plate.outline):
             raise InputError(
                 f"beams: the flat pattern of {name} overlaps itself; take mitred or hub ends, or "
@@ -125,7 +129,31 @@ def line_beams(
                 height=float(geometry.height[line.edges].max()),
             )
         )
-    return tuple(parts)
+    return judged(parts, ways)
+
+
+def _ways(
+    site: Site,
+    geometry: BeamGeometry,
+    line: ParameterLine,
+    form: Chain,
+    clearance: float,
+    across: dict[int, list[str]],
+) -> list[SlotWay]:
+    """How others are pushed into the slots of a beam, which is rigid."""
+    net = site.mesh.connectivity
+    depth = float(geometry.height[line.edges].min()) / 2
+    found = []
+    for vertex, slot, offset in zip(line.vertices.tolist(), form.slots, form.offsets, strict=False):
+        others = [name for name in across[vertex] if name != line_name(line)]
+        if slot is None or not others:
+            continue
+        beside = np.setdiff1d(np.flatnonzero((net.edges == vertex).any(axis=1)), line.edges)
+        length = float(site.mesh.edge_lengths[beside].min())
+        direction = offset / np.linalg.norm(offset) * (1 if slot.above else -1)
+        give = lean(site.material, 2 * form.half, length)
+        found.append(SlotWay(others[0], direction, depth, clearance, give))
+    return found
 
 
 def _names_across(site: Site) -> dict[int, list[str]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -29,6 +29,7 @@ from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
+from solver.mesh.lines import ParameterLines
 
 # Twist above which a beam is visibly not a plane plate, degrees.
 _TWIST_WORTH_SAYING = 0.01
@@ -135,6 +136,9 @@ class Beams(System):
             InputError: sizes that do not fit the net, or a net whose faces are not planar or whose
                 lines have no families where that is needed.
         """
+        if not self.boundary_beams:
+            # Lines that run on along the border would be left with gaps.
+            site = replace(site, lines=ParameterLines(site.mesh.connectivity))
         section = self._section()
         frames = beam_frames(site.mesh, site.axes)
         built = np.ones(len(site.mesh.connectivity.edges), dtype=bool)
@@ -148,9 +152,10 @@ class Beams(System):
         geometry = beam_geometry(site.mesh, self.levels, section.overall_width, frames, cuts)
         parts = edge_beams(site, geometry, section, wanted & ~folded)
         lines = tuple(line for line in site.chosen_lines if (folded & built)[line.edges].all())
-        parts += line_beams(site, geometry, self.thickness, lines, laps)
+        folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps)
+        parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
-        return SystemParts(parts, report, _messages(report, parts), geometry)
+        return SystemParts(parts, report, (*_messages(report, parts), *doubts), geometry)
 
     def _section(self) -> Section:
         flange = self.thickness if self.flange_thickness is None else self.flange_thickness
@@ -199,6 +204,7 @@ class Beams(System):
             "twist_worst": max(parts, key=lambda part: part.measures.twist_deg or 0.0).name,
             "height_min_mm": float(heights.min()),
             "height_max_mm": float(heights.max()),
+            "not_put_on": sum(bool(part.assembly) for part in parts),
             "height_deviation_max": float(np.abs(site.axes.heights[chosen] - 1).max()),
             **sums(parts),
         }

@@ -26,6 +26,7 @@ from solver.unroll.measures import (
     straightness,
     strip_measures,
 )
+from solver.unroll.nearest_turns import nearest_turns
 from solver.unroll.planes import developable_strip
 from solver.unroll.strip import Strip
 from solver.unroll.twisted import twisted_strip
@@ -37,9 +38,12 @@ _NEAR_NET = 0.1
 # Degrees that a lamella may lean for its pattern before one along the normals is looked at, and the
 # most that it may lean at all.
 _LEAN, _LEAN_OVER = 10.0, 45.0
+# Share of the former that rulings use where a pattern is only nearly what it should be: the plate
+# leans more between them.
+_SPARE_LEAN = 0.8
 # Share of the length up to which a pattern along the normals is preferred to one that leans: edges
 # that are straight but for their last digits say nothing about how a strip should stand.
-_NEARLY = 1e-4
+NEARLY = 1e-4
 # Share of the length up to which a pattern counts as exact.
 _EXACT = 1e-6
 # Where rulings close in on each other the strip bends sharply: left to choose, it is made of plane
@@ -78,6 +82,7 @@ class Lamella:
             the end of that edge.
         measures: of the strip between the line's ends.
         pattern: "straight", "arc" or "free": what its own pattern is.
+        aim: what the patterns of the structure are.
         twisted: true where its faces may twist.
         closed: true where the first face of the ribbon is the last one too, to be cut there.
         bolts: of its spliced ends: a face of the ribbon and (N, 2) places in the pattern.
@@ -91,9 +96,17 @@ class Lamella:
     ribbon: Ribbon
     measures: StripMeasures
     pattern: str
+    aim: str
     twisted: bool
     closed: bool
     bolts: tuple[tuple[int, FloatArray], ...] = ()
+
+    @property
+    def exact(self) -> bool:
+        """Whether its pattern is what those of the structure are meant to be."""
+        straight = self.aim == "straight"
+        miss = self.measures.straightness if straight else self.measures.radius_spread
+        return self.pattern == self.aim and miss <= NEARLY * self.measures.length
 
 
 def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:
@@ -166,6 +179,8 @@ def lamella_on(
         turns = _turns(points, pattern.radius, line.closed)
         on_boundary = bool(site.mesh.connectivity.boundary_edges[line.edges].any())
         made = maker.exact(turns, name, vertices, on_boundary, kind)
+        if made is not None and on_boundary and _miss(made, kind) > _EXACT:
+            kind = "free"
     if made is None:
         made, kind = maker.made(None, name, vertices), "free"
     strip, twisted, measures = made
@@ -184,6 +199,7 @@ def lamella_on(
         ribbon,
         measures,
         kind,
+        pattern.kind,
         twisted,
         line.closed,
     )
@@ -230,8 +246,9 @@ class _Maker:
         """Strip, whether it may twist, and measures; None where the line must go without.
 
         At the boundary the net asks nothing of a line: there, where its pattern could only be
-        exact with a strip that leans far over, or not at all, it is left free. So is one elsewhere
-        that would lie where it should stand, if the pattern was left to choose.
+        exact with a strip that leans far over, it is as near as a strip that leans little can make
+        it, or left free. So is one elsewhere that would lie where it should stand, if the pattern
+        was left to choose.
 
         Raises:
             InputError: no strip has the pattern that was asked for, or only one that leans over.
@@ -244,11 +261,15 @@ class _Maker:
             raise
         lean = made[2].lean_deg
         if on_boundary:
-            return made if lean <= _LEAN and _miss(made, kind) <= _EXACT else None
+            if lean <= _LEAN and _miss(made, kind) <= _EXACT:
+                return made
+            return (
+                None if len(turns) > len(self.points) - 2 else self._nearest(turns, name, vertices)
+            )
         if lean <= _LEAN:
             return made
         upright = self._upright(name, vertices)
-        if upright is not None and _miss(upright, kind) <= _NEARLY:
+        if upright is not None and _miss(upright, kind) <= NEARLY:
             return upright
         if lean > _LEAN_OVER and self.settings.pattern != "auto":
             raise InputError(
@@ -257,6 +278,15 @@ class _Maker:
                 "take pattern free"
             )
         return None if lean > _LEAN_OVER else made
+
+    def _nearest(self, turns: FloatArray, name: str, vertices: IntArray) -> Made | None:
+        """The strip whose pattern comes nearest to the wanted one without leaning too far."""
+        nearest = nearest_turns(self.points, self.upright, turns, math.radians(_SPARE_LEAN * _LEAN))
+        try:
+            made = self.made(nearest, name, vertices)
+        except InputError:
+            return None
+        return made if made[2].lean_deg <= _LEAN else None
 
     def _upright(self, name: str, vertices: IntArray) -> Made | None:
         """The strip along the normals, None where plane faces are wanted and cannot make it."""

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_ortho.fabrication.assembly import SlotWay, lean
+from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot, notch
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
@@ -31,7 +33,8 @@ class Crossing:
         station: of the lamella.
         other: name of the other one.
         angle_deg: between the two plates.
-        slot: cut for the other one, None where bolts hold them.
+        slot: cut for the other one, None in two layers.
+        bolted: whether a bolt holds both: lying ones in two layers.
     """
 
     vertex: int
@@ -39,6 +42,7 @@ class Crossing:
     other: str
     angle_deg: float
     slot: Slot | None
+    bolted: bool = False
 
 
 def crossings(lamellas: Sequence[Lamella], settings: LamellaSettings) -> list[list[Crossing]]:
@@ -60,6 +64,33 @@ def crossings(lamellas: Sequence[Lamella], settings: LamellaSettings) -> list[li
             upward = _opens_above(lamellas, one[0], two[0])
             found[one[0]].append(_crossing(lamellas, one, two, vertex, upward, settings))
     return [sorted(row, key=lambda crossing: crossing.station) for row in found]
+
+
+def slot_ways(
+    lamellas: Sequence[Lamella],
+    met: Sequence[Sequence[Crossing]],
+    settings: LamellaSettings,
+    material: Material,
+) -> dict[str, list[SlotWay]]:
+    """How others are pushed into the slots of each lamella, by its name."""
+    by_name = {lamella.name: lamella for lamella in lamellas}
+    ways: dict[str, list[SlotWay]] = {}
+    for lamella, row in zip(lamellas, met, strict=True):
+        for crossing in row:
+            if crossing.slot is None:
+                continue
+            other = by_name[crossing.other]
+            there = other.stations[other.vertices.index(crossing.vertex)]
+            length = float(other.ribbon.strip.lengths[there - 1 : there + 1].min())
+            way = SlotWay(
+                crossing.other,
+                crossing.slot.direction,
+                settings.width / 2,
+                settings.clearance,
+                lean(material, settings.thickness, length),
+            )
+            ways.setdefault(lamella.name, []).append(way)
+    return ways
 
 
 def _opens_above(lamellas: Sequence[Lamella], one: int, two: int) -> bool:
@@ -89,7 +120,7 @@ def _crossing(
     slot = None
     if settings.layers == 1:
         slot = _slot(lamella, station, other, other_station, upward, settings)
-    return Crossing(vertex, station, other.name, angle, slot)
+    return Crossing(vertex, station, other.name, angle, slot, not settings.standing)
 
 
 def _slot(
@@ -177,13 +208,13 @@ def _half_width(
     line = theirs.flat_points[other_station] + heights[:, None] * their_axis
     # Where the other plate leans, its axis leaves this plane: start from where it meets it.
     (middle, _), (ahead_of, _) = (
-        _placed(other.ribbon, other_station, points) for points in (line, line + run * across)
+        placed_near(other.ribbon, other_station, points) for points in (line, line + run * across)
     )
     off = (middle - strip.points[station]) @ normal
     met = -run * off / ((ahead_of - middle) @ normal)
     offsets = np.array([-1, 0, 1])[:, None] * (run + skew) + met
     flat = (line + offsets[..., None] * across).reshape(-1, 2)
-    middle, half = _placed(other.ribbon, other_station, flat)
+    middle, half = placed_near(other.ribbon, other_station, flat)
     worst = 0.0
     for side in (-1, 1):
         arms = middle + side * half - strip.points[station]
@@ -194,7 +225,7 @@ def _half_width(
     return worst
 
 
-def _placed(ribbon: Ribbon, station: int, flat: FloatArray) -> tuple[FloatArray, FloatArray]:
+def placed_near(ribbon: Ribbon, station: int, flat: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Points of the pattern around a station in space, each with the face that it lies in.
 
     Returns:

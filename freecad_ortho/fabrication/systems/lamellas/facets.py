@@ -79,8 +79,9 @@ def folded_body(ribbon: Ribbon, outline: FloatArray, holes: Sequence[Drilled] = 
 class _Pieces:
     """Points of the pattern, and the loops of them that lie in each face.
 
-    ``station`` are the stations of points on bend lines, ``arcs`` the inner control points (2, 2)
-    of the arcs between two points, ``done`` the first station of each piece and its loop.
+    ``station`` are the stations of points whose corners lie in mitres, ``arcs`` the inner control
+    points (2, 2) of the arcs between two points, ``done`` the first station of each piece and its
+    loop.
     """
 
     ribbon: Ribbon
@@ -119,7 +120,10 @@ class _Pieces:
             angles += np.linspace(here, after, parts, endpoint=False).tolist()
         loop = list(range(len(self.points), len(self.points) + len(angles)))
         self.points += [hole.centre + radius * _direction(angle) for angle in angles]
-        self.station |= {k: crossed[a] for k, a in zip(loop, angles, strict=True) if a in crossed}
+        for point, angle in zip(loop, angles, strict=True):
+            # Along the bolt, which stands in the mitre plane, not square to each face.
+            if (station := crossed.get(angle, hole.station)) is not None:
+                self.station[point] = station
         pairs = zip(loop, loop[1:] + loop[:1], strict=True)
         spans = zip(angles, [*angles[1:], angles[0] - 2 * np.pi], strict=True)
         for (start, end), (here, after) in zip(pairs, spans, strict=True):

@@ -33,6 +33,9 @@ from freecad_ortho.fabrication.systems.lamellas.spans import Drilled, span_body
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
+# Length of the marks at crossings, in widths.
+_TICK = 0.3
+
 
 @dataclass(frozen=True, eq=False)
 class Cut:
@@ -87,7 +90,7 @@ def _holes(
     """Holes at crossings where layers are bolted, then those at spliced ends."""
     ribbon = lamella.ribbon
     middle = ribbon.edge(0.5 * (ribbon.lower + ribbon.upper))
-    bolted = [each.station for each in crossings if each.slot is None]
+    bolted = [each.station for each in crossings if each.bolted]
     return (
         *(Drilled(None, station, middle[station], settings.hole) for station in bolted),
         *(
@@ -130,7 +133,7 @@ def lamella_part(made: Cut, site: Site) -> Part:
         body = DrilledBody(body, made.drilled.seen_from(origin, frame), placed)
     pattern = _pattern(made)
     measures = lamella.measures
-    straight = lamella.pattern == "straight"
+    straight = lamella.aim == "straight"
     # A single edge lies on arcs of every radius.
     arc = lamella.pattern == "arc" and np.isfinite(measures.radius)
     bend = measures.smallest_bend_radius
@@ -150,6 +153,7 @@ def lamella_part(made: Cut, site: Site) -> Part:
         vertices=lamella.vertices,
         family=lamella.family,
         line=lamella.line,
+        curved=lamella.aim != "free" and not lamella.exact,
         measures=Measures(
             gap_mm=measures.gap,
             straightness_mm=measures.straightness if straight else None,
@@ -166,7 +170,7 @@ def lamella_part(made: Cut, site: Site) -> Part:
 def _drills(made: Cut) -> list[tuple[FloatArray, FloatArray]]:
     """Middles of the holes in space, and their directions, in the order of the holes."""
     ribbon = made.lamella.ribbon
-    bolted = [each.station for each in made.crossings if each.slot is None]
+    bolted = [each.station for each in made.crossings if each.bolted]
     drills = [_drill(ribbon, station) for station in bolted]
     for face, points in made.lamella.bolts:
         middle, half = ribbon.placed(face, points)
@@ -203,8 +207,14 @@ def _pattern(made: Cut) -> FlatPattern:
         if crossing.slot is not None and made.lamella.twisted:
             end = 1 if crossing.slot.upward else 0
             ends[crossing.station, end] = crossing.slot.sides(ribbon).mean(axis=0)
+    twists = np.append(np.degrees(strip.twists), 0.0)
     bends = tuple(
-        Bend(placed(ends[station]), -float(np.degrees(angle)))
+        Bend(
+            placed(ends[station]),
+            -float(np.degrees(angle)),
+            placed(strip.flat_points[station][None])[0],
+            float(twists[station]),
+        )
         for station, angle in enumerate(strip.bends)
         if abs(angle) > FLAT
     )
@@ -231,15 +241,18 @@ def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArr
         station = crossing.station
         slot = crossing.slot
         if slot is None:
-            # From the edge to before the hole in the middle.
-            side, open_width = -1.0, made.holes[0].diameter
+            # From the edge to before the hole in the middle, if there is one.
+            side, open_width = -1.0, made.holes[0].diameter if crossing.bolted else 0.0
             ruling = ribbon.stretch[station] * strip.flat_rulings[station]
             middle = strip.flat_points[station] + level * ruling
-            tick = middle - np.array([[0.5], [0.3]]) * ribbon.width * ruling
+            before = 0.5 * open_width / ribbon.width + 0.1
+            tick = (
+                middle - np.array([[0.5], [min(before, 0.5 - 0.5 * _TICK)]]) * ribbon.width * ruling
+            )
         else:
             side, open_width = (-1.0 if slot.upward else 1.0), slot.width
             floor = slot.sides(ribbon).mean(axis=0)
-            tick = floor - np.array([[0.0], [0.1]]) * ribbon.width * slot.direction
+            tick = floor - np.array([[0.0], [_TICK]]) * ribbon.width * slot.direction
         # The text lies along the edge that follows, in its face.
         across = ribbon.flat_across[station]
         ahead = np.array([across[1], -across[0]])

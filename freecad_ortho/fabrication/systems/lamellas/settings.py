@@ -28,7 +28,7 @@ class LamellaSettings:
         clearance: added to the width and the depth of slots, and between layers, mm.
         position: "standing" normal to the surface, or "lying" tangential to it.
         layers: 1: half-lap slots at each crossing, family u open above, v below; 2: u above the
-            surface, v below, a bolt hole at each crossing.
+            surface, v below; lying ones have a bolt hole at each crossing.
         hole: diameter of the bolt holes of two layers, mm.
         overhang: beyond the last vertex, mm; by default half the width.
         strip: "developable": exact, of plane faces; "twisted": rulings square to the axis;
@@ -136,7 +136,7 @@ class LamellaSettings:
                 f"clearance: slots of half the width and {self.clearance:g} mm are deeper than "
                 f"three quarters of {self.width:g} mm; take a clearance below {self.width / 2:g} mm"
             )
-        if self.layers == 2 and self.width < 2 * EDGE_DISTANCE * self.hole:
+        if not self.standing and self.width < 2 * EDGE_DISTANCE * self.hole:
             raise InputError(
                 f"hole: {self.hole:g} mm in the middle of {self.width:g} mm is nearer to the edges "
                 f"than {EDGE_DISTANCE:g} diameters; take a hole of at most "

@@ -7,12 +7,23 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.fabrication.assembly import judged
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, Pattern, lamella_on, pattern_of
+from freecad_ortho.fabrication.systems.lamellas.axis import (
+    Lamella,
+    Pattern,
+    lamella_on,
+    pattern_of,
+)
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
-from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing, crossings
+from freecad_ortho.fabrication.systems.lamellas.crossings import (
+    Crossing,
+    crossings,
+    slot_ways,
+)
 from freecad_ortho.fabrication.systems.lamellas.ends import reaches
+from freecad_ortho.fabrication.systems.lamellas.layers import too_near
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.splice_parts import splice_part
@@ -52,10 +63,13 @@ class Lamellas(LamellaSettings, System):
         met = crossings(lamellas, self)
         cuts = [cut(each, here, self) for each, here in zip(lamellas, met, strict=True)]
         parts = tuple(lamella_part(made, site) for made in cuts)
+        parts, doubts = judged(parts, slot_ways(lamellas, met, self, site.material))
         parts += tuple(splice_part(splice, site, self) for splice in splices)
         report = self._report(lamellas, met, parts, pattern)
         report["splices"] = len(splices)
+        report["not_put_on"] = sum(bool(part.assembly) for part in parts)
         messages = self._messages(lamellas, pattern) + self._said(whole, splices)
+        messages += self._said_of_layers(lamellas, met) + doubts
         return SystemParts(parts, report, tuple(messages), lamellas)
 
     def _report(
@@ -110,6 +124,23 @@ class Lamellas(LamellaSettings, System):
             )
         return messages
 
+    def _said_of_layers(self, lamellas: list[Lamella], met: list[list[Crossing]]) -> list[str]:
+        """What a user should know about two layers."""
+        if self.layers == 1:
+            return []
+        if self.standing:
+            return [
+                "lamellas: standing ones in two layers meet edge to edge, where no bolt holds "
+                "them: they have no holes there; weld them, let them lie, or take layers 1"
+            ]
+        count, needed = too_near(lamellas, met, self)
+        if not count:
+            return []
+        return [
+            f"lamellas: as they bend and twist, the two layers touch at {count} crossings with a "
+            f"clearance of {self.clearance:g} mm; take clearance {needed:.1f}"
+        ]
+
     def _messages(self, lamellas: list[Lamella], pattern: Pattern) -> list[str]:
         messages = []
         twisted = [each for each in lamellas if each.twisted]
@@ -128,18 +159,15 @@ class Lamellas(LamellaSettings, System):
                 else "lamellas: the net is not geodesic, so the patterns are curved as they come; "
                 "optimise for a geodesic net for straight ones"
             )
-        leaning = [each.name for each in lamellas if each.pattern != pattern.kind]
-        if leaning:
+        missing = [each.name for each in lamellas if not each.exact]
+        if missing and pattern.kind != "free":
+            exactly = "straight" if pattern.kind == "straight" else "arcs"
             messages.append(
-                f"lamellas: {', '.join(leaning[:4])}{' ...' if len(leaning) > 4 else ''} follow "
-                f"the normals and are not exactly {_exactly(pattern)}: at the boundary the net "
-                "asks nothing of a line, and elsewhere they would lean over"
+                f"lamellas: {', '.join(missing[:4])}{' ...' if len(missing) > 4 else ''} are not "
+                f"exactly {exactly}: at the boundary the net asks nothing of a line, and they "
+                "would lean over"
             )
         return messages
-
-
-def _exactly(pattern: Pattern) -> str:
-    return "straight" if pattern.kind == "straight" else "arcs"
 
 
 def lamella_name(line: ParameterLine) -> str:

@@ -1,0 +1,171 @@
+"""Can it be put together: one direction in which a slotted part goes onto all parts that stand.
+
+Two families of slotted plates are put together one after the other: the first stands alone, each
+plate of the second is pushed onto all that it crosses at once. So each of its slots has to run in
+one direction, but for what its play allows and for how far the plate that it takes can lean.
+Bending and torsion turn a plate out of its own plane only; so slots of plates that are bent into
+place are compared in the flat pattern: what they spring to is free, its stress another verdict.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+
+from freecad_ortho.fabrication.material import Material
+from freecad_ortho.fabrication.part import Part
+from solver.mesh.quadmesh import FloatArray, unit_rows
+from solver.unroll.strip import angle_between
+
+_STEPS = 400
+# Angle, radians, that is no divergence but rounding.
+_EXACT = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class SlotWay:
+    """A slot of a part.
+
+    Attributes:
+        other: name of the part that it takes.
+        direction: (D,) unit vector from its floor to its mouth; in the flat pattern of a plate that
+            is bent into place, in space for a rigid part.
+        depth: mm.
+        play: by how much it is wider than what it takes, mm.
+        give: angle by which the part yields there elastically, radians.
+    """
+
+    other: str
+    direction: FloatArray
+    depth: float
+    play: float
+    give: float = 0.0
+
+    @property
+    def allowed(self) -> float:
+        """Angle by which the direction of insertion may differ from the slot's, radians."""
+        return math.atan2(self.play, self.depth) + self.give
+
+
+@dataclass(frozen=True)
+class Conflict:
+    """Two slots that no direction of insertion suits.
+
+    Attributes:
+        first: name of what the one takes.
+        second: name of what the other takes.
+        diverge_deg: angle between them.
+        allowed_deg: what the play and give of both allow.
+        count: of slots that miss the best direction.
+    """
+
+    first: str
+    second: str
+    diverge_deg: float
+    allowed_deg: float
+    count: int
+
+    def __str__(self) -> str:
+        """In words, for a verdict."""
+        return (
+            f"slots for {self.first} and {self.second} diverge by {self.diverge_deg:.1f} degrees, "
+            f"play and give allow {self.allowed_deg:.1f}"
+        )
+
+
+def lean(material: Material, thickness: float, length: float) -> float:
+    """Angle by which a plate may be twisted over a length before it yields, radians.
+
+    For a thin strip tau = G t theta / L, at most the bending limit / sqrt(3) (von Mises), with a
+    Poisson number of 0.3.
+    """
+    shear_modulus = material.youngs_modulus / 2.6
+    return material.bending_limit / math.sqrt(3) * length / (shear_modulus * thickness)
+
+
+def insertion(ways: Sequence[SlotWay]) -> FloatArray:
+    """(D,) unit direction that misses what the slots allow by least, for at least one slot.
+
+    The centre of the smallest ball about the directions, less what each allows.
+
+    Source: Badoiu, Clarkson (2003), Smaller core-sets for balls.
+    """
+    directions = np.array([way.direction for way in ways])
+    allowed = np.array([way.allowed for way in ways])
+    mean = directions.sum(axis=0)
+    best = mean / np.linalg.norm(mean) if np.linalg.norm(mean) > 1e-9 else directions[0]
+    least, here = math.inf, best
+    for step in range(1, _STEPS):
+        missed = angle_between(here, directions) - allowed
+        if missed.max() < least:
+            least, best = float(missed.max()), here
+        towards = directions[int(missed.argmax())]
+        here = unit_rows((here + (towards - here) / (step + 1))[None])[0]
+    return best
+
+
+def conflict(ways: Sequence[SlotWay]) -> Conflict | None:
+    """The two slots that diverge most beyond what they allow; None where the part can be put on."""
+    if len(ways) < 2:
+        return None
+    missed = angle_between(insertion(ways), np.array([way.direction for way in ways]))
+    missed = missed - [way.allowed for way in ways]
+    if missed.max() <= _EXACT:
+        return None
+
+    def beyond(pair: tuple[SlotWay, SlotWay]) -> float:
+        one, two = pair
+        angle = float(angle_between(one.direction, two.direction))
+        return angle - one.allowed - two.allowed
+
+    one, two = max(combinations(ways, 2), key=beyond)
+    return Conflict(
+        one.other,
+        two.other,
+        math.degrees(float(angle_between(one.direction, two.direction))),
+        math.degrees(one.allowed + two.allowed),
+        int((missed > _EXACT).sum()),
+    )
+
+
+def conflicts(
+    ways: Mapping[str, Sequence[SlotWay]], families: Mapping[str, str]
+) -> dict[str, Conflict]:
+    """Conflicts of the parts that are put on last, by their names.
+
+    Args:
+        ways: slots of each part, by its name.
+        families: of the parts; those of one family never cross. Where there are two, the one with
+            fewer conflicts is put on last.
+    """
+    found: dict[str, dict[str, Conflict]] = {family: {} for family in families.values()}
+    for name, slots in ways.items():
+        if (clash := conflict(slots)) is not None:
+            found[families[name]][name] = clash
+    if set(found) == {"u", "v"}:
+        return min(found["v"], found["u"], key=len)
+    return {name: clash for each in found.values() for name, clash in each.items()}
+
+
+def judged(
+    parts: Sequence[Part], ways: Mapping[str, Sequence[SlotWay]]
+) -> tuple[tuple[Part, ...], list[str]]:
+    """Parts with what keeps them from being put together, and a message where something does."""
+    families = {part.name: part.family for part in parts if part.name in ways}
+    found = conflicts(ways, families)
+    if not found:
+        return tuple(parts), []
+    first = min(found)
+    message = (
+        f"{parts[0].kind}s: {len(found)} of {len(parts)} cannot be pushed on in one direction, "
+        f"{first} for one: its {found[first]}; a larger clearance, shorter pieces or a flatter net "
+        "help"
+    )
+    return tuple(
+        replace(part, assembly=str(found[part.name])) if part.name in found else part
+        for part in parts
+    ), [message]
