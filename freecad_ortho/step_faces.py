@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from solver.errors import InputError
+from solver.io.reading import read_bytes
 from solver.mesh.border import closed_loops
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.patch import SampledNet, SurfacePatch, sampled
@@ -62,6 +63,10 @@ def step_patches(path: str | os.PathLike[str], faces: Sequence[int] = ()) -> lis
     """
     if not Path(path).is_file():
         raise InputError(f"{path}: no such file; check the path")
+    if b"ISO-10303-21" not in read_bytes(path)[:1000]:
+        raise InputError(
+            f"{path}: is no STEP file, it does not begin with ISO-10303-21; export STEP"
+        )
     try:
         import cadquery
     except ImportError:

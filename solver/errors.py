@@ -1,5 +1,11 @@
 """The one family of errors that a user of the solver can meet."""
 
+from __future__ import annotations
+
+import errno
+
+_REMEDIES = {errno.ENAMETOOLONG: "choose a shorter name", errno.ENOSPC: "free some space"}
+
 
 class OrthoError(Exception):
     """Base of every error that this project raises on purpose.
@@ -14,6 +20,18 @@ class InputError(OrthoError, ValueError):
 
 class OutputError(OrthoError, OSError):
     """A result could not be written; nothing half-written is left behind."""
+
+
+def cannot_be_written(place: object, error: OSError, remedy: str) -> OutputError:
+    """The error for a file or folder that the system refuses, in the system's own words.
+
+    Args:
+        place: the file or folder.
+        error: what the system said.
+        remedy: what to do, where the system's words do not tell.
+    """
+    remedy = _REMEDIES.get(error.errno or 0, remedy)
+    return OutputError(f"{place}: cannot be written ({error.strerror or error}); {remedy}")
 
 
 class SingularSystemError(OrthoError):

@@ -223,7 +223,9 @@ def test_output_that_nobody_takes_is_no_traceback(mesh_file, json):
             command, cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False
         )
     assert run.returncode == 2
-    assert run.stderr.startswith("error: the output cannot be written")
+    assert run.stderr.startswith(
+        "error: the output: cannot be written (No space left on device); free"
+    )
     assert run.stderr.count("\n") == 1
     reader, writer = os.pipe()
     os.close(reader)

@@ -20,7 +20,7 @@ from freecad_ortho.cli import (
 )
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
 from freecad_ortho.units import MILLIMETRES
-from solver.errors import OrthoError
+from solver.errors import OrthoError, cannot_be_written
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
@@ -37,7 +37,10 @@ def run(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return EXIT_OK
     except OSError as error:
-        sys.stderr.write(f"error: the output cannot be written ({error.strerror}); free space?\n")
+        said = cannot_be_written(error.filename or "the output", error, "check the path")
+        sys.stderr.write(f"error: {said}\n")
+        if error.filename is not None:
+            return EXIT_BAD_INPUT
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return EXIT_BAD_INPUT
 

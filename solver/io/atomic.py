@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import errno
 import os
 import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from solver.errors import OutputError
+from solver.errors import OutputError, cannot_be_written
 from solver.io import leftovers
 
 
@@ -35,10 +34,8 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
             os.replace(temporary, target)
         temporary = None
     except OSError as error:
-        raise OutputError(
-            f"{target}: cannot be written ({error.strerror}); choose a folder that exists and "
-            "that you may write to"
-        ) from error
+        remedy = "choose a folder that exists and that you may write to"
+        raise cannot_be_written(target, error, remedy) from error
     finally:
         if temporary is not None:
             Path(temporary).unlink(missing_ok=True)
@@ -66,9 +63,7 @@ def staged_folder(target: str | os.PathLike[str], replaced: Iterable[str] = ()) 
         leftovers.sweep(folder)
         staging = Path(tempfile.mkdtemp(prefix=leftovers.STAGING, dir=folder))
     except OSError as error:
-        raise OutputError(
-            f"{folder}: cannot be written ({error.strerror}); choose a folder that you may write to"
-        ) from error
+        raise cannot_be_written(folder, error, "choose a folder that you may write to") from error
     try:
         with leftovers.locked(staging):
             try:
@@ -81,8 +76,7 @@ def staged_folder(target: str | os.PathLike[str], replaced: Iterable[str] = ()) 
     except OutputError:
         raise
     except OSError as error:
-        remedy = "free some space" if error.errno == errno.ENOSPC else "choose another folder"
-        raise OutputError(f"{folder}: cannot be written ({error.strerror}); {remedy}") from error
+        raise cannot_be_written(folder, error, "choose another folder") from error
 
 
 def refuse_in_the_way(folder: Path, name: str | os.PathLike[str]) -> None:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from freecad_ortho import api
+from freecad_ortho.triangles import read_triangles
 from solver import InputError
 from solver.io.obj import read_obj
 from solver.io.off import read_off
@@ -179,3 +180,32 @@ def test_utf_16_is_read_where_it_is_marked(tmp_path, extension, encoding):
     with pytest.raises(InputError) as caught:
         read_polygons(path)
     assert "UTF-16" in str(caught.value) or extension == "ply"
+
+
+@pytest.mark.parametrize("reader", [api.read_mesh, read_triangles])
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("a.obj", SQUARE.replace("4\n", "9" * 25 + "\n"), "with a far too large number"),
+        ("a.obj", SQUARE.replace("4\n", "-" + "9" * 25 + "\n"), "counts back beyond the first"),
+        ("a.off", "OFF 4 1 0 " + BODY + "4 0 1 2 " + "9" * 25, "with a far too large number"),
+        ("a.json", '{"vertices": [[0, 0, 0]], "faces": [[0, 0, 0, 1e999]]}', "expected"),
+        ("a.json", '{"vertices": [[' + "9" * 400 + ', 0, 0]], "faces": [[0, 0, 0]]}', "expected"),
+        ("a.ply", "element face 1\nproperty list float int vertex_indices\nend_header\n"
+         + BODY + "inf 0 1 2 3\n", "cut off or damaged"),
+        ("a.ply", "element face 1\nproperty list char int vertex_indices\nend_header\n"
+         + BODY + "-1 0 1 2 3\n", "cut off or damaged"),
+        ("a.ply", "element face inf\nproperty list uchar int vertex_indices\nend_header\n" + BODY,
+         "'element face inf' is not understood"),
+        ("a.ply", f"element mark {10**15}\nend_header\n" + BODY, "no vertices or no faces"),
+    ],
+)  # fmt: skip
+def test_numbers_without_bounds_are_refused_where_they_are_read(
+    tmp_path, name, text, words, reader
+):
+    path = tmp_path / name
+    head = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    path.write_text((head + "property float z\n" if name == "a.ply" else "") + text)
+    with pytest.raises(InputError, match=words) as caught:
+        reader(path)
+    assert "\n" not in str(caught.value)
