@@ -88,7 +88,7 @@ def _gridshell(document: FreeCAD.Document) -> None:
     part = diagonal_meshes(film).first
     net = net_object.create(document, compact(part, part.faces), "Net")
     optimise_net(net, net="asymptotic")
-    add_structure(net, "lamellas", width=60.0, thickness=4.0)
+    add_structure(net, "lamellas", width=60.0, thickness=4.0, strip="twisted")
 
 
 def _multi_nets(document: FreeCAD.Document) -> None:
