@@ -5,7 +5,8 @@ usage: python scripts/kill_runs.py [--runs 30] [--seed 0] [--workers N]
 Every run writes over the files of an earlier one. It is killed (kill -9), or asked to end (SIGTERM,
 Ctrl-C); then the folder has to hold the old files or the new ones, all of them, beside a file that
 is nobody's. After kill -9 the sweep that every run begins with may come in between. Exit code 1
-where a folder does not, or where being asked to end takes longer than two seconds.
+where a folder does not, or where being asked to end takes longer than two seconds (on a busy
+machine: a second longer than what the work is given).
 """
 
 from __future__ import annotations
@@ -25,10 +26,10 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from freecad_ortho import api
+from freecad_ortho.cli import supervising
 from solver.io import leftovers
 from tests.conftest import ROOT, wavy_grid
 
-LATEST = 2.0
 VERBS = {
     "fabricate": ["--system", "beams+nodes", "-o", "{out}"],
     "optimise": ["-o", "{out}/net.obj", "--report", "{out}/net.json"],
@@ -37,10 +38,10 @@ SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
 
 def held(folder: Path) -> dict[str, str]:
-    """Digests of all files of a folder; of reports with the time in them, only that they are."""
+    """Digests of the files of a folder; of those that no two runs write alike, only the names."""
     return {
         path.relative_to(folder).as_posix(): ""
-        if path.suffix in (".html", ".json", ".step")
+        if path.suffix in (".dxf", ".html", ".json", ".step")
         else hashlib.sha256(path.read_bytes()).hexdigest()
         for path in folder.rglob("*")
         if path.is_file()
@@ -127,7 +128,7 @@ def main() -> int:
             # An optimisation that was asked to end writes what it has reached.
             whole = found in (old, new) or (verb == "optimise" and set(found) == set(old))
             slowest = max(slowest, took)
-            wrong += not whole or took > LATEST
+            wrong += not whole or took > supervising.grace() + 1.0
             print(
                 f"{number:3d} {verb:9s} {signal.Signals(sent).name:7s} after {seconds:5.2f} s, "
                 f"ended in {took:4.2f} s: {'old' if found == old else 'new' if whole else found}",

@@ -110,7 +110,8 @@ class CheckPanel:
 def _summary(label: str, result: dict[str, Any]) -> str:
     words = translate("Ortho", "{}: {} vertices, {} quads, {} irregular, edge ratio {:.2f}")
     counts = (result["vertices"], result["faces"], result["irregular_vertices"])
-    return words.format(label, *counts, result["edge_ratio"])
+    flat = translate("Ortho", "faces flat to {}").format(length_words(result["planarity_gap"]))
+    return f"{words.format(label, *counts, result['edge_ratio'])}, {flat}"
 
 
 def _multi_net(found: dict[str, Any] | None) -> str:
@@ -132,8 +133,6 @@ def _measures(result: dict[str, Any]) -> list[list[str]]:
     rows = []
     for name, entry in result["measures"].items():
         place = "" if entry["worst"] is None else f"{places[entry['where']]} {entry['worst']}"
-        if name == "planarity":
-            place += f" ({length_words(result['planarity_gap'])})"
         title = name.capitalize()
         known = translate("Ortho", title) if title in RESIDUALS else name.upper()
         rows.append([known, f"{entry['max']:.1e}", place])

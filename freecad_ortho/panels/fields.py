@@ -177,7 +177,7 @@ class TextField:
 
 def sentence(words: str) -> str:
     """Words of a table, which begin small and end without a full stop, as a sentence."""
-    return words if words[-1:] in ".!?" else f"{words[:1].upper()}{words[1:]}."
+    return f"{words[:1].upper()}{words[1:]}{'' if words[-1:] in '.!?' else '.'}"
 
 
 def length_words(millimetres: float) -> str:

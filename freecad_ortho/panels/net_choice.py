@@ -17,6 +17,7 @@ from freecad_ortho.panels.fields import (
     NumberField,
     form_rows,
     leave_room,
+    sentence,
 )
 from freecad_ortho.panels.net_words import explain, net_words, reason_words
 from freecad_ortho.panels.quantity import QuantityField
@@ -151,7 +152,7 @@ class NetChoice:
     def _doubt(self, chosen: str) -> str:
         for advice in self._advice:
             if advice.net == chosen and advice.diagonal == self.diagonal.isChecked():
-                return reason_words(advice.cause)
+                return sentence(reason_words(advice.cause))
         return ""
 
     def _use_best(self) -> None:

@@ -15,7 +15,7 @@ from freecad_ortho.documents import net_settings
 from freecad_ortho.objects import source_net
 from freecad_ortho.panels.advanced_box import AdvancedBox
 from freecad_ortho.panels.constraint_box import ConstraintBox
-from freecad_ortho.panels.fields import NARROW, length_words, shortened
+from freecad_ortho.panels.fields import NARROW, length_words, sentence, shortened
 from freecad_ortho.panels.net_choice import NetChoice
 from freecad_ortho.panels.net_words import remark_words
 from freecad_ortho.panels.residual_plot import ResidualPlot
@@ -55,7 +55,7 @@ class OptimisePanel:
         """Start a run, or resume the stopped one when the settings are still the same."""
         with messages.errors_shown():
             self._prepare()
-            remarks = map(remark_words, self.run.optimisation.remarks)
+            remarks = [sentence(remark_words(each)) for each in self.run.optimisation.remarks]
             self._say("\n".join([translate("Ortho", "Running ..."), *remarks]))
             self.run.resume()
         self._show_state()

@@ -23,7 +23,7 @@ class Absent(QtCore.QObject):
         self._box = box
         line = box.findChild(QtGui.QLineEdit)
         line.setPlaceholderText(words)
-        # The field writes its number anew when it loses the focus: look after that.
+        # The field writes its number anew when it loses the focus or is shown: look after that.
         self._later = QtCore.QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.show)
@@ -32,7 +32,7 @@ class Absent(QtCore.QObject):
 
     def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
         """Look at the number again; Qt calls this."""
-        if event.type() == QtCore.QEvent.FocusOut:
+        if event.type() in (QtCore.QEvent.FocusOut, QtCore.QEvent.Show):
             self._later.start(0)
         return False
 

@@ -63,7 +63,7 @@ class TestChoices(OptimiseCase):
         path = tools.write_grid("saddle", np.stack([x, y, 3e-5 * x * y], axis=2))
         panel = self.opened(api.import_net(path))
         panel.start()
-        self.assertIn("make a diagonal mesh first", panel.message.text())
+        self.assertIn("The lines do not follow the curvature", panel.message.text())
         wait(lambda: not panel.run.running, 60)
         self.assertIn("as a plane only", panel.message.text())
 
@@ -76,6 +76,9 @@ class TestChoices(OptimiseCase):
         self.assertEqual(field.millimetres, 120.0)
         field.millimetres = 0.0
         self.assertEqual((line.text(), field.millimetres), ("", 0.0))
+        field.widget.show()
+        wait(seconds=0.5)
+        self.assertEqual(line.text(), "")
         self.assertIn("0", LengthField(0.0).widget.findChild(QtGui.QLineEdit).text())
 
     def test_every_net_shows_what_belongs_to_it(self):
