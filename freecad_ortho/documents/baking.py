@@ -8,9 +8,11 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.documents.common import transaction
+from freecad_ortho.objects import places
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.net import is_net
 from solver.errors import InputError
+from solver.mesh.local_origin import LocalOrigin
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -56,6 +58,7 @@ def _baked(feature: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject:
     document = feature.Document
     group = document.addObject("App::DocumentObjectGroup", "Baked")
     group.Label = FreeCAD.Qt.translate("Ortho", "{} (baked)").format(feature.Label)
+    places.join_container(group, feature)
     if is_net(feature):
         group.addObjects(_plain_net(feature))
     else:
@@ -75,6 +78,10 @@ def _plain_net(net: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
     import Part
 
     quads = convert.quad_mesh(net)
+    # FreeCAD's meshes have seven digits: far from the origin they lie about a point nearby.
+    local = LocalOrigin.of_mesh(quads)
+    quads, place = local.near_mesh(quads), FreeCAD.Placement()
+    place.Base = convert.vectors(local.shift[None])[0]
     corners = convert.vectors(quads.vertices)
     triangles = [
         [corners[vertex] for vertex in triangle]
@@ -84,6 +91,7 @@ def _plain_net(net: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
     mesh = net.Document.addObject("Mesh::Feature", "Mesh")
     mesh.Label = FreeCAD.Qt.translate("Ortho", "{} mesh").format(net.Label)
     mesh.Mesh = Mesh.Mesh(triangles)
+    mesh.Placement = place
     edges = net.Document.addObject("Part::Feature", "Edges")
     edges.Label = FreeCAD.Qt.translate("Ortho", "{} edges").format(net.Label)
     edges.Shape = Part.makeCompound(
@@ -92,4 +100,5 @@ def _plain_net(net: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
             for first, second in quads.connectivity.edges.tolist()
         ]
     )
+    edges.Placement = place
     return [mesh, edges]

@@ -171,10 +171,12 @@ def for_solver(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> dict[str, Any]:
     Raises:
         InputError: a guide that has gone, or settings that do not fit the mesh.
     """
-    return solver_settings(words(net), mesh)
+    return solver_settings(words(net), mesh, net)
 
 
-def solver_settings(values: dict[str, Any], mesh: QuadMesh) -> dict[str, Any]:
+def solver_settings(
+    values: dict[str, Any], mesh: QuadMesh, net: FreeCAD.DocumentObject
+) -> dict[str, Any]:
     """Keyword arguments of ``solver.start_optimisation`` from all that :func:`words` names.
 
     Raises:
@@ -191,8 +193,8 @@ def solver_settings(values: dict[str, Any], mesh: QuadMesh) -> dict[str, Any]:
     handles = {vertex: np.array(place) for vertex, place in values["handles"].items()}
     constraints = Constraints(
         handles=handles,
-        glide=guides.glides(values["glide"], mesh),
-        close_to=guides.close_to(values["close_to"], mesh),
+        glide=guides.glides(values["glide"], mesh, net),
+        close_to=guides.close_to(values["close_to"], mesh, net),
         symmetry=values["symmetry"],
     )
     settings.update(

@@ -16,11 +16,12 @@ from freecad_ortho import convert
 from freecad_ortho.documents import net_settings
 from freecad_ortho.documents.common import document_or_new, require_net, transaction
 from freecad_ortho.objects import net as net_object
-from freecad_ortho.objects import source_net
+from freecad_ortho.objects import places, source_net
 from freecad_ortho.objects.net_settings import ALL
 from freecad_ortho.units import millimetres_per
 from solver.analysis.upright import side_remark
 from solver.errors import InputError
+from solver.mesh.local_origin import LocalOrigin, measured_from
 from solver.mesh.mirror import reversed_orientation
 from solver.nets.settings import fixed_vertices
 
@@ -39,6 +40,7 @@ def import_net(
     document: FreeCAD.Document | str | None = None,
     unit: str | None = None,
     up: str = "z",
+    origin: str = "local",
 ) -> FreeCAD.DocumentObject:
     """Read an OBJ, PLY, OFF, JSON or VTK file with quads and add a Net to a document.
 
@@ -47,51 +49,76 @@ def import_net(
         document: a document or its name; without it the active one, or a new one.
         unit: ``mm``, ``cm``, ``m``, ``in`` or ``ft``; without it what the file says.
         up: ``z``, or ``y`` for a file whose y points up.
+        origin: ``local`` puts a net that is far from the origin near it, as views and CAD kernels
+            need it: a round point is taken off and kept in the Net's ``Origin``, the same for all
+            nets of one site. ``keep`` leaves the net where it is.
 
     Returns:
         The new Net, in mm.
 
     Raises:
-        InputError: the file does not hold a usable quad mesh.
+        InputError: the file does not hold a usable quad mesh, or another word for the origin.
     """
     from freecad_ortho import api
 
+    if origin not in ("keep", "local"):
+        raise InputError(f"origin: expected keep or local, got {origin!r}")
     loaded = api.read_mesh(path, unit, up)
+    scale = millimetres_per(loaded.unit)
     target = document_or_new(document, Path(path).stem)
     with transaction(target, FreeCAD.Qt.translate("Ortho", "Import quad mesh")):
-        mesh = loaded.mesh.scaled(millimetres_per(loaded.unit))
+        taken = LocalOrigin(np.zeros(3))
+        if origin == "local":
+            taken = places.document_origin(target, loaded.mesh, scale)
+        mesh = taken.near_mesh(loaded.mesh).scaled(scale)
         net = net_object.create(target, mesh, Path(path).stem)
+        net.Origin = convert.vectors(taken.scaled(scale).shift[None])[0]
         net.Unit = loaded.unit
         net.SourceFile = os.fspath(path)
         target.recompute()
     for remark in loaded.remarks:
         FreeCAD.Console.PrintWarning(f"{net.Label}: {remark}\n")
+    if taken.far:
+        FreeCAD.Console.PrintMessage(
+            FreeCAD.Qt.translate(
+                "Ortho", "{}: far from the origin; put near it, and back where it is exported\n"
+            ).format(net.Label)
+        )
     return net
 
 
 def export_net(
-    net: FreeCAD.DocumentObject, path: str | os.PathLike[str], unit: str | None = None
+    net: FreeCAD.DocumentObject,
+    path: str | os.PathLike[str],
+    unit: str | None = None,
+    origin: str | Sequence[float] = "keep",
 ) -> None:
     """Write a Net into an OBJ, PLY, OFF or JSON file, quads as quads, every digit kept.
+
+    It is written where it is seen: the placement of the Part that contains it counts.
 
     Args:
         net: the Net.
         path: the file; what it is called says its format.
         unit: ``mm``, ``cm``, ``m``, ``in`` or ``ft``; without it that of the file it came from,
             else mm. The file names it.
+        origin: what coordinates are measured from: ``keep`` for the origin of the file that the Net
+            came from, ``local`` for the document's, or a point in the file's coordinates, mm.
 
     Raises:
-        InputError: not a Net, an unknown unit, or a name that says no format.
+        InputError: not a Net, an unknown unit or origin, or a name that says no format.
         OutputError: the file cannot be written; nothing half-written is left behind.
     """
     from freecad_ortho import api
 
     require_net(net)
     chosen = unit or net.Unit or api.DEFAULT_UNIT
-    mesh = convert.quad_mesh(net)
+    mesh = places.moved_mesh(convert.quad_mesh(net), places.container(net))
+    taken = places.origin(net)
+    left = LocalOrigin(taken - measured_from(origin, taken)).scaled(1 / millimetres_per(chosen))
     # Divided and not multiplied by a part: what was read in metres is written as it was read.
     metres = mesh.with_vertices(mesh.vertices / millimetres_per(chosen))
-    api.write_mesh(path, metres, chosen)
+    api.write_mesh(path, left.back_mesh(metres), chosen)
 
 
 def set_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:

@@ -15,6 +15,7 @@ from freecad_ortho.objects import cad_faces, source_net
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.sources import source
 from solver.errors import InputError
+from solver.mesh.local_origin import LocalOrigin
 
 Face = tuple[FreeCAD.DocumentObject, str]
 
@@ -232,10 +233,11 @@ def quads_from_mesh(
 
     label = getattr(mesh, "Label", None) or Path(str(mesh)).stem
     points, triangles = cad_faces.triangles_of(mesh, unit)
+    taken = LocalOrigin.of(points)
     length = None if edge is None else convert.millimetres(edge, "edge")
     with progress(FreeCAD.Qt.translate("Ortho", "Remeshing to quads")) as move:
         made = quads_from_triangles(
-            points,
+            taken.near(points),
             triangles,
             faces=faces,
             edge=length,
@@ -246,11 +248,13 @@ def quads_from_mesh(
     owner = None if isinstance(mesh, (str, os.PathLike)) else mesh
     target = owner.Document if owner is not None else document_or_new(document, label)
     with transaction(target, FreeCAD.Qt.translate("Ortho", "Quads from triangles")):
-        net = net_object.create(target, made.mesh, f"{label} quads")
+        mesh_made = made.mesh if owner is None else taken.back_mesh(made.mesh)
+        net = net_object.create(target, mesh_made, f"{label} quads")
         if owner is not None:
             owner.Visibility = False
         else:
             net.SourceFile = os.fspath(mesh)
+            net.Origin = convert.vectors(taken.shift[None])[0]
         if FreeCAD.GuiUp:
             net.ViewObject.IrregularVertices = True
         target.recompute()

@@ -21,7 +21,7 @@ from freecad_ortho.documents.common import (
 from freecad_ortho.fabrication import SYSTEMS, Selection, Workshop
 from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
-from freecad_ortho.objects import build, flat_patterns, outdated
+from freecad_ortho.objects import build, flat_patterns, outdated, places
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of, property_values, values
 from solver.errors import InputError
@@ -78,6 +78,7 @@ def add_structure(
     document = net.Document
     with transaction(document, FreeCAD.Qt.translate("Ortho", title)):
         feature = structure_object.create(document, title, Net=net, **properties)
+        places.join_container(feature, net)
         with removed_on_failure(feature), progress(FreeCAD.Qt.translate("Ortho", title)) as say:
             structure_object.rebuild(feature, say)
         feature.purgeTouched()
@@ -234,14 +235,20 @@ def export_fabrication(
     folder: str | os.PathLike[str],
     *,
     workers: int | None = None,
+    origin: str | Sequence[float] = "local",
     **workshop: Any,
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports of structures on one net.
+
+    Parts are written where they are seen in the document.
 
     Args:
         structures: a Structure, or several of different systems on the same Net.
         folder: made if it is not there.
         workers: processes that share the work; for large structures.
+        origin: what coordinates are measured from: ``local`` for the document's origin, or a round
+            point near a net that is far from it; ``keep`` for the origin of the net's file; or a
+            point in the coordinates of that file, mm.
         workshop: what parts are cut from and with, and how drawings are written, as on the command
             line: ``sheet="3000x1500"``, ``kerf``, ``dxf="parts"`` ...; lengths in mm or with their
             unit. Lamellas are spliced where ``stock`` says so, in the document too; without it the
@@ -266,7 +273,7 @@ def export_fabrication(
         if workshop.get(name) is not None
     }
     with _one_stock(chosen, sizes.get("stock")) as stock:
-        structure = build.structure(chosen)
+        structure = build.structure(chosen, placed=True)
         with (
             missing_package_named(),
             progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
@@ -274,7 +281,13 @@ def export_fabrication(
             settings = _lost_on_bars(chosen) | workshop | sizes | {"stock": stock}
             project = chosen[0].Document.Label
             return api.write_fabrication(
-                structure, folder, say, workers=workers, project=project, **settings
+                structure,
+                folder,
+                say,
+                workers=workers,
+                project=project,
+                origin=origin,
+                **settings,
             )
 
 

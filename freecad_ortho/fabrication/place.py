@@ -34,6 +34,12 @@ class Place:
         """(..., 3) vectors turned as in the files."""
         return vectors if self.is_here else vectors @ self.rotation.T
 
+    def near(self, other: Place) -> bool:
+        """Whether both put a structure into the same place, but for rounding."""
+        turned = np.abs(self.rotation - other.rotation).max() <= 1e-9
+        scale = max(1.0, float(np.abs(self.origin).max()))
+        return bool(turned and np.abs(self.origin - other.origin).max() <= 1e-9 * scale + 1e-6)
+
     def less(self, point: FloatArray) -> Place:
         """The same in coordinates measured from a (3,) point, mm."""
         return replace(self, origin=self.origin - point)

@@ -19,7 +19,7 @@ from freecad_ortho.fabrication.systems.system import System, SystemParts
 from freecad_ortho.fabrication.workers import in_chunks
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
-from solver.mesh.local_origin import LocalOrigin
+from solver.mesh.local_origin import LocalOrigin, measured_from
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import seams
 from solver.offset.axes import Axes
@@ -45,6 +45,7 @@ class Structure:
         place: puts what lies about the local origin where it stands in files.
         origin: (3,) the local origin in the coordinates of the model, mm; zero where it is near.
         file_origin: (3,) what coordinates in files are measured from, in those of the model, mm.
+        shift: (3,) what was taken off the mesh that was given, mm.
     """
 
     mesh: QuadMesh
@@ -54,6 +55,7 @@ class Structure:
     place: Place = field(default_factory=Place)
     origin: FloatArray = field(default_factory=lambda: np.zeros(3))
     file_origin: FloatArray = field(default_factory=lambda: np.zeros(3))
+    shift: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
@@ -100,13 +102,7 @@ class Structure:
         Raises:
             InputError: neither a word nor a point.
         """
-        words = {"keep": np.zeros(3), "local": self.origin}
-        try:
-            point = words[origin] if isinstance(origin, str) else np.asarray(origin, dtype=float)
-        except (KeyError, ValueError, TypeError):
-            point = np.zeros(0)
-        if point.shape != (3,) or not np.isfinite(point).all():
-            raise InputError(f"origin: expected keep, local or a point of three mm, got {origin!r}")
+        point = measured_from(origin, self.origin)
         moved = point - self.file_origin
         return replace(self, place=self.place.less(moved), file_origin=point)
 
@@ -256,7 +252,7 @@ def build(
     stands = place or Place()
     moved = stands.directions(local.shift)
     taken = moved if origin is None else origin + moved
-    structure = Structure(near, site, results, held, stands.less(-moved), taken)
+    structure = Structure(near, site, results, held, stands.less(-moved), taken, shift=local.shift)
     say(1.0, f"{len(structure.parts)} parts")
     return structure
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from freecad_ortho import __version__, convert
 from freecad_ortho.fabrication import (
     SYSTEMS,
@@ -18,7 +20,7 @@ from freecad_ortho.fabrication import (
     build,
     material,
 )
-from freecad_ortho.objects import outdated
+from freecad_ortho.objects import outdated, places
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.limit_properties import limits_of
 from freecad_ortho.objects.net import is_net
@@ -33,11 +35,12 @@ if TYPE_CHECKING:
 _REMEDY = "select structures of different systems on the same net"
 
 
-def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
+def structure(features: Sequence[FreeCAD.DocumentObject], placed: bool = False) -> Structure:
     """Build the parts of structures that stand on one net.
 
     Args:
         features: structures of different systems.
+        placed: for files: as they stand in the document, and measured from where the net's file is.
 
     Raises:
         InputError: not structures, structures that do not go together, or sizes that do not fit.
@@ -50,7 +53,8 @@ def structure(features: Sequence[FreeCAD.DocumentObject]) -> Structure:
         limits=plan.limits,
         selection=plan.selection,
     )
-    return _warned(whole.only(*plan.wanted), outdated.notice(features[0]))
+    chosen = _warned(whole.only(*plan.wanted), outdated.notice(features[0]))
+    return _placed(chosen, features) if placed else chosen
 
 
 def _warned(whole: Structure, words: str) -> Structure:
@@ -60,6 +64,20 @@ def _warned(whole: Structure, words: str) -> Structure:
     name, first = next(iter(whole.results.items()))
     told = replace(first, messages=(*first.messages, words))
     return replace(whole, results={**whole.results, name: told})
+
+
+def _placed(whole: Structure, features: Sequence[FreeCAD.DocumentObject]) -> Structure:
+    """The parts where they are seen in the document, in the coordinates of the net's file."""
+    seen = [places.seen(feature, whole.shift) for feature in features]
+    for feature, place in zip(features, seen, strict=True):
+        if not place.near(seen[0]):
+            raise InputError(
+                f"structures: {features[0].Label} and {feature.Label} were moved apart; give them "
+                "the same Placement or export them one after the other"
+            )
+    origin = places.origin(features[0].Net)
+    far = seen[0].origin if whole.shift.any() else np.zeros(3)
+    return replace(whole, place=seen[0].less(-origin), origin=origin + far)
 
 
 def recipe(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:

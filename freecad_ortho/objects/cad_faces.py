@@ -10,6 +10,7 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import convert
+from freecad_ortho.objects import places
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
@@ -148,4 +149,5 @@ def triangles_of(given: Any, unit: str | None = None) -> tuple[FloatArray, IntAr
         label = getattr(given, "Label", given)
         raise InputError(f"mesh: {label} holds no triangles; select a Mesh object or give a file")
     points, corners = mesh.Topology
-    return convert.array(points), np.array(corners, dtype=np.int64).reshape(-1, 3)
+    standing = places.moved(convert.array(points), places.container(given))
+    return standing, np.array(corners, dtype=np.int64).reshape(-1, 3)

@@ -6,9 +6,14 @@ picture costs nothing until the patterns change.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import FreeCAD
 
 from freecad_ortho.objects.properties import HIDDEN, Property, ensure
+
+if TYPE_CHECKING:
+    import Part
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -48,8 +53,9 @@ _PROPERTIES = (
 def frame(feature: FreeCAD.DocumentObject, sheet: int) -> FreeCAD.BoundBox:
     """The rectangle that a sheet takes of flat patterns; that of all for 0 or one that is gone."""
     # Behind the parts in the shape come the sheets.
-    places = feature.Shape.SubShapes[len(feature.PartNames) :]
-    return places[sheet - 1].BoundBox if 0 < sheet <= len(places) else feature.Shape.BoundBox
+    shape = flat_shape(feature)
+    places = shape.SubShapes[len(feature.PartNames) :]
+    return places[sheet - 1].BoundBox if 0 < sheet <= len(places) else shape.BoundBox
 
 
 def names_on(feature: FreeCAD.DocumentObject, sheet: int) -> list[tuple[str, FreeCAD.Vector]]:
@@ -76,6 +82,13 @@ def add_picture(
     return picture
 
 
+def flat_shape(feature: FreeCAD.DocumentObject) -> Part.Shape:
+    """The shape of flat patterns in their own plane, wherever they were moved in the document."""
+    shape = feature.Shape.copy()
+    shape.Placement = FreeCAD.Placement()
+    return shape
+
+
 def redraw(feature: FreeCAD.DocumentObject) -> None:
     """Draw all pictures of flat patterns anew."""
     for item in feature.InList:
@@ -97,7 +110,7 @@ def _inside(place: FreeCAD.Vector, box: FreeCAD.BoundBox) -> bool:
 def _lines(feature: FreeCAD.DocumentObject, sheet: int, box: FreeCAD.BoundBox, scale: float) -> str:
     """The edges of the patterns as one group of SVG, mm on the page."""
     found = []
-    for edge in feature.Shape.Edges:
+    for edge in flat_shape(feature).Edges:
         if sheet and not _inside(edge.BoundBox.Center, box):
             continue
         points = edge.discretize(2 if edge.Curve.TypeId == "Part::GeomLine" else _ARC_POINTS)

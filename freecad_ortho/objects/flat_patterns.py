@@ -208,7 +208,10 @@ def _lay_out(feature: FreeCAD.DocumentObject, structure: Structure, workshop: Wo
     shapes = [_pattern_shape(flat[name], place) for name, place in placed]
     origins = _sheet_origins(sheets)
     frames = [_rectangle(sheet, at) for sheet, at in zip(sheets, origins, strict=True)]
+    # A shape takes the place of the placement; what was moved by hand stays moved.
+    place = feature.Placement
     feature.Shape = Part.makeCompound(shapes + frames)
+    feature.Placement = place
     feature.PartNames = [name for name, _ in placed]
     feature.LabelPlaces = [_vector(place(flat[name].label[None])[0]) for name, place in placed]
     feature.TooLarge = [part.name for part in nesting.too_large]

@@ -10,6 +10,7 @@ import numpy as np
 
 from freecad_ortho import convert
 from freecad_ortho.objects import net as net_object
+from freecad_ortho.objects import places
 from solver.errors import InputError
 from solver.mesh.closest import Polyline, TriangleSurface
 from solver.mesh.connectivity import IntArray
@@ -102,8 +103,15 @@ def require_surface(entry: Any) -> Reference:
     return feature, part
 
 
-def glides(entries: Sequence[Any], mesh: QuadMesh) -> tuple[Glide, ...]:
-    """What the vertices of a mesh glide on, for the solver; entries as of :func:`glide_words`.
+def glides(
+    entries: Sequence[Any], mesh: QuadMesh, net: FreeCAD.DocumentObject
+) -> tuple[Glide, ...]:
+    """What the vertices of a net's mesh glide on, for the solver, in the net's coordinates.
+
+    Args:
+        entries: as of :func:`glide_words`.
+        mesh: of the net.
+        net: edges and faces in other parts are taken where they stand beside it.
 
     Raises:
         InputError: an edge or face that has gone, or that no vertex is near.
@@ -116,7 +124,7 @@ def glides(entries: Sequence[Any], mesh: QuadMesh) -> tuple[Glide, ...]:
             continue
         feature, part, *vertices = entry
         named = np.array(vertices[0], dtype=np.int64) if vertices else None
-        shape = _geometry(feature, part, mesh.mean_edge)
+        shape = _beside(net, feature, _geometry(feature, part, mesh.mean_edge))
         if isinstance(shape, Polyline):
             chosen = _near(mesh, shape, part) if named is None else named
             found.append(CurveGlide(shape.points, shape.closed, chosen))
@@ -133,9 +141,11 @@ def glides(entries: Sequence[Any], mesh: QuadMesh) -> tuple[Glide, ...]:
     return tuple(found)
 
 
-def close_to(entries: Sequence[Reference], mesh: QuadMesh) -> Triangles | None:
-    """Surface that a mesh stays near, for the solver; None where there is none."""
-    parts = [_geometry(*each, mesh.mean_edge) for each in entries]
+def close_to(
+    entries: Sequence[Reference], mesh: QuadMesh, net: FreeCAD.DocumentObject
+) -> Triangles | None:
+    """Surface that a net's mesh stays near, in the net's coordinates; None where there is none."""
+    parts = [_beside(net, each[0], _geometry(*each, mesh.mean_edge)) for each in entries]
     return _joined([part for part in parts if not isinstance(part, Polyline)]) if parts else None
 
 
@@ -180,6 +190,8 @@ def _rule(text: str) -> Glide:
 def _geometry(feature: FreeCAD.DocumentObject, part: str, size: float) -> Polyline | Triangles:
     """A curve, or points and triangles of a surface, followed to a fraction of ``size``, mm.
 
+    They are in the coordinates of the part that contains the object; planes in the document's.
+
     Raises:
         InputError: there is no such edge or face.
     """
@@ -201,6 +213,20 @@ def _geometry(feature: FreeCAD.DocumentObject, part: str, size: float) -> Polyli
     if not triangles:
         raise InputError(f"{feature.Label}: '{part}' is no edge or face; choose another")
     return convert.array(points), np.array(triangles, dtype=np.int64)
+
+
+def _beside(
+    net: FreeCAD.DocumentObject, feature: FreeCAD.DocumentObject, shape: Polyline | Triangles
+) -> Polyline | Triangles:
+    """Geometry as :func:`_geometry` gives it, in the coordinates of a net."""
+    place = places.between(net, feature)
+    if feature.TypeId in _PLANES:
+        place = places.container(net).inverse()
+    if place.isIdentity():
+        return shape
+    if isinstance(shape, Polyline):
+        return Polyline(places.moved(shape.points, place), closed=shape.closed)
+    return places.moved(shape[0], place), shape[1]
 
 
 def _is_plane(feature: FreeCAD.DocumentObject, part: str) -> bool:
@@ -252,5 +278,5 @@ def _joined(parts: list[Triangles]) -> Triangles:
 def reference_surface(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> TriangleSurface | None:
     """What a net is held against: the faces it stays near, else those that it was sampled from."""
     entries = references(net.CloseTo) or references(getattr(net, "CadFaces", None) or ())
-    near = close_to(entries, mesh)
+    near = close_to(entries, mesh, net)
     return None if near is None else TriangleSurface(*near)

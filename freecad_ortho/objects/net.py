@@ -69,6 +69,16 @@ NET_PROPERTIES = (
         flags=OUTPUT,
     ),
     Property(
+        "App::PropertyPosition",
+        "Origin",
+        "Source",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "What was taken off the coordinates of a file far from the origin; export puts it back",
+        ),
+        flags=OUTPUT,
+    ),
+    Property(
         "App::PropertyEnumeration",
         "ColourMap",
         "Display",

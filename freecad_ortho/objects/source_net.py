@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 
 import FreeCAD
+import numpy as np
 
 from freecad_ortho import convert
-from freecad_ortho.objects import cad_faces, outdated
+from freecad_ortho.objects import cad_faces, outdated, places
 from freecad_ortho.objects.net import NET_PROPERTIES, Net
 from freecad_ortho.objects.properties import (
     HIDDEN,
@@ -120,6 +122,12 @@ class SourceNet(Net):
             outdated.watch()
             feature.touch()
 
+    def onChanged(self, feature: FreeCAD.DocumentObject, name: str) -> None:
+        """Lock the placement of a net that left its source: it would move nothing any more."""
+        if name == "FollowSource" and "Placement" in feature.PropertiesList:
+            status = "-ReadOnly" if feature.FollowSource else "ReadOnly"
+            feature.setPropertyStatus("Placement", status)
+
     def execute(self, feature: FreeCAD.DocumentObject) -> None:
         """Make the net anew; on an error the last one stays.
 
@@ -160,13 +168,15 @@ def create(
     Raises:
         InputError: values that make no net.
     """
-    made = source(kind).make(values, **inputs(nets, faces))
+    made = source(kind).make(values, **inputs(nets, faces, nets[0] if nets else None))
     name = "MultiNet" if kind == "multi-net" else "Net"
     feature = document.addObject("App::FeaturePython", name)
     SourceNet(feature, kind)
     feature.Label = label or kind[0].upper() + kind[1:]
     if nets:
         feature.Nets = list(nets)
+        feature.Origin = nets[0].Origin
+        places.join_container(feature, nets[0])
     if faces:
         feature.CadFaces = list(faces)
     set_values(feature, values)
@@ -241,7 +251,9 @@ def _turned(feature: FreeCAD.DocumentObject, mesh: QuadMesh) -> QuadMesh:
 
 def _word(mesh: QuadMesh) -> str:
     """A word that is another for another mesh."""
-    return sha256(mesh.vertices.tobytes() + mesh.faces.tobytes()).hexdigest()
+    # A part that is moved takes faces and net along, but for rounding; and -0 is 0.
+    points = np.round(mesh.vertices, 6) + 0.0
+    return sha256(points.tobytes() + mesh.faces.tobytes()).hexdigest()
 
 
 def _links(feature: FreeCAD.DocumentObject) -> tuple[Sequence[Any], Sequence[Any]]:
@@ -255,7 +267,12 @@ def _made(feature: FreeCAD.DocumentObject) -> Made:
     entry, links = source(feature.MadeBy), _links(feature)
     # What it was made of may have been deleted since.
     require_inputs(entry, *links)
-    return entry.make(values_of(feature), **inputs(*links))
+    made = entry.make(values_of(feature), **inputs(*links, feature))
+    if not links[1]:
+        return made
+    # Faces are sampled where they stand in the document, which may not be where the net is.
+    here = places.container(feature).inverse()
+    return replace(made, mesh=places.moved_mesh(made.mesh, here))
 
 
 def values_of(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
@@ -274,12 +291,24 @@ def set_values(feature: FreeCAD.DocumentObject, values: Mapping[str, Any]) -> No
 
 
 def inputs(
-    nets: Sequence[FreeCAD.DocumentObject], faces: Sequence[tuple[FreeCAD.DocumentObject, str]]
+    nets: Sequence[FreeCAD.DocumentObject],
+    faces: Sequence[tuple[FreeCAD.DocumentObject, str]],
+    beside: FreeCAD.DocumentObject | None = None,
 ) -> dict[str, Any]:
-    """What a source takes besides its options: meshes of nets, patches of faces."""
+    """What a source takes besides its options.
+
+    Args:
+        nets: nets that are changed or joined.
+        faces: CAD faces that are sampled, where they stand in the document.
+        beside: an object in whose coordinates the meshes of the nets are given, by default the
+            first net.
+    """
     result: dict[str, Any] = {}
     if nets:
-        result["meshes"] = [convert.quad_mesh(net) for net in nets]
+        target = nets[0] if beside is None else beside
+        result["meshes"] = [
+            places.moved_mesh(convert.quad_mesh(net), places.between(target, net)) for net in nets
+        ]
     if faces:
         result["patches"] = [cad_faces.surface_patch(*face) for face in faces]
     return result

@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS
-from freecad_ortho.objects import outdated
+from freecad_ortho.objects import outdated, places
 from freecad_ortho.objects.limit_properties import limit_properties
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, choose, ensure
 from freecad_ortho.objects.system_properties import options_of, system_property
@@ -87,6 +87,13 @@ _PROPERTIES = (
         "Result",
         QT_TRANSLATE_NOOP("App::Property", "What each part exceeds, 'ok' if nothing"),
         flags=OUTPUT | READ_ONLY,
+    ),
+    Property(
+        "App::PropertyPlacement",
+        "BuiltAt",
+        "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Where the shape stands while nobody has moved it"),
+        flags=OUTPUT | READ_ONLY | HIDDEN,
     ),
     Property(
         "App::PropertyString",
@@ -188,7 +195,11 @@ def rebuild(
         structure = build.structure([feature])
         with missing_package_named():
             shape = convert.part_shape(structure.compound(progress))
+        # A shape takes the place of the placement; what was moved by hand stays moved.
+        by_hand, stands = places.by_hand(feature), places.built_at(feature, structure.shift)
         feature.Shape = shape
+        feature.BuiltAt = stands
+        feature.Placement = by_hand.multiply(stands)
     feature.Outdated, feature.Notice = False, outdated.notice(feature)
     feature.BuiltFrom = build.recipe([feature])
     feature.PartNames = [part.name for part in structure.parts]

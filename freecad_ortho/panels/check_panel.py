@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho import convert
 from freecad_ortho.commands import context
+from freecad_ortho.objects import places
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import reason_words, short_word
@@ -89,10 +90,13 @@ class CheckPanel:
         if entry["worst"] is None or not seen:
             return
         if self.marks is None:
-            self.marks = PlaceMarks(seen[0])
+            net = FreeCAD.getDocument(self._document).getObject(self._name)
+            if net is None:
+                return
+            self.marks = PlaceMarks(seen[0], places.container(net))
         ends = {"face": self._mesh.faces, "edge": self._mesh.connectivity.edges}
-        places = ends[entry["where"]][entry["worst"]] if entry["where"] in ends else entry["worst"]
-        self.marks.show(self._mesh.vertices[np.atleast_1d(places)])
+        worst = ends[entry["where"]][entry["worst"]] if entry["where"] in ends else entry["worst"]
+        self.marks.show(self._mesh.vertices[np.atleast_1d(worst)])
 
     def _unmark(self) -> None:
         if self.marks is not None:

@@ -93,7 +93,7 @@ class ConstraintBox:
             return
         try:
             if self._picking == _GLIDE:
-                guides.glides([entry], self._mesh())
+                guides.glides([entry], self._mesh(), self._net)
             else:
                 guides.require_surface(entry)
         except OrthoError as error:

@@ -25,7 +25,7 @@ class FormPanel(SourcePanel):
         """Show supports and shape again where a field has changed."""
         if self.picking is None:
             mesh = self._inputs["meshes"][0]
-            self.picking = Picking(self.view, mesh.vertices, self._picked)
+            self.picking = Picking(self.view, mesh.vertices, self._picked, self.stands)
         words = self.fields["supports"].value
         state = (words, self.pick_button.isChecked())
         if state != self._marked:

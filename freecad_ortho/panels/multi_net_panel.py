@@ -82,7 +82,9 @@ class MultiNetPanel(SourcePanel):
         before, self._ground = self._ground, state
         self.preview.show_ground(quadric_mesh(quadric))
         if self.drawing is None:
-            self.drawing = Drawing(self.view, self._picked, self._drawn, self._show_state)
+            self.drawing = Drawing(
+                self.view, self._picked, self._drawn, self._show_state, self.stands
+            )
         points = self.fields["points"].value
         if not len(points) or (before is not None and not self._fit_here(points, quadric)):
             points = first_polyline(quadric)

@@ -140,7 +140,7 @@ class OptimisePanel:
         kept, passed = net_settings.divided(settings)
         values = net_settings.words(self.net) | kept
         optimisation = api.start_optimisation(
-            self._mesh, **net_settings.solver_settings(values, self._mesh), **passed
+            self._mesh, **net_settings.solver_settings(values, self._mesh, self.net), **passed
         )
         if self.run is not None:
             self.run.drop()

@@ -11,7 +11,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
-from freecad_ortho.objects import source_net
+from freecad_ortho.objects import places, source_net
 from freecad_ortho.panels.fields import form_rows, leave_room, shortened
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.resources import icon
@@ -55,10 +55,11 @@ class SourcePanel:
         self._edited = edited.Name if edited else None
         owners = {face[0].Name: face[0] for face in faces}
         self._shown_before = _visible([*nets, *owners.values(), *([edited] if edited else [])])
-        self._inputs = source_net.inputs(nets, faces)
+        self._inputs = source_net.inputs(nets, faces, edited)
+        self.stands = self._stands(nets, faces, edited)
         self._last: Any = None
         self.view = three_d_view(document)
-        self.preview = Preview(self.view)
+        self.preview = Preview(self.view, self.stands)
         self.fields: dict[str, OptionField] = {}
         self._build_form(title, picture, group, edited)
         self._choose(edited.MadeBy if edited else GROUPS[group][0])
@@ -74,6 +75,12 @@ class SourcePanel:
         self.look()
         if self.made is not None and edited is None:
             self._fit()
+
+    @staticmethod
+    def _stands(nets: Any, faces: Any, edited: Any) -> FreeCAD.Placement:
+        """Where the coordinates of what is shown stand; of faces they are the document's."""
+        beside = None if faces else edited or next(iter(nets), None)
+        return FreeCAD.Placement() if beside is None else places.container(beside)
 
     @property
     def source(self) -> Source:

@@ -132,6 +132,20 @@ class ExportPanel(_WorkshopPanel):
         self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
         self._add_drawing_fields()
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
+        measured = {
+            "local": translate("Ortho", "near the net"),
+            "keep": translate("Ortho", "those of its file"),
+        }
+        self.origin = ChoiceField(measured, "local")
+        self.origin.widget.setToolTip(
+            translate(
+                "Ortho",
+                "A net that came from far away lies about a point nearby, where CAD kernels keep "
+                "their accuracy; its file's coordinates are put back on demand",
+            )
+        )
+        if any(item.Net is not None and item.Net.Origin.Length for item in structures):
+            self.rows.addRow(translate("Ortho", "Coordinates"), self.origin.widget)
 
     def _add_drawing_fields(self) -> None:
         """How the DXF files are written."""
@@ -190,6 +204,8 @@ class ExportPanel(_WorkshopPanel):
                 settings[name] = field.word
         if (self.workers.number or 1) > 1:
             settings["workers"] = self.workers.number
+        if self.origin.word != "local":
+            settings["origin"] = self.origin.word
         return settings
 
     def work(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 
@@ -31,6 +32,7 @@ class Drawing:
         pick: gives the point that a ray means.
         changed: called after every change.
         ended: called when the user has had enough of adding points.
+        stands: where the coordinates of the points stand in the view.
 
     Attributes:
         points: (n, 3) in mm.
@@ -43,6 +45,7 @@ class Drawing:
         pick: Picker,
         changed: Callable[[], None],
         ended: Callable[[], None] = lambda: None,
+        stands: FreeCAD.Placement | None = None,
     ) -> None:
         self.points: FloatArray = np.zeros((0, 3))
         self.adding = False
@@ -50,7 +53,7 @@ class Drawing:
         self._changed, self._ended = changed, ended
         self._held: int | None = None
         self._scene = view.getSceneGraph()
-        self._build_nodes()
+        self._build_nodes(stands or FreeCAD.Placement())
         self._scene.insertChild(self.root, 0)
 
     def set_points(self, points: FloatArray) -> None:
@@ -66,7 +69,7 @@ class Drawing:
                 self._events.removeEventCallback(kind, callback)
             self._scene.removeChild(self.root)
 
-    def _build_nodes(self) -> None:
+    def _build_nodes(self, stands: FreeCAD.Placement) -> None:
         self.root = coin.SoSeparator()
         self._events = coin.SoEventCallback()
         self._coordinates, self._markers = coin.SoCoordinate3(), coin.SoMarkerSet()
@@ -81,7 +84,8 @@ class Drawing:
         whole.value = coin.SoMaterialBinding.OVERALL
         each.value = coin.SoMaterialBinding.PER_VERTEX
         for node in (
-            self._events, nodes.unpickable(), nodes.unlit(), on_top, style, self._coordinates,
+            nodes.standing(stands), self._events, nodes.unpickable(), nodes.unlit(), on_top, style,
+            self._coordinates,
             line_colour, whole, self._line, self._colours, each, self._markers,
         ):  # fmt: skip
             self.root.addChild(node)

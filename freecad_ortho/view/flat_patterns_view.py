@@ -7,6 +7,7 @@ from typing import Any
 import FreeCAD
 from pivy import coin
 
+from freecad_ortho.objects.drawings import flat_shape
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
 
@@ -71,7 +72,7 @@ class FlatPatternsView(Stateless):
             for node in (colour, plain):
                 self._names.addChild(node)
             # The parts come first in the shape, then the sheets.
-            parts = feature.Shape.SubShapes[: len(feature.PartNames)]
+            parts = flat_shape(feature).SubShapes[: len(feature.PartNames)]
             for name, place, part in zip(
                 feature.PartNames, feature.LabelPlaces, parts, strict=False
             ):

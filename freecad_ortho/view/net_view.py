@@ -22,7 +22,9 @@ from freecad_ortho.view.overlay_shapes import OVERLAYS
 from freecad_ortho.view.overlays import Overlays
 from freecad_ortho.view.reflection import ReflectionLines
 from solver.errors import OrthoError
+from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import Connectivity
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 _FLAT_LINES, _SHADED, _WIREFRAME = "Flat Lines", "Shaded", "Wireframe"
@@ -135,20 +137,24 @@ class NetView(Stateless):
         """Show the net with other positions, (V, 3) in mm, without touching the net itself."""
         if self._mesh is None:
             return
-        self._mesh = self._mesh.with_vertices(points)
-        self._coordinates.point.setValues(0, len(points), points)
+        near = self._origin.near(points)
+        self._mesh = self._mesh.with_vertices(near)
+        self._coordinates.point.setValues(0, len(near), near)
         if is_quick(colour_field(self.Object)):
             self._colour()
         self._draw_overlays(moving=True)
 
     def show_mesh(self, mesh: QuadMesh | None) -> None:
         """Show another mesh, in mm, without touching the net itself; None shows nothing."""
-        self._mesh = mesh
+        self._mesh = None
         for shape in (self._face_set, self._line_set):
             shape.coordIndex.deleteValues(0)
         if mesh is not None:
+            self._origin = LocalOrigin.of_mesh(mesh)
+            self._mesh = self._origin.near_mesh(mesh)
+            self._stand.translation = tuple(self._origin.shift.tolist())
             self._coordinates.point.deleteValues(0)
-            self._coordinates.point.setValues(0, len(mesh.vertices), mesh.vertices)
+            self._coordinates.point.setValues(0, len(mesh.vertices), self._mesh.vertices)
             _set_indices(self._face_set, mesh.faces)
             _set_indices(self._line_set, mesh.connectivity.edges)
         self._colour()
@@ -164,6 +170,8 @@ class NetView(Stateless):
         self._draw_overlays()
 
     def _build_nodes(self) -> None:
+        # Coin's coordinates have seven digits: far from the origin they lie about a point nearby.
+        self._stand = coin.SoTranslation()
         self._coordinates = coin.SoCoordinate3()
         self._material = coin.SoMaterial()
         self._face_binding = coin.SoMaterialBinding()
@@ -191,9 +199,10 @@ class NetView(Stateless):
         for node in (unlit, *colours, self._line_style, self._line_set):
             self._edges.addChild(node)
 
-    def _mode(self, *shapes: Any) -> coin.SoGroup:
-        group = coin.SoGroup()
+    def _mode(self, *shapes: Any) -> coin.SoSeparator:
+        group = coin.SoSeparator()
         group.addChild(nodes.nearer())
+        group.addChild(self._stand)
         group.addChild(self._coordinates)
         for shape in shapes:
             group.addChild(shape)
@@ -264,6 +273,9 @@ class NetView(Stateless):
         chosen = Range(view.AutomaticRange, view.LowestValue, view.HighestValue, decades)
         try:
             reference = reference_surface(self.Object, mesh) if name == _GAP else None
+            if reference is not None and self._origin.far:
+                near = self._origin.near(reference.vertices)
+                reference = TriangleSurface(near, reference.triangles)
             return painting(mesh, name, chosen, view.FaceColor, reference)
         except OrthoError as error:
             # A view has no one to raise to: the net stays visible, and the reason is said.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import FreeCAD
 from pivy import coin
 
 # Part of the depth of a scene: far above rounding, too little to be seen through anything.
@@ -40,6 +41,14 @@ def window_camera() -> coin.SoOrthographicCamera:
     camera.position = (0, 0, 1)
     camera.nearDistance, camera.farDistance = 0.5, 1.5
     return camera
+
+
+def standing(place: FreeCAD.Placement) -> coin.SoTransform:
+    """What follows is in coordinates that stand so in the scene."""
+    node = coin.SoTransform()
+    node.translation = tuple(place.Base)
+    node.rotation = coin.SbRotation(*place.Rotation.Q)
+    return node
 
 
 def left_out_of_fitting() -> coin.SoGroup:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import FreeCAD
 from pivy import coin
 
 from freecad_ortho.view import nodes
@@ -25,18 +26,25 @@ class Picking:
         view: the 3D view.
         points: (n, 3) in mm.
         changed: called after every click that changed something.
+        stands: where the coordinates of the points stand in the view.
 
     Attributes:
         chosen: numbers of the vertices.
         active: whether clicks count.
     """
 
-    def __init__(self, view: Any, points: FloatArray, changed: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        view: Any,
+        points: FloatArray,
+        changed: Callable[[], None],
+        stands: FreeCAD.Placement,
+    ) -> None:
         self.chosen: set[int] = set()
         self.active = False
         self._points, self._changed = points, changed
         self._scene = view.getSceneGraph()
-        self._build_nodes()
+        self._build_nodes(stands)
         self._scene.insertChild(self.root, 0)
 
     def show(self, chosen: set[int], active: bool) -> None:
@@ -71,7 +79,7 @@ class Picking:
             self._events.removeEventCallback(*self._callback)
             self._scene.removeChild(self.root)
 
-    def _build_nodes(self) -> None:
+    def _build_nodes(self, stands: FreeCAD.Placement) -> None:
         self.root, self._events = coin.SoSeparator(), coin.SoEventCallback()
         self._coordinates, self._colours = coin.SoCoordinate3(), coin.SoMaterial()
         self._markers = coin.SoMarkerSet()
@@ -80,7 +88,8 @@ class Picking:
         on_top.function = coin.SoDepthBuffer.ALWAYS
         each.value = coin.SoMaterialBinding.PER_VERTEX
         for node in (
-            self._events, nodes.unpickable(), nodes.unlit(), on_top, self._coordinates,
+            nodes.standing(stands), self._events, nodes.unpickable(), nodes.unlit(), on_top,
+            self._coordinates,
             self._colours, each, self._markers,
         ):  # fmt: skip
             self.root.addChild(node)

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD
+from pivy import coin
+
+from freecad_ortho.view import nodes
 from freecad_ortho.view.handles import CHOSEN, Handles
 from solver.mesh.quadmesh import FloatArray
 
@@ -13,12 +17,16 @@ class PlaceMarks:
 
     Args:
         view: the 3D view.
+        stands: where the coordinates of the points stand in it.
     """
 
-    def __init__(self, view: Any) -> None:
+    def __init__(self, view: Any, stands: FreeCAD.Placement) -> None:
         self._scene = view.getSceneGraph()
         self._handles = Handles()
-        self._scene.addChild(self._handles.root)
+        self._root = coin.SoSeparator()
+        self._root.addChild(nodes.standing(stands))
+        self._root.addChild(self._handles.root)
+        self._scene.addChild(self._root)
 
     def show(self, points: FloatArray) -> None:
         """Mark the (N, 3) points, in mm, and nothing else."""
@@ -26,5 +34,5 @@ class PlaceMarks:
 
     def remove(self) -> None:
         """Take the marks out of the view; doing it again changes nothing."""
-        if self._scene.findChild(self._handles.root) >= 0:
-            self._scene.removeChild(self._handles.root)
+        if self._scene.findChild(self._root) >= 0:
+            self._scene.removeChild(self._root)

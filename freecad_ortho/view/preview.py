@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 
@@ -16,11 +17,17 @@ _GROUND = (0.94, 0.80, 0.55)
 
 
 class Preview:
-    """Nodes of our own at the root of a view's scene; the document knows nothing of them."""
+    """Nodes of our own at the root of a view's scene; the document knows nothing of them.
 
-    def __init__(self, view: Any) -> None:
+    Args:
+        view: the 3D view.
+        stands: where the coordinates of what is shown stand in it.
+    """
+
+    def __init__(self, view: Any, stands: FreeCAD.Placement) -> None:
         self._scene = view.getSceneGraph()
         self.root = coin.SoSeparator()
+        self.root.addChild(nodes.standing(stands))
         self._net = _Sheet(_FACES, _LINES, 0.0)
         self._ground = _Sheet(_GROUND, (0.75, 0.60, 0.35), 0.75)
         for sheet in (self._net, self._ground):

@@ -39,11 +39,20 @@ class Screen:
 
     @classmethod
     def of_event(cls, node: Any) -> Screen:
-        """The view in which the event of a SoEventCallback happened."""
+        """The view in which the event of a SoEventCallback happened.
+
+        Points are in the coordinates of what is drawn beside that node: those of the parts that
+        contain it are followed.
+        """
         action = node.getAction()
+        # An event on its way through the scene knows the camera but no transformations.
+        model = coin.SoGetMatrixAction(action.getViewportRegion())
+        model.apply(action.getCurPath())
         volume = coin.SoViewVolumeElement.get(action.getState())
         region = _pair(action.getViewportRegion().getViewportSizePixels())
-        return cls(np.array(volume.getMatrix().getValue()), (int(region[0]), int(region[1])))
+        matrices = (model.getMatrix().getValue(), volume.getMatrix().getValue())
+        seen = np.array(matrices[0]) @ np.array(matrices[1])
+        return cls(seen, (int(region[0]), int(region[1])))
 
     def pixels(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """(N, 2) pixels and (N,) depths (small is near) of (N, 3) points.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_array, csr_array
@@ -14,6 +14,7 @@ from solver.errors import InputError
 from solver.formfinding.forces import Loads, Tension
 from solver.formfinding.mixing import Mixing
 from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
@@ -70,7 +71,8 @@ def find_form(
     """Move all vertices that are not supported into equilibrium.
 
     At every free vertex i: ``sum_j q_ij (x_j - x_i) + p_i = 0``. With fixed densities q and loads p
-    this is one linear system; where they follow the shape it is solved again until it holds.
+    this is one linear system; where they follow the shape it is solved again until it holds. A mesh
+    that is far from the origin is worked on about a local origin.
 
     Args:
         mesh: start; for fixed densities and loads only its supports' positions matter.
@@ -84,7 +86,28 @@ def find_form(
     Raises:
         InputError: no support, no free vertex, or a part that no tension holds.
     """
-    loads = Loads() if loads is None else loads
+    origin = LocalOrigin.of_mesh(mesh)
+    found = _found(
+        origin.near_mesh(mesh),
+        supports,
+        tension,
+        Loads() if loads is None else loads,
+        tolerance,
+        max_iterations,
+        callback,
+    )
+    return replace(found, mesh=origin.back_mesh(found.mesh))
+
+
+def _found(
+    mesh: QuadMesh,
+    supports: BoolArray,
+    tension: Tension,
+    loads: Loads,
+    tolerance: float,
+    max_iterations: int,
+    callback: Callable[[int, float], bool | None] | None,
+) -> FormFound:
     held = np.asarray(supports, dtype=bool) | ~mesh.connectivity.referenced
     _check(mesh, held, tension)
     size, linear = size_of(mesh.vertices), tension.linear and not loads.follow

@@ -7,10 +7,12 @@ or subtracts it loses digits that a net needs. About a point nearby nothing is l
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # A mesh is far from the origin along an axis where it is so many times its size away.
@@ -75,6 +77,26 @@ class LocalOrigin:
     def scaled(self, factor: float) -> LocalOrigin:
         """The same point in another unit."""
         return LocalOrigin(self.shift * factor)
+
+
+def measured_from(choice: str | Sequence[float], local: FloatArray) -> FloatArray:
+    """(3,) what coordinates in files are to be measured from.
+
+    Args:
+        choice: ``keep`` for the model's own origin, ``local``, or a point.
+        local: (3,) the local origin.
+
+    Raises:
+        InputError: neither a word nor a point.
+    """
+    words = {"keep": np.zeros(3), "local": local}
+    try:
+        point = words[choice] if isinstance(choice, str) else np.asarray(choice, dtype=np.float64)
+    except (KeyError, ValueError, TypeError):
+        point = np.zeros(0)
+    if point.shape != (3,) or not np.isfinite(point).all():
+        raise InputError(f"origin: expected keep, local or a point of three, got {choice!r}")
+    return point
 
 
 def resolution(mesh: QuadMesh) -> float:

@@ -8,6 +8,7 @@ import pytest
 from solver import Constraints, InputError, NetOptions, Session, optimise
 from solver.analysis.advisor import advise
 from solver.analysis.check import check
+from solver.formfinding import Loads, Membrane, find_form, supported
 from solver.mesh.mirror import size_of
 from solver.nets.constraints import BoundaryGlide, CurveGlide, PlaneGlide, SurfaceGlide
 from tests.conftest import surface_of_revolution, wavy_grid
@@ -120,3 +121,18 @@ def test_measures_and_advice_are_the_same_anywhere(offset):
             assert far["measures"][name]["max"] == pytest.approx(entry["max"], abs=2e-8)
         titles = [one.title for one in advise(start)]
         assert [one.title for one in advise(moved(start, offset))] == titles
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+def test_a_membrane_finds_its_form_anywhere(offset):
+    start = rounded(wavy_grid(7, 6))
+    held = supported(start, "boundary")
+    loads = Loads((0, 0, -0.1))
+    near, far = (
+        find_form(moved(start, place), held, Membrane(1.0, 0.0), loads)
+        for place in (np.zeros(3), offset)
+    )
+    assert near.converged and far.converged
+    assert near.iterations == far.iterations
+    miss = np.abs(far.mesh.vertices - offset - near.mesh.vertices).max()
+    assert miss <= 1e-9 * size_of(start.vertices)
