@@ -15,6 +15,7 @@ from freecad_ortho import api, convert
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.objects import cad_faces, guides, places
 from solver.errors import InputError
+from solver.mesh.local_origin import LocalOrigin
 
 # National grid coordinates in mm: no float of seven digits tells these meshes' vertices apart.
 OFFSET = np.array([500123250.0, 5412345500.0, 412000.0])
@@ -76,7 +77,9 @@ class TestFar(PlaceCase):
         path = self.far_file()
         net = api.import_net(path, self.document)
         self.assertLess(np.abs(tools.vertices(net)[:, :2]).max(), 1e6)
-        np.testing.assert_allclose(places.origin(net), [500100000, 5412300000, 0])
+        taken = LocalOrigin.of_mesh(api.read_mesh(path).mesh).scaled(1000)
+        np.testing.assert_allclose(places.origin(net), taken.shift, rtol=1e-15)
+        self.assertGreater(taken.shift[1], 5e9)
         for choice, point in (("keep", [0, 0, 0]), ("local", places.origin(net)), ([7, 8, 9],) * 2):
             out = tools.SCRATCH / "out.obj"
             api.export_net(net, out, origin=choice)
