@@ -198,10 +198,9 @@ def test_sheets_on_which_nothing_fits_are_refused_with_all_names(plates, structu
 
 
 def test_what_fits_is_nested_and_all_that_does_not_is_listed(structure, tmp_path):
-    """Message, report and table say the same, and the command line says the message."""
+    """Message, report and table say the same."""
     shop = Workshop(sheet=(1500.0, 900.0), spacing=8.0)
     room = np.array(shop.sheet) - 2 * shop.spacing
-    # A small part of which some turn lies inside: panels here are nearly rectangles.
     write(structure, tmp_path, workshop=shop)
     report = json.loads((tmp_path / "report.json").read_text())
     with (tmp_path / "parts.csv").open(newline="") as stream:
@@ -215,10 +214,16 @@ def test_what_fits_is_nested_and_all_that_does_not_is_listed(structure, tmp_path
         assert not fits or part.name in placed
     for sheet in report["sheets"]["sheets"]:
         assert {rows[name]["cut_from"] for name in sheet["parts"]} == {sheet["name"]}
-    (message,) = [words for words in report["messages"] if words.startswith("sheet: ")]
-    assert f"{len(large)} parts do not fit on 1500 x 900 mm" in message
-    assert f": {', '.join(large)}; take larger sheets" in message
-    assert message in html.unescape((tmp_path / "report.html").read_text())
+    # Beams that are too large for a sheet are sawn from bars; panels are lost.
+    sawn = [name for name in large if rows[name]["kind"] == "beam"]
+    lost = [name for name in large if rows[name]["kind"] == "panel"]
+    assert all(rows[name]["cut_from"].startswith("S0") for name in sawn)
+    assert all(rows[name]["cut_from"] == "" for name in lost)
+    said, others = [words for words in report["messages"] if words.startswith("sheet: ")]
+    assert f"{len(lost)} parts do not fit on 1500 x 900 mm" in said
+    assert f": {', '.join(lost)}; take larger sheets" in said
+    assert others.endswith(f"sawn from bars instead: {', '.join(sawn)}")
+    assert said in html.unescape((tmp_path / "report.html").read_text())
 
 
 def test_a_part_as_large_as_the_sheet_fits(plates):
