@@ -18,6 +18,7 @@ from freecad_ortho.fabrication import (
     write,
 )
 from freecad_ortho.fabrication.production import produce
+from freecad_ortho.fabrication.stock import stock_list
 from solver.errors import InputError
 from tests.fabrication.test_patches import cylinder
 
@@ -123,8 +124,10 @@ def test_sheets_bars_and_lists_keep_materials_apart(mixed, tmp_path):
     with (tmp_path / "parts.csv").open() as stream:
         rows = list(csv.DictReader(stream))
     assert {row["name"]: row["material"] for row in rows} == made_of
+    # All are cut from sheets; without sheets the beams are sawn from bars of their own material.
     with (tmp_path / "stock.csv").open() as stream:
-        assert {row["material"] for row in csv.DictReader(stream)} == {"steel"}
+        assert list(csv.DictReader(stream)) == []
+    assert {bar.material for bar in stock_list(mixed.parts, Workshop()).bars} == {"steel"}
     page = (tmp_path / "report.html").read_text()
     steel, glass = (f"{entry['mass_kg']:,.1f}" for entry in report["materials"].values())
     assert f"{steel} kg of steel and {glass} kg of toughened-glass" in page
