@@ -48,8 +48,8 @@ def polyhedron_solid(points: FloatArray, loops: Loops) -> cadquery.Solid:
             else:
                 builder.Add(wire, edge.Reversed())
         wire.Closed(True)
-        middle, normal = plane_of(points[list(loop)])
-        plane = Geom_Plane(gp_Pln(gp_Pnt(*middle), gp_Dir(*normal)))
+        _, normal = plane_of(points[list(loop)])
+        plane = Geom_Plane(gp_Pln(gp_Pnt(*rows[loop[0]]), gp_Dir(*normal)))
         face = TopoDS_Face()
         builder.MakeFace(face, plane, 1e-7)
         builder.Add(face, wire)

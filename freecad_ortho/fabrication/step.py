@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.solids import location
+from freecad_ortho.fabrication.step_text import compacted
 from solver.errors import OrthoError
 
 if TYPE_CHECKING:
@@ -140,6 +141,8 @@ def _step_bytes(document: Any) -> bytes:
     with _quiet_kernel():
         writer = STEPCAFControl_Writer()
         Interface_Static.SetCVal_s("write.step.unit", "MM")
+        # Curves in the parameters of their surfaces follow from those in space.
+        Interface_Static.SetIVal_s("write.surfacecurve.mode", 0)
         writer.SetNameMode(True)
         done = writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
         if done:
@@ -155,7 +158,8 @@ def _step_bytes(document: Any) -> bytes:
         raise OrthoError("STEP: the CAD kernel could not translate the solids; check the mesh")
     # The kernel numbers occurrences through all files that a process writes.
     number = count(1)
-    return _OCCURRENCE.sub(lambda found: found[1] + b"%d" % next(number), stream.getvalue())
+    data = _OCCURRENCE.sub(lambda found: found[1] + b"%d" % next(number), stream.getvalue())
+    return compacted(data)
 
 
 def _name_of(label: Any) -> str:

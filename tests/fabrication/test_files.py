@@ -32,7 +32,7 @@ from solver.mesh.primitives import primitive
 
 REQUIRED = (
     "name kind family line length_mm width_mm thickness_mm area_mm2 mass_kg gap_mm twist_deg "
-    "straightness_mm radius_mm min_bend_radius_mm stress_MPa verdict"
+    "straightness_mm radius_mm min_bend_radius_mm stress_MPa shear_MPa combined_MPa verdict"
 )
 SIZES = ("length", "width", "thickness", "area", "volume", "mass")
 
@@ -73,7 +73,7 @@ def test_step_gives_back_names_places_and_volumes(structure, folder):
 def test_step_is_in_millimetres_and_has_one_product_a_part(structure, folder):
     text = (folder / "structure.step").read_text()
     assert "SI_UNIT(.MILLI.,.METRE.)" in text
-    assert text.count("= PRODUCT('") == len(structure.parts) + 1
+    assert text.count("=PRODUCT('") == len(structure.parts) + 1
     assert text.count("NEXT_ASSEMBLY_USAGE_OCCURRENCE(") == len(structure.parts)
 
 

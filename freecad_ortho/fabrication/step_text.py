@@ -1,0 +1,98 @@
+"""Smaller STEP files: geometry that is written many times is kept once.
+
+The kernel's writer repeats points, directions, lines and units wherever they are used. They have no
+identity in STEP, so equal ones may be one entity that many refer to. Vertices, edges and faces keep
+theirs: solids share none.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+# Whatever these refer to comes before them.
+_SHARED = (
+    *(b"CARTESIAN_POINT", b"DIRECTION", b"VECTOR", b"LINE"),
+    *(b"AXIS2_PLACEMENT_3D", b"PLANE", b"SI_UNIT", b"UNCERTAINTY_MEASURE_WITH_UNIT"),
+    *(b"PRODUCT_CONTEXT", b"PRODUCT_DEFINITION_CONTEXT"),
+)
+_BEGIN, _END = b"DATA;\n", b"ENDSEC;\nEND-ISO-10303-21;"
+_ENTITY = re.compile(rb"#(\d+) = ((?:'[^']*'|[^';])*);\s*")
+_TOKEN = re.compile(rb"'[^']*'|#(\d+)")
+_KIND = re.compile(rb"\(?\s*(\w+)")
+_BREAK = re.compile(rb"\n\s*")
+_POWER = re.compile(rb"-0\.(?=[,)])|-?\d+\.\d*E[+-]\d+")
+
+
+def compacted(text: bytes) -> bytes:
+    """Return a STEP file with shared geometry, its entities numbered anew from 1.
+
+    Args:
+        text: as the CAD kernel writes it.
+    """
+    begin = text.index(_BEGIN) + len(_BEGIN)
+    end = text.index(_END, begin)
+    entities = {
+        int(found[1]): _BREAK.sub(b"", found[2]) for found in _ENTITY.finditer(text, begin, end)
+    }
+    kinds: dict[bytes, list[int]] = {kind: [] for kind in _SHARED}
+    for number, body in entities.items():
+        kind = _kind(body)
+        if kind in kinds:
+            kinds[kind].append(number)
+    same = _same(entities, kinds)
+    left = [number for number in entities if number not in same]
+    new = {number: b"#%d" % place for place, number in enumerate(left, start=1)}
+    new.update((number, new[first]) for number, first in same.items())
+    lines = (b"%s=%s;\n" % (new[number], _renamed(entities[number], new)) for number in left)
+    return b"".join(_whole(text, begin, end, lines))
+
+
+def _kind(body: bytes) -> bytes:
+    """Name of an entity's type; of the several names of a unit the one that says which."""
+    if b"SI_UNIT(" in body:
+        return b"SI_UNIT"
+    found = _KIND.match(body)
+    return found[1] if found else b""
+
+
+def _same(entities: dict[int, bytes], kinds: dict[bytes, list[int]]) -> dict[int, int]:
+    """For each entity that repeats another the number of the first; references are replaced."""
+    same: dict[int, int] = {}
+    replaced: dict[int, bytes] = {}
+    for numbers in kinds.values():
+        first: dict[bytes, int] = {}
+        for number in numbers:
+            body = _renamed(_POWER.sub(_plain, entities[number]), replaced)
+            entities[number] = body
+            kept = first.setdefault(body, number)
+            if kept != number:
+                same[number] = kept
+                replaced[number] = b"#%d" % kept
+    return same
+
+
+def _plain(found: re.Match[bytes]) -> bytes:
+    """A number without a power of ten, to the 13 digits that the kernel writes."""
+    value = float(found[0])
+    text = f"{value:.13g}"
+    if "e" in text:
+        text = f"{value:.13f}".rstrip("0")
+    if "." not in text:
+        text += "."
+    return b"0." if text in ("-0.", "0.") else text.encode()
+
+
+def _renamed(body: bytes, names: dict[int, bytes]) -> bytes:
+    """The body with its references replaced by those of these names."""
+
+    def name(found: re.Match[bytes]) -> bytes:
+        return found[0] if found[1] is None else names.get(int(found[1]), found[0])
+
+    return _TOKEN.sub(name, body) if b"#" in body else body
+
+
+def _whole(text: bytes, begin: int, end: int, lines: Iterator[bytes]) -> Iterator[bytes]:
+    yield text[:begin]
+    yield from lines
+    yield text[end:]
