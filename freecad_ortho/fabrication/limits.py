@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 
 from freecad_ortho.fabrication.part import Part, measure_words
@@ -10,6 +11,8 @@ from freecad_ortho.fabrication.sizes import positive
 OK = "ok"
 # Limits of parts whose patterns are straight or arcs.
 _OF_PATTERNS = ("straightness_mm", "radius_spread_mm")
+# Share of the limit below which shear is not worth a word.
+_LITTLE = 1e-3
 
 
 @dataclass(frozen=True)
@@ -51,16 +54,43 @@ def verdict(part: Part, limits: Limits) -> str:
         if limit is not None and value is not None and value > limit:
             name, unit = _words(field.name)
             complaints.append(f"{name} {value:.3g} {unit} exceeds {limit:g} {unit}")
-    stress, material = part.measures.stress_MPa, part.material
-    if stress is not None and stress > material.bending_limit:
-        complaints.append(
-            f"bending stress {stress:.3g} MPa exceeds {material.bending_limit:g} MPa of "
-            f"{material.name}: bent to {part.measures.min_bend_radius_mm:.0f} mm, needs "
-            f"{material.least_radius(part.thickness):.0f} mm"
-        )
+    if words := _overstressed(part):
+        complaints.append(words)
     if part.assembly:
         complaints.append(part.assembly)
     return "; ".join(complaints) or OK
+
+
+def von_mises(bending: float, shear: float) -> float:
+    """Stress by which bending and shear stress in one place are judged, MPa.
+
+    Source: von Mises (1913), Mechanik der festen Koerper im plastisch-deformablen Zustand.
+    """
+    return math.hypot(bending, math.sqrt(3) * shear)
+
+
+def _overstressed(part: Part) -> str:
+    """How far the stress of bending and twisting a plate exceeds its material's limit, if it does.
+
+    The largest bending and the largest shear stress count as if they were in one place.
+    """
+    measures, material = part.measures, part.material
+    bending, shear = measures.stress_MPa or 0.0, measures.shear_MPa or 0.0
+    limit, radius = material.bending_limit, measures.min_bend_radius_mm
+    if von_mises(bending, shear) <= limit:
+        return ""
+    needed = f"{material.least_radius(part.thickness):.0f} mm"
+    bent = "" if radius is None else f"bent to {radius:.0f} mm"
+    if shear <= _LITTLE * limit:
+        return (
+            f"bending stress {bending:.3g} MPa exceeds {limit:g} MPa of {material.name}: {bent}, "
+            f"needs {needed}"
+        )
+    whole = f"stress {von_mises(bending, shear):.3g} MPa exceeds {limit:g} MPa of {material.name}"
+    return (
+        f"{whole}: bending {bending:.3g} MPa{bent and f', {bent}'}, and {shear:.3g} MPa of shear "
+        f"from torsion of {measures.torsion_deg_per_m or 0.0:.3g} degrees a metre"
+    )
 
 
 def _words(field: str) -> tuple[str, str]:

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from freecad_ortho.fabrication.sizes import positive
 from solver.errors import InputError
 
-# EN 572-1 gives float glass this density, kg/m3, and this modulus, MPa.
-_GLASS_DENSITY, _GLASS_MODULUS = 2500.0, 70_000.0
+# EN 572-1 gives float glass this density, kg/m3, modulus, MPa, and Poisson's ratio.
+_GLASS_DENSITY, _GLASS_MODULUS, _GLASS_POISSON = 2500.0, 70_000.0, 0.2
 # Characteristic bending strengths of glass, MPa: annealed (EN 572-1), heat strengthened (EN 1863-1)
 # and thermally toughened (EN 12150-1).
 _ANNEALED, _STRENGTHENED, _TOUGHENED = 45.0, 70.0, 120.0
@@ -30,6 +30,8 @@ class Material:
         bending_limit: largest bending stress allowed, MPa.
         layers: of a build-up, thicknesses from one face to the other, pane and cavity in turn, mm;
             empty for what is solid and cut from sheets of any thickness.
+        poisson: Poisson's ratio.
+        own_shear_modulus: MPa, where it does not follow from these two, as in what has fibres.
 
     Raises:
         InputError: a number that is not positive and finite.
@@ -40,11 +42,16 @@ class Material:
     youngs_modulus: float
     bending_limit: float
     layers: tuple[float, ...] = ()
+    poisson: float = 0.3
+    own_shear_modulus: float | None = None
 
     def __post_init__(self) -> None:
         positive("density", self.density, "kg/m3")
         positive("Young's modulus", self.youngs_modulus, "MPa")
         positive("bending limit", self.bending_limit, "MPa")
+        positive("Poisson's ratio", self.poisson, "")
+        if self.own_shear_modulus is not None:
+            positive("shear modulus", self.own_shear_modulus, "MPa")
         for layer in self.layers:
             positive("layer", layer, "mm")
 
@@ -68,12 +75,32 @@ class Material:
         """Radius at which a plate reaches the bending limit, mm."""
         return self.youngs_modulus * self._bent(thickness) / (2 * self.bending_limit)
 
+    @property
+    def shear_modulus(self) -> float:
+        """Its own, or E / (2 (1 + Poisson's ratio)), MPa."""
+        if self.own_shear_modulus is not None:
+            return self.own_shear_modulus
+        return self.youngs_modulus / (2 * (1 + self.poisson))
+
+    def shear_stress(self, thickness: float, twist: float) -> float:
+        """Largest shear stress G t theta' of a thin plate that is twisted elastically, MPa.
+
+        In a build-up that of its thickest pane.
+
+        Args:
+            thickness: mm, small beside the width of the plate.
+            twist: theta', radians per mm.
+
+        Source: Timoshenko, Goodier (1951), Theory of Elasticity, section 94: narrow rectangle.
+        """
+        return self.shear_modulus * self._bent(thickness) * abs(twist)
+
     def _bent(self, thickness: float) -> float:
         return max(self.layers[::2]) if self.layers else thickness
 
 
 def _glass(name: str, strength: float) -> Material:
-    return Material(name, _GLASS_DENSITY, _GLASS_MODULUS, strength)
+    return Material(name, _GLASS_DENSITY, _GLASS_MODULUS, strength, poisson=_GLASS_POISSON)
 
 
 def insulating_unit(*layers: float) -> Material:
@@ -93,21 +120,22 @@ def insulating_unit(*layers: float) -> Material:
     for layer in layers:
         positive("layer", layer, "mm")
     density = _GLASS_DENSITY * sum(layers[::2]) / sum(layers)
-    return Material(name, density, _GLASS_MODULUS, _ANNEALED, layers)
+    return Material(name, density, _GLASS_MODULUS, _ANNEALED, layers, _GLASS_POISSON)
 
 
 # Strengths are characteristic values of common grades, without partial safety factors: structural
 # steel S355 (EN 10025), aluminium EN AW-6060 T66 (EN 755), birch plywood and spruce C24 along the
-# grain (EN 789, EN 338), grid shell laths of glass fibre reinforced polymer.
+# grain (EN 789, EN 338), grid shell laths of glass fibre reinforced polymer. Shear moduli of what
+# has fibres are those in the plane of the plate (EN 12369-2, EN 338, makers of pultruded profiles).
 MATERIALS = {
     material.name: material
     for material in (
         Material("steel", 7850.0, 210_000.0, 355.0),
         Material("stainless", 7900.0, 200_000.0, 220.0),
         Material("aluminium", 2700.0, 70_000.0, 160.0),
-        Material("plywood", 680.0, 10_000.0, 40.0),
-        Material("timber", 420.0, 11_000.0, 24.0),
-        Material("gfrp", 1900.0, 25_000.0, 240.0),
+        Material("plywood", 680.0, 10_000.0, 40.0, own_shear_modulus=620.0),
+        Material("timber", 420.0, 11_000.0, 24.0, own_shear_modulus=690.0),
+        Material("gfrp", 1900.0, 25_000.0, 240.0, own_shear_modulus=3_000.0),
         _glass("glass", _ANNEALED),
         _glass("strengthened-glass", _STRENGTHENED),
         _glass("toughened-glass", _TOUGHENED),

@@ -29,6 +29,8 @@ class Measures:
         radius_spread_mm: largest distance of the unrolled axis from that arc.
         min_bend_radius_mm: smallest radius to which the plate is bent.
         stress_MPa: bending stress at that radius; filled in by the structure.
+        shear_MPa: shear stress where the plate is twisted most, beyond what its bends turn it.
+        combined_MPa: of both, von Mises; filled in by the structure.
         lean_deg: largest angle between the part's upright and the surface normal.
         torsion_deg_per_m: largest torsion along the part.
     """
@@ -40,6 +42,8 @@ class Measures:
     radius_spread_mm: float | None = None
     min_bend_radius_mm: float | None = None
     stress_MPa: float | None = None
+    shear_MPa: float | None = None
+    combined_MPa: float | None = None
     lean_deg: float | None = None
     torsion_deg_per_m: float | None = None
 

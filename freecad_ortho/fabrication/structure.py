@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freecad_ortho.fabrication.limits import OK, Limits, verdict
+from freecad_ortho.fabrication.limits import OK, Limits, verdict, von_mises
 from freecad_ortho.fabrication.material import MATERIALS, Material
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.site import Selection, Site
 from freecad_ortho.fabrication.systems.system import System, SystemParts
@@ -269,15 +269,14 @@ def _refuse_thickness(system: str, parts: Sequence[Part]) -> None:
 
 
 def _stressed(parts: Sequence[Part]) -> tuple[Part, ...]:
-    """Parts with the bending stress at their smallest radius."""
-    return tuple(
-        part
-        if (radius := part.measures.min_bend_radius_mm) is None
-        else replace(
-            part,
-            measures=replace(
-                part.measures, stress_MPa=part.material.bending_stress(part.thickness, radius)
-            ),
-        )
-        for part in parts
-    )
+    """Parts with the bending stress at their smallest radius, and what shear makes of it."""
+    return tuple(replace(part, measures=_with_stress(part)) for part in parts)
+
+
+def _with_stress(part: Part) -> Measures:
+    radius, shear = part.measures.min_bend_radius_mm, part.measures.shear_MPa
+    if radius is None and shear is None:
+        return part.measures
+    bending = None if radius is None else part.material.bending_stress(part.thickness, radius)
+    combined = von_mises(bending or 0.0, shear or 0.0)
+    return replace(part.measures, stress_MPa=bending, combined_MPa=combined)

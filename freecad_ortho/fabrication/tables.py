@@ -23,6 +23,8 @@ _MEASURES = (
     "radius_spread_mm",
     "min_bend_radius_mm",
     "stress_MPa",
+    "shear_MPa",
+    "combined_MPa",
     "lean_deg",
     "torsion_deg_per_m",
 )

@@ -25,6 +25,7 @@ class StripMeasures:
             lying strip: between the tangent planes of surface and strip).
         twist_deg: largest angle by which the rulings at the ends of an edge miss a common plane.
         torsion_deg: largest turn of the strip about its axis per unit length.
+        warp_deg: largest such turn within a face: what bending about the rulings does not make.
         smallest_bend_radius: within the width, inf when nothing bends.
         gap: largest difference in length between an outer edge of a face and its pattern: 0 when
             the strip is developable.
@@ -38,6 +39,7 @@ class StripMeasures:
     lean_deg: float
     twist_deg: float
     torsion_deg: float
+    warp_deg: float
     smallest_bend_radius: float
     gap: float
     admissible_width: float
@@ -57,6 +59,7 @@ def strip_measures(strip: Strip, width: float, normals: FloatArray) -> StripMeas
         lean_deg=float(np.degrees(lean.max())),
         twist_deg=float(np.degrees(np.abs(strip.twists).max())),
         torsion_deg=float(np.degrees(torsion.max())),
+        warp_deg=float(np.degrees((np.abs(strip.twists) / strip.lengths).max())),
         smallest_bend_radius=smallest_bend_radius(strip, width),
         gap=developability_gap(strip, width),
         admissible_width=strip.admissible_width()[0],

@@ -17,6 +17,7 @@ from solver.mesh.grid import grid_mesh
 from solver.mesh.primitives import primitive
 from tests.conftest import shared_mesh
 from tests.fabrication.test_lamellas import check_solids
+from tests.meshes import bent_sheet
 
 RADIUS, TURN, LENGTH = 2000.0, 1.5, 3000.0
 
@@ -79,6 +80,31 @@ def test_cut_along_lines_the_pieces_are_the_whole():
     assert {"D0000", "D0002", "V003", "U001"} <= texts
     check_solids(structure)
     assert not check_clashes(structure.parts).clashes
+
+
+@pytest.mark.parametrize("family", ["u", "v"])
+def test_strips_cut_from_a_sheet_are_bent_as_it_is(family):
+    """Rings and generators of a cylinder, and lines that run aslant to the rulings."""
+    strips = build(cylinder(), [Patches(6)], selection=Selection(family)).parts
+    radii = [part.measures.min_bend_radius_mm for part in strips]
+    # Along generators each strip is one plane face wide; along rings it bends like the whole.
+    assert radii == ([pytest.approx(RADIUS, rel=2e-3)] * 7 if family == "u" else [None] * 10)
+    sheet = bent_sheet().scaled(1000.0)
+    (whole,) = build(sheet, [Patches(3)]).parts
+    strips = build(sheet, [Patches(3)], selection=Selection(family)).parts
+    sharpest = min(part.measures.min_bend_radius_mm for part in strips)
+    assert sharpest == pytest.approx(whole.measures.min_bend_radius_mm, rel=0.2)
+
+
+def test_strips_of_a_sheet_that_is_bent_too_far_fail_as_it_does(tmp_path):
+    sheet = bent_sheet().scaled(1000.0)
+    for name, lines in (("whole", Selection()), ("strips", Selection("u"))):
+        write(build(sheet, [Patches(10)], selection=lines), tmp_path / name)
+        with (tmp_path / name / "parts.csv").open(newline="") as stream:
+            rows = list(csv.DictReader(stream))
+        worst = max(rows, key=lambda row: float(row["stress_MPa"]))
+        assert 900 < float(worst["stress_MPa"]) < 1200
+        assert worst["verdict"].startswith("bending stress 1") and "355 MPa" in worst["verdict"]
 
 
 def test_a_ring_must_be_cut_and_then_unrolls():

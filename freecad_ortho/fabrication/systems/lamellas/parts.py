@@ -160,6 +160,9 @@ def lamella_part(made: Cut, site: Site) -> Part:
             radius_mm=measures.radius if arc else None,
             radius_spread_mm=measures.radius_spread if arc else None,
             min_bend_radius_mm=bend if np.isfinite(bend) else None,
+            shear_MPa=site.material.shear_stress(ribbon.thickness, np.radians(measures.warp_deg))
+            if lamella.twisted
+            else None,
             lean_deg=measures.lean_deg,
             torsion_deg_per_m=measures.torsion_deg * 1000,
         ),
