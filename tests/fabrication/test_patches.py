@@ -2,6 +2,7 @@
 
 import csv
 import math
+from itertools import pairwise
 
 import ezdxf
 import numpy as np
@@ -75,7 +76,11 @@ def test_cut_along_lines_the_pieces_are_the_whole():
     lines = Selection("v", (2, 6))
     structure = build(cylinder(), [Patches(6)], selection=lines)
     assert [part.name for part in structure.parts] == ["D0000", "D0001", "D0002"]
-    assert sum(part.area for part in structure.parts) == pytest.approx(whole.area, rel=1e-9)
+    # Two joints of 10 mm along generators of the whole length.
+    joints = 2 * 10 * LENGTH
+    assert sum(part.area for part in structure.parts) == pytest.approx(
+        whole.area - joints, rel=1e-9
+    )
     texts = {mark.text for mark in structure.parts[1].pattern.marks if mark.text}
     assert {"D0000", "D0002", "V003", "U001"} <= texts
     check_solids(structure)
@@ -107,11 +112,28 @@ def test_strips_of_a_sheet_that_is_bent_too_far_fail_as_it_does(tmp_path):
         assert worst["verdict"].startswith("bending stress 1") and "355 MPa" in worst["verdict"]
 
 
+def test_joints_are_as_wide_as_asked_for():
+    """In place and in the patterns, also where the sheet bends aslant to the cuts."""
+    sheet = bent_sheet().scaled(1000.0)
+    pieces = build(sheet, [Patches(3, gap=8)], selection=Selection("u")).parts
+    for one, other in pairwise(pieces):
+        apart = np.linalg.norm(one.points[:, None] - other.points[None], axis=2).min(axis=1)
+        assert 7.9 < apart.min() <= 8.0
+    whole = build(sheet, [Patches(3)]).parts[0]
+    length = 3000.0
+    lost = whole.area - sum(part.area for part in pieces)
+    assert lost == pytest.approx(8 * length * (len(pieces) - 1), rel=0.01)
+    assert not check_clashes(pieces).clashes
+    with pytest.raises(InputError, match=r"gap: 400 mm leaves nothing of .* cut of D\d{4}; take"):
+        build(cylinder(), [Patches(6, gap=400)], selection=Selection("v"))
+
+
 def test_a_ring_must_be_cut_and_then_unrolls():
     with pytest.raises(InputError, match=r"closes on itself.*family and lines"):
         build(ring(), [Patches(6)])
     (part,) = build(ring(), [Patches(6)], selection=Selection("v", (0,))).parts
-    around = 12 * 2 * RADIUS * math.sin(math.pi / 12)
+    # The cut is a joint of the piece with itself.
+    around = 12 * 2 * RADIUS * math.sin(math.pi / 12) - 10
     assert sorted(part.pattern.size) == pytest.approx(sorted([LENGTH, around]), rel=1e-9)
     assert part.volume == pytest.approx(6 * part.area, rel=1e-9)
     assert part.solid().isValid()

@@ -18,6 +18,7 @@ from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_size, positive
+from freecad_ortho.fabrication.systems.patches.joints import jointed
 from freecad_ortho.fabrication.systems.patches.pattern import patch_pattern
 from freecad_ortho.fabrication.systems.patches.pieces import Piece, pieces_of
 from freecad_ortho.fabrication.systems.patches.sheet import (
@@ -43,6 +44,7 @@ class Patches(System):
 
     Args:
         thickness: of the plates, half to each side of the net, mm.
+        gap: joint between pieces along a cut, mm; each ends half of it before the cut.
         distortion: largest change of an edge's length from the flat pattern that is built, percent.
 
     Raises:
@@ -50,16 +52,19 @@ class Patches(System):
     """
 
     thickness: float = 3.0
+    gap: float = 10.0
     distortion: float = 1.0
 
     name: ClassVar[str] = "patches"
     options: ClassVar[tuple[Option, ...]] = (
         Option("thickness", 3.0, "length", "the plates are this thick"),
+        Option("gap", 10.0, "length", "the joint between two patches is this wide"),
         Option("distortion", 1.0, "percent", "a patch is built up to this distortion of an edge"),
     )
 
     def __post_init__(self) -> None:
         check_size("patch thickness", self.thickness)
+        check_size("gap", self.gap)
         positive("distortion", self.distortion, "%")
 
     def build(self, site: Site) -> SystemParts:
@@ -67,7 +72,7 @@ class Patches(System):
 
         Raises:
             InputError: a piece that is not a grid, is not developable enough, overlaps itself when
-                laid flat, or is bent too sharply for its thickness.
+                laid flat, is bent too sharply for its thickness, or that the gap leaves nothing of.
         """
         cuts = np.zeros(len(site.mesh.connectivity.edges), dtype=np.bool_)
         if not site.selection.everything:
@@ -111,7 +116,9 @@ class Patches(System):
         piece_of_face: dict[int, str],
     ) -> Part:
         """The part, its own coordinates in the face nearest to the middle."""
-        mesh = piece.mesh
+        bend, stretch = smallest_radius(piece.mesh), float(np.abs(patch.stretch).max())
+        patch, half = jointed(site.mesh, piece, patch, half, self.gap)
+        mesh = patch.bent
         middles = mesh.vertices[mesh.faces].mean(axis=1)
         face = int(np.linalg.norm(middles - middles.mean(axis=0), axis=1).argmin())
         corner = mesh.vertices[mesh.faces[face]]
@@ -121,7 +128,6 @@ class Patches(System):
         frame = np.stack([x, np.cross(normal, x), normal])
         place = middles[face], frame
         body = sheet_body(mesh, half, self.thickness, piece.name)
-        bend = smallest_radius(mesh)
         return plate_part(
             site,
             piece.name,
@@ -132,7 +138,7 @@ class Patches(System):
             self.thickness,
             vertices=tuple(np.unique(piece.vertices).tolist()),
             measures=Measures(
-                gap_mm=float(np.abs(patch.stretch).max()),
+                gap_mm=stretch,
                 min_bend_radius_mm=bend if np.isfinite(bend) else None,
             ),
         )
@@ -143,6 +149,7 @@ class Patches(System):
         radii = [part.measures.min_bend_radius_mm for part in parts]
         return {
             "thickness_mm": self.thickness,
+            "gap_mm": self.gap,
             "distortion_max_mm": float(stretch.max()),
             "distortion_mean_mm": float(stretch.mean()),
             "distortion_max_percent": float(percent.max()),
