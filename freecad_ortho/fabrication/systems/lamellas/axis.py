@@ -260,17 +260,14 @@ class _Maker:
                 return None
             raise
         lean = made[2].lean_deg
-        if on_boundary:
-            if lean <= _LEAN and _miss(made, kind) <= _EXACT:
-                return made
-            return (
-                None if len(turns) > len(self.points) - 2 else self._nearest(turns, name, vertices)
-            )
-        if lean <= _LEAN:
+        if lean <= _LEAN and (not on_boundary or _miss(made, kind) <= _EXACT):
             return made
         upright = self._upright(name, vertices)
         if upright is not None and _miss(upright, kind) <= NEARLY:
             return upright
+        if on_boundary:
+            closed = len(turns) > len(self.points) - 2
+            return None if closed else self._nearest(turns, name, vertices)
         if lean > _LEAN_OVER and self.settings.pattern != "auto":
             raise InputError(
                 f"pattern: {name} would lean {lean:.0f} degrees from the normals to unroll "
