@@ -9,24 +9,14 @@
    <translation>Ein Punkt der Ebene</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, force / mm2</source>
-   <translation>Längs der Normalen, Kraft / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, negative for below</source>
-   <translation>Längs der Normalen, negativ für darunter</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Along: parts keep their length along the sheet</source>
    <translation>Along: Teile behalten ihre Länge längs der Tafel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles about x, then y, then z</source>
-   <translation>Winkel um x, dann y, dann z</translation>
+   <source>Angles of turns about x, then y, then z</source>
+   <translation>Winkel der Drehungen um x, dann y, dann z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -50,8 +40,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bore: hole along the axis of hubs, 0 for none</source>
-   <translation>Bohrung: Loch längs der Achse der Naben, 0 für keines</translation>
+   <source>Bore: the hubs have a hole of this diameter along their axis</source>
+   <translation>Bohrung: die Naben haben ein Loch dieses Durchmessers längs ihrer Achse</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -95,13 +85,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: in slots and at hubs</source>
-   <translation>Spiel: in Schlitzen und an Naben</translation>
+   <source>Clearance: slots and hubs leave this much air</source>
+   <translation>Spiel: Schlitze und Naben lassen so viel Luft</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: of slots</source>
-   <translation>Spiel: von Schlitzen</translation>
+   <source>Clearance: the slots leave this much air</source>
+   <translation>Spiel: die Schlitze lassen so viel Luft</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -135,8 +125,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Distortion: largest that is built, of an edge</source>
-   <translation>Verzerrung: größte einer Kante, die noch gebaut wird</translation>
+   <source>Distance along the normals, negative for below</source>
+   <translation>Abstand längs der Normalen, negativ für darunter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distortion: a patch is built up to this distortion of an edge</source>
+   <translation>Verzerrung: ein Flächenstück wird bis zu dieser Verzerrung einer Kante gebaut</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Each time four faces are made of one</source>
+   <translation>Jedes Mal werden aus einer Masche vier</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -150,13 +150,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ends: how beams meet</source>
-   <translation>Enden: wie Träger sich treffen</translation>
+   <source>Ends: the beams meet like this at a node</source>
+   <translation>Enden: so treffen sich die Träger an einem Knoten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Even lengths or equal steps of the parameters</source>
    <translation>Gleiche Längen oder gleiche Schritte der Parameter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every so many lines of u and v stay</source>
+   <translation>Jede so vielte Linie von u und v bleibt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -172,11 +177,6 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Faces that the net stays near as far as it can</source>
    <translation>Flächen, denen das Netz so nahe bleibt, wie es kann</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Factor</source>
-   <translation>Faktor</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -210,13 +210,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Fixed point</source>
-   <translation>Fester Punkt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Flange thickness: of the flanges where it differs</source>
-   <translation>Flanschdicke: der Flansche, wo sie abweicht</translation>
+   <source>Flange thickness: the flanges are this thick, by default as thick as the plates</source>
+   <translation>Flanschdicke: die Flansche sind so dick, ohne Angabe so dick wie die Bleche</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -230,13 +225,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of border cables; 0: the same</source>
+   <translation>Kraftdichte der Randseile; 0: dieselbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Force density of the cables, force / length</source>
    <translation>Kraftdichte der Seile, Kraft / Länge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in its border cable</source>
-   <translation>Kraft im Randseil</translation>
+   <source>Force in the membrane's border cable</source>
+   <translation>Kraft im Randseil der Membran</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -250,8 +250,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Gap: joint between panels</source>
-   <translation>Fuge: Fuge zwischen Platten</translation>
+   <source>Gap: the joint between two panels is this wide</source>
+   <translation>Fuge: die Fuge zwischen zwei Platten ist so breit</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -270,23 +270,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Height: of the beams</source>
-   <translation>Höhe: der Träger</translation>
+   <source>Height: the beams are this high</source>
+   <translation>Höhe: die Träger sind so hoch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hole: diameter of bolt holes</source>
-   <translation>Loch: Durchmesser der Schraubenlöcher</translation>
+   <source>Held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Gehalten: boundary, corners oder Ecken wie 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hole: the bolt holes have this diameter</source>
+   <translation>Loch: die Schraubenlöcher haben diesen Durchmesser</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Wie weit das Netz über die Fläche reicht</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times</source>
-   <translation>Wie oft</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -310,23 +310,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: across the faces of hubs</source>
-   <translation>Nabendurchmesser: über die Flächen der Naben</translation>
+   <source>Hub diameter: hubs or sockets measure this across their faces</source>
+   <translation>Nabendurchmesser: so viel messen Naben oder Hülsen über ihre Flächen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: across the faces of hubs, or of sockets</source>
-   <translation>Nabendurchmesser: über die Flächen der Naben oder Hülsen</translation>
+   <source>Hub diameter: the hubs measure this across their faces</source>
+   <translation>Nabendurchmesser: so viel messen die Naben über ihre Flächen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
    <translation>Isometrische Netze: Netz, dessen Maschen die Form geben; leer: wie es beginnt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Its radius</source>
-   <translation>Ihr Radius</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -370,8 +365,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Layers: 1 with slots, 2 with bolt holes</source>
-   <translation>Lagen: 1 mit Schlitzen, 2 mit Schraubenlöchern</translation>
+   <source>Layers: one layer has slots where strips cross, two have bolt holes</source>
+   <translation>Lagen: eine Lage hat Schlitze, wo Streifen sich kreuzen, zwei haben Schraubenlöcher</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -390,8 +385,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less moves the centre away</source>
-   <translation>Weniger rückt das Zentrum weg</translation>
+   <source>Less than 1 moves the centre away</source>
+   <translation>Weniger als 1 rückt das Zentrum weg</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -410,8 +405,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Louvre axis: family of lines that louvres turn about</source>
-   <translation>Lamellenachse: Schar der Linien, um die Sonnenlamellen drehen</translation>
+   <source>Louvre axis: the louvres turn about lines of this family</source>
+   <translation>Lamellenachse: die Sonnenlamellen drehen um Linien dieser Schar</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -439,14 +434,14 @@
    <translation>Ecken näher als dies verschmelzen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Midpoints, or smoothed</source>
-   <translation>Mittelpunkte, oder geglättet</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Spiegelebenen durch den Ursprung: Buchstaben aus x, y, z</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Names of the parts that do not fit on a sheet</source>
+   <translation>Namen der Teile, die auf keine Tafel passen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -475,13 +470,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>No boundary beams: leave the edges of the boundary out</source>
-   <translation>Keine Randträger: die Kanten des Randes auslassen</translation>
+   <source>New vertices in the middle, or smoothed</source>
+   <translation>Neue Ecken in der Mitte, oder geglättet</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Node: what joins the beams</source>
-   <translation>Knoten: was die Träger verbindet</translation>
+   <source>No boundary beams: no beams are made along the boundary</source>
+   <translation>Keine Randträger: längs des Randes entstehen keine Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Node: the beams are joined by hubs or sockets</source>
+   <translation>Knoten: die Träger sind durch Naben oder Hülsen verbunden</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -492,6 +492,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Number of sheets</source>
    <translation>Anzahl der Tafeln</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>Number of the sheet that is shown; 0: all there is</source>
+   <translation>Nummer der gezeigten Tafel; 0: alles, was da ist</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -515,8 +520,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Offset: where the plates lie</source>
-   <translation>Lage: wo die Bleche liegen</translation>
+   <source>Offset: the parts lie above the net, about it or below it</source>
+   <translation>Lage: die Teile liegen über dem Netz, mittig darin oder darunter</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/structure_view.py" />
@@ -530,18 +535,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Overhang: beyond the last vertex; half the width unless given</source>
-   <translation>Überstand: über die letzte Ecke hinaus; halbe Breite, wenn nicht angegeben</translation>
+   <source>Overhang: the strips go this far beyond their last vertex, by default half their width</source>
+   <translation>Überstand: so weit gehen die Streifen über ihre letzte Ecke hinaus, ohne Angabe um ihre halbe Breite</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Panel edge: sides of the panels</source>
-   <translation>Plattenkante: Seiten der Platten</translation>
+   <source>Panel edge: the sides of the panels are square, or bevelled along the beams</source>
+   <translation>Plattenkante: die Seiten der Platten sind rechtwinklig, oder längs der Träger abgeschrägt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Panel thickness: of the panels where it differs</source>
-   <translation>Plattendicke: der Platten, wo sie abweicht</translation>
+   <source>Panel thickness: the panels are this thick, by default as thick as the plates</source>
+   <translation>Plattendicke: die Platten sind so dick, ohne Angabe so dick wie die Bleche</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -570,8 +575,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pattern: what the axes unroll to</source>
-   <translation>Zuschnitt: wozu die Achsen abwickeln</translation>
+   <source>Pattern: the axes unroll to lines of this kind</source>
+   <translation>Zuschnitt: die Achsen wickeln zu Linien dieser Art ab</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -605,13 +610,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Position: to the surface</source>
-   <translation>Stellung: zur Fläche</translation>
+   <source>Position: the strips stand on the surface or lie in it</source>
+   <translation>Stellung: die Streifen stehen auf der Fläche oder liegen in ihr</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Positions of the vertices, in mm</source>
    <translation>Lage der Ecken, in mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pressure along the normals, force / mm2</source>
+   <translation>Druck längs der Normalen, Kraft / mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -632,6 +642,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius of the sphere</source>
+   <translation>Radius der Kugel</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -670,18 +685,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Saw: a saw cut behind a piece is this wide</source>
+   <translation>Sägeschnitt: ein Sägeschnitt hinter einem Stück ist so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Second</source>
    <translation>Zweiter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Section width: of hollow sections and flanges</source>
-   <translation>Breite des Querschnitts: von Hohlprofilen und Flanschen</translation>
+   <source>Section width: hollow sections and flanges are this wide</source>
+   <translation>Breite des Querschnitts: Hohlprofile und Flansche sind so breit</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Section: cross section</source>
-   <translation>Querschnitt: Querschnitt</translation>
+   <source>Section: the beams have this cross section</source>
+   <translation>Querschnitt: die Träger haben diesen Querschnitt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -697,6 +717,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi-axes of the quadric</source>
    <translation>Halbachsen der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show an arrow on the side that is up</source>
+   <translation>Einen Pfeil auf der Seite zeigen, die oben ist</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -765,13 +790,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Smooth: smooth solids instead of faceted ones</source>
-   <translation>Glatt: glatte Körper statt facettierter</translation>
+   <source>Smooth: the solids are smooth instead of faceted</source>
+   <translation>Glatt: die Körper sind glatt statt facettiert</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Socket depth: how far plates stand in sockets</source>
-   <translation>Hülsentiefe: wie weit Bleche in Hülsen stehen</translation>
+   <source>Socket depth: the plates stand this deep in the sockets</source>
+   <translation>Hülsentiefe: die Bleche stehen so tief in den Hülsen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -784,14 +809,14 @@
    <translation>Steht für alles, woraus die Form gebaut wurde</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Steps along u and v</source>
-   <translation>Schritte längs u und v</translation>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Stands for the net as its source made it last</source>
+   <translation>Steht für das Netz, wie seine Quelle es zuletzt gemacht hat</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stock: length that they are cut from; longer ones are spliced</source>
-   <translation>Lagerlänge: Länge, aus der sie geschnitten werden; längere werden gestoßen</translation>
+   <source>Stock: strips are cut from this length; longer ones are spliced</source>
+   <translation>Lagerlänge: Streifen werden aus dieser Länge geschnitten; längere werden gestoßen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -820,8 +845,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Strip: of plane faces or twisted</source>
-   <translation>Streifen: aus ebenen Flächen oder verwunden</translation>
+   <source>Strip: the strips are made of plane faces or twisted</source>
+   <translation>Streifen: die Streifen sind aus ebenen Flächen oder verwunden</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -830,13 +855,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
-   <translation>Zuerst anzuhebende Lager, ECKE:HÖHE in mm, etwa 0:1500</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>That of the border's cables; 0: the same</source>
-   <translation>Die der Randseile; 0: dieselbe</translation>
+   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
+   <translation>Zuerst anzuhebende Lager, ECKE,HÖHE in mm, etwa 0,1500;20,900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -845,8 +865,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The mirror image alone</source>
-   <translation>Nur das Spiegelbild</translation>
+   <source>The mirror image comes alone</source>
+   <translation>Das Spiegelbild kommt allein</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is moved by this</source>
+   <translation>Das Netz wird um dies verschoben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is scaled by this factor</source>
+   <translation>Das Netz wird mit diesem Faktor skaliert</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -854,19 +884,34 @@
    <translation>Das Netz, auf das Optimieren und Bearbeiten zielen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>The other side is up than where the net came from</source>
+   <translation>Die andere Seite ist oben als dort, woher das Netz kam</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>The shape waits to be built anew</source>
    <translation>Die Form wartet darauf, neu gebaut zu werden</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Thickness: of the plates</source>
-   <translation>Dicke: der Bleche</translation>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>The source has changed since the vertices were moved; optimise again</source>
+   <translation>Die Quelle hat sich geändert, seit die Ecken bewegt wurden; neu optimieren</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Tilt: of louvres about that axis</source>
-   <translation>Neigung: der Sonnenlamellen um diese Achse</translation>
+   <source>Thickness: the plates are this thick</source>
+   <translation>Dicke: die Bleche sind so dick</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This point stays where it is</source>
+   <translation>Dieser Punkt bleibt, wo er ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilt: the louvres are turned by this angle about their lines</source>
+   <translation>Neigung: die Sonnenlamellen sind um diesen Winkel um ihre Linien gedreht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -875,8 +920,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Translation</source>
-   <translation>Verschiebung</translation>
+   <source>Trim: the stock loses this much at each end</source>
+   <translation>Anschnitt: die Lagerlänge verliert so viel an jedem Ende</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -920,8 +965,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length; 0: by the sampling</source>
-   <translation>Gewünschte Kantenlänge; 0: nach der Abtastung</translation>
+   <source>Wanted edge length, instead of the sampling</source>
+   <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -932,6 +977,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What is to be known about the net as it was made</source>
    <translation>Was über das Netz, wie es gemacht wurde, zu wissen ist</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>What is to be known before the shape is used</source>
+   <translation>Was zu wissen ist, bevor die Form verwendet wird</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -954,6 +1004,11 @@
    <translation>Was das Bild von ihnen zeigt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>What was taken off the coordinates of a file far from the origin; export puts it back</source>
+   <translation>Was von den Koordinaten einer Datei weit vom Ursprung abgezogen wurde; der Export fügt es wieder hinzu</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Where the names stand</source>
    <translation>Wo die Namen stehen</translation>
@@ -962,6 +1017,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Where the net stands and how it is turned</source>
    <translation>Wo das Netz steht und wie es gedreht ist</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Where the shape stands while nobody has moved it</source>
+   <translation>Wo die Form steht, solange niemand sie bewegt hat</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1000,31 +1060,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Width: of the strips</source>
-   <translation>Breite: der Streifen</translation>
+   <source>Width: the strips are this wide</source>
+   <translation>Breite: die Streifen sind so breit</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Zigzag border, or closed by narrow quads</source>
    <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
   </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>boundary, corners or vertex numbers as 0,5,12</source>
-   <translation>boundary, corners oder Eckennummern wie 0,5,12</translation>
-  </message>
  </context>
  <context>
   <name>Ortho</name>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>0: the solver finds it</source>
-   <translation>0: der Löser findet es</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>1 with slots, 2 with bolt holes</source>
-   <translation>1 mit Schlitzen, 2 mit Schraubenlöchern</translation>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>A click marks the worst place, a double click shows the measure in colours.</source>
+   <translation>Ein Klick markiert die schlechteste Stelle, ein Doppelklick zeigt das Maß in Farben.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -1057,6 +1107,11 @@
    <translation>Eine Minimalfläche mit geraden, aufrechten Lamellen.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>A net that came from far away lies about a point nearby, where CAD kernels keep their accuracy; its file's coordinates are put back on demand</source>
+   <translation>Ein Netz, das von weit her kam, liegt um einen nahen Punkt, wo CAD-Kerne genau bleiben; die Koordinaten seiner Datei kommen auf Verlangen zurück</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A parallel net at a distance that is constant where the net allows it</source>
    <translation>Ein paralleles Netz in einem Abstand, der konstant ist, wo das Netz es zulässt</translation>
@@ -1065,6 +1120,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Ein Punkt der Ebene</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>A residual up to this counts as zero.</source>
+   <translation>Ein Residuum bis zu diesem Wert gilt als null.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1083,16 +1143,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, force / mm2</source>
-   <translation>Längs der Normalen, Kraft / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, negative for below</source>
-   <translation>Längs der Normalen, negativ für darunter</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angle</source>
    <translation>Winkel</translation>
   </message>
@@ -1103,8 +1153,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles about x, then y, then z</source>
-   <translation>Winkel um x, dann y, dann z</translation>
+   <source>Angles of turns about x, then y, then z</source>
+   <translation>Winkel der Drehungen um x, dann y, dann z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -1117,9 +1167,19 @@
    <translation>Flächenlast</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Arrow on the upper side</source>
+   <translation>Pfeil auf der Oberseite</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Asymptotic</source>
    <translation>Asymptotisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Asymptotic diagonals</source>
+   <translation>Asymptotische Diagonalen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -1135,6 +1195,11 @@
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Festschreiben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Bars and strips are cut from this length, lamellas too.</source>
+   <translation>Stangen und Streifen werden aus dieser Länge geschnitten, auch Lamellen.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1205,6 +1270,11 @@
    <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Change source</source>
    <translation>Quelle ändern</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <source>Change {}</source>
+   <translation>{} ändern</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1288,13 +1358,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click vertices that do not move; again: they may</source>
-   <translation>Ecken anklicken, die sich nicht bewegen; noch einmal: sie dürfen</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>Click: mark the worst place. Double click: show it in colours</source>
-   <translation>Klick: schlechteste Stelle markieren. Doppelklick: in Farben zeigen</translation>
+   <source>Click vertices that must not move; a second click frees them.</source>
+   <translation>Ecken anklicken, die sich nicht bewegen dürfen; ein zweiter Klick löst sie.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1307,7 +1372,7 @@
    <translation>Schließen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <location filename="../../../freecad_ortho/commands/structures.py" />
    <source>Close the open task panel first.</source>
    <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
   </message>
@@ -1347,6 +1412,11 @@
    <translation>Bedingungen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Coordinates</source>
+   <translation>Koordinaten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Cross rise</source>
    <translation>Querstich</translation>
@@ -1372,6 +1442,16 @@
    <translation>Kurve der beiden anderen Koordinaten</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>DXF drawings</source>
+   <translation>DXF-Zeichnungen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>DXF version</source>
+   <translation>DXF-Version</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Density</source>
    <translation>Dichte</translation>
@@ -1393,6 +1473,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distance along the normals, negative for below</source>
+   <translation>Abstand längs der Normalen, negativ für darunter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Distortion</source>
    <translation>Verzerrung</translation>
   </message>
@@ -1403,8 +1488,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>Drag a vertex. Click: choose; Ctrl: several; Shift and drag: all in a frame; Del: no handle any more; Esc: put back. Handles that are not dragged hold the net. Each drag is one step for Undo.</source>
-   <translation>Eine Ecke ziehen. Klick: wählen; Strg: mehrere; Umschalt und ziehen: alle in einem Rahmen; Entf: kein Griff mehr; Esc: zurück. Griffe, die nicht gezogen werden, halten das Netz. Jedes Ziehen ist ein Schritt für Rückgängig.</translation>
+   <source>Drag a vertex. Click: choose; Ctrl: several; Shift and drag: all in a frame; Del: no handle any more; Esc: put back. Handles that are not dragged stay exactly where they are. Each drag is one step for Undo.</source>
+   <translation>Eine Ecke ziehen. Klick: wählen; Strg: mehrere; Umschalt und ziehen: alle in einem Rahmen; Entf: kein Griff mehr; Esc: zurück. Griffe, die nicht gezogen werden, bleiben genau, wo sie sind. Jedes Ziehen ist ein Schritt für Rückgängig.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
@@ -1417,9 +1502,19 @@
    <translation>Zeichnen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
    <source>Drawing page</source>
    <translation>Zeichnungsblatt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
+   <source>Drawing pages</source>
+   <translation>Zeichnungsblätter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Each time four faces are made of one</source>
+   <translation>Jedes Mal werden aus einer Masche vier</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -1450,6 +1545,11 @@
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Edit net</source>
    <translation>Netz bearbeiten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/structure_view.py" />
+   <source>Edit settings</source>
+   <translation>Einstellungen bearbeiten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/source_net_view.py" />
@@ -1488,6 +1588,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every so many lines of u and v stay</source>
+   <translation>Jede so vielte Linie von u und v bleibt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Exchange u and v</source>
    <translation>u und v vertauschen</translation>
   </message>
@@ -1507,9 +1612,9 @@
    <translation>Maschen behalten ihre Form: Papier, das gebogen wird.</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Factor</source>
-   <translation>Faktor</translation>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Faces keep their shape the more of it there is, such as 10; none is usual.</source>
+   <translation>Je mehr davon, etwa 10, desto mehr behalten die Maschen ihre Form; üblich ist keine.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
@@ -1558,11 +1663,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Fixed point</source>
-   <translation>Fester Punkt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flange thickness</source>
    <translation>Flanschdicke</translation>
   </message>
@@ -1592,6 +1692,11 @@
    <translation>Abwicklungen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Flip net</source>
+   <translation>Netz wenden</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Ordner für die Fertigungsdateien</translation>
@@ -1608,13 +1713,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of border cables; 0: the same</source>
+   <translation>Kraftdichte der Randseile; 0: dieselbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Force density of the cables, force / length</source>
    <translation>Kraftdichte der Seile, Kraft / Länge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in its border cable</source>
-   <translation>Kraft im Randseil</translation>
+   <source>Force in the membrane's border cable</source>
+   <translation>Kraft im Randseil der Membran</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1672,6 +1782,11 @@
    <translation>Geodätisch</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Geodesic diagonals</source>
+   <translation>Geodätische Diagonalen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Glide</source>
    <translation>Gleiten</translation>
@@ -1708,6 +1823,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Gehalten: boundary, corners oder Ecken wie 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Helicoid around z, radii from -radius to radius.</source>
    <translation>Helikoid um z, Radien von -Radius bis Radius.</translation>
   </message>
@@ -1725,31 +1845,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Wie weit das Netz über die Fläche reicht</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times</source>
-   <translation>Wie oft</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly faces keep their shape, such as 10; none</source>
-   <translation>Wie stark Maschen ihre Form behalten, etwa 10; keine</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly lines are drawn straight on the way, 0.01</source>
-   <translation>Wie stark Linien unterwegs gestreckt werden, 0.01</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly pairs of faces stay orthogonal, 0.001</source>
-   <translation>Wie stark Paare von Maschen orthogonal bleiben, 0.001</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly vertices stay where they are, 0.003</source>
-   <translation>Wie stark Ecken bleiben, wo sie sind, 0.003</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1813,11 +1908,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Its radius</source>
-   <translation>Ihr Radius</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Den letzten Punkt mit dem ersten verbinden</translation>
   </message>
@@ -1842,16 +1932,6 @@
    <translation>Art</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>Largest residual that counts as zero</source>
-   <translation>Größtes Residuum, das als null gilt</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
-   <source>Largest residuals by steps; below the dashed line: zero</source>
-   <translation>Größte Residuen nach Schritten; unter der gestrichelten Linie: null</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Latitudes</source>
    <translation>Breiten</translation>
@@ -1872,19 +1952,14 @@
    <translation>Länge</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Length of bars and strips, also of lamellas; 0: as long as it takes</source>
-   <translation>Länge von Stangen und Streifen, auch von Lamellen; 0: so lang wie nötig</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
-   <source>Lengths in mm, curvatures in 1/m, angles in degrees</source>
-   <translation>Längen in mm, Krümmungen in 1/m, Winkel in Grad</translation>
+   <source>Lengths are in mm, curvatures in 1/m, angles in degrees.</source>
+   <translation>Längen sind in mm, Krümmungen in 1/m, Winkel in Grad.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less moves the centre away</source>
-   <translation>Weniger rückt das Zentrum weg</translation>
+   <source>Less than 1 moves the centre away</source>
+   <translation>Weniger als 1 rückt das Zentrum weg</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1967,11 +2042,6 @@
    <translation>Mittelpunkte der Kanten: ein Parallelogramm in jeder Masche</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Midpoints, or smoothed</source>
-   <translation>Mittelpunkte, oder geglättet</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Mirror</source>
    <translation>Spiegeln</translation>
@@ -1980,6 +2050,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Moebius transformation</source>
    <translation>Möbius-Transformation</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>More of it draws lines straighter on the way; 0.01 is usual.</source>
+   <translation>Mehr davon streckt die Linien unterwegs stärker; üblich ist 0.01.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual.</source>
+   <translation>Mehr davon hält Paare von Maschen orthogonal; üblich ist 0.001.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>More of it keeps vertices nearer to where they are; 0.003 is usual.</source>
+   <translation>Mehr davon hält die Ecken näher an ihrem Ort; üblich ist 0.003.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2022,6 +2107,11 @@
    <translation>Multinetz: ja, auf {:.1e} über alle Rechtecke aus Parameterlinien</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Names and marks</source>
+   <translation>Namen und Marken</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Narrowest</source>
    <translation>Engste</translation>
@@ -2045,6 +2135,16 @@
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Net</source>
    <translation>Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Nets joined into one where borders meet, also within one net</source>
+   <translation>Netze zu einem verbunden, wo Ränder sich treffen, auch in einem Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>New vertices in the middle, or smoothed</source>
+   <translation>Neue Ecken in der Mitte, oder geglättet</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2085,11 +2185,6 @@
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>Not now</source>
    <translation>Jetzt nicht</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
-   <source>Numbers of parameter lines, such as 0, 3</source>
-   <translation>Nummern von Parameterlinien, etwa 0, 3</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -2202,6 +2297,11 @@
    <translation>Teil des Bereichs, der an den Enden frei bleibt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Parts are made along these lines only, numbered such as 0, 3.</source>
+   <translation>Teile entstehen nur längs dieser Linien, mit Nummern wie 0, 3.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pattern</source>
    <translation>Zuschnitt</translation>
@@ -2282,19 +2382,14 @@
    <translation>Stellung</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/display_panel.py" />
-   <source>Power of ten, such as -6</source>
-   <translation>Zehnerpotenz, etwa -6</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Druck</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Processes that share the work</source>
-   <translation>Prozesse, die sich die Arbeit teilen</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pressure along the normals, force / mm2</source>
+   <translation>Druck längs der Normalen, Kraft / mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2340,6 +2435,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius of the sphere</source>
+   <translation>Radius der Kugel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2438,6 +2538,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Saw</source>
+   <translation>Sägeschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Scale</source>
    <translation>Maßstab</translation>
   </message>
@@ -2492,11 +2597,6 @@
    <translation>Einstellungen des Netzes</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Several nets joined into one where their borders meet</source>
-   <translation>Mehrere Netze zu einem verbunden, wo ihre Ränder sich treffen</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Sheet height</source>
    <translation>Tafelhöhe</translation>
@@ -2512,6 +2612,16 @@
    <translation>Tafelbreite</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
+   <source>Sheet {}</source>
+   <translation>Tafel {}</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Show the net</source>
+   <translation>Netz einblenden</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Show the scale</source>
    <translation>Die Skala zeigen</translation>
@@ -2525,6 +2635,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth</source>
    <translation>Glatt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>So many processes share the work.</source>
+   <translation>So viele Prozesse teilen sich die Arbeit.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2583,11 +2698,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Steps along u and v</source>
-   <translation>Schritte längs u und v</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stock</source>
    <translation>Lagerlänge</translation>
   </message>
@@ -2643,8 +2753,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
-   <translation>Zuerst anzuhebende Lager, ECKE:HÖHE in mm, etwa 0:1500</translation>
+   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
+   <translation>Zuerst anzuhebende Lager, ECKE,HÖHE in mm, etwa 0,1500;20,900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2660,11 +2770,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>T range</source>
    <translation>Bereich von t</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>That of the border's cables; 0: the same</source>
-   <translation>Die der Randseile; 0: dieselbe</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -2690,14 +2795,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Das erste enthält die erste Ecke</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
+   <source>The largest residuals by steps. Below the dashed line they count as zero.</source>
+   <translation>Die größten Residuen nach Schritten. Unter der gestrichelten Linie gelten sie als null.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>The mesh is {:.1e} from it on average</source>
    <translation>Das Netz ist im Mittel {:.1e} davon entfernt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The mirror image alone</source>
-   <translation>Nur das Spiegelbild</translation>
+   <source>The mirror image comes alone</source>
+   <translation>Das Spiegelbild kommt allein</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2713,6 +2823,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The net is as it was before.</source>
    <translation>Das Netz ist wie vorher.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>The net is hidden: nothing of this is seen.</source>
+   <translation>Das Netz ist ausgeblendet: davon ist nichts zu sehen.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is moved by this</source>
+   <translation>Das Netz wird um dies verschoben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is scaled by this factor</source>
+   <translation>Das Netz wird mit diesem Faktor skaliert</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -2735,14 +2860,39 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Die Pakete konnten nicht installiert werden:</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>The range goes by powers of ten, such as -6.</source>
+   <translation>Der Bereich geht nach Zehnerpotenzen, etwa -6.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}.</source>
    <translation>Die Form hat sich um bis zu {} bewegt ({:.1f} mittlere Kanten). Ihre Größe war {} und ist {}.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The source of this net has changed since; it stays as it is.</source>
+   <translation>Die Quelle dieses Netzes hat sich seither geändert; es bleibt, wie es ist.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The source of this net has changed. Start begins anew with what it makes now.</source>
+   <translation>Die Quelle dieses Netzes hat sich geändert. Start beginnt neu mit dem, was sie jetzt macht.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>These vertices do not move; numbers such as 0,5,12 work too.</source>
+   <translation>Diese Ecken bewegen sich nicht; auch Nummern wie 0,5,12 gehen.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness</source>
    <translation>Dicke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This point stays where it is</source>
+   <translation>Dieser Punkt bleibt, wo er ist</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2770,11 +2920,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Oberer Radius</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Translation</source>
-   <translation>Verschiebung</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Triangle mesh (*.stl *.obj *.ply *.off *.glb)</source>
    <translation>Dreiecksnetz (*.stl *.obj *.ply *.off *.glb)</translation>
@@ -2783,6 +2928,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
    <source>Triangles</source>
    <translation>Dreiecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Trim</source>
+   <translation>Anschnitt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2855,19 +3005,14 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Ecken längs u und v</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Vertices that do not move; numbers such as 0,5,12 work too</source>
-   <translation>Ecken, die sich nicht bewegen; auch Nummern wie 0,5,12</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Waist</source>
    <translation>Taille</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length; 0: by the sampling</source>
-   <translation>Gewünschte Kantenlänge; 0: nach der Abtastung</translation>
+   <source>Wanted edge length, instead of the sampling</source>
+   <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2905,6 +3050,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Breite x Höhe in Pixeln</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Without a number the solver finds it.</source>
+   <translation>Ohne Zahl findet der Löser sie selbst.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Workers</source>
    <translation>Prozesse</translation>
@@ -2925,24 +3075,34 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>a block for each part</source>
+   <translation>ein Block je Teil</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>a file for each part</source>
+   <translation>eine Datei je Teil</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>a length for each direction</source>
    <translation>eine Länge je Richtung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>a patch is built up to this distortion of an edge</source>
+   <translation>ein Flächenstück wird bis zu dieser Verzerrung einer Kante gebaut</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a saw cut behind a piece is this wide</source>
+   <translation>ein Sägeschnitt hinter einem Stück ist so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>above</source>
    <translation>darüber</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>across the faces of hubs</source>
-   <translation>über die Flächen der Naben</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>across the faces of hubs, or of sockets</source>
-   <translation>über die Flächen der Naben oder Hülsen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -2995,6 +3155,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>wie es beginnt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>as long as it takes</source>
+   <translation>so lang wie nötig</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>as single strokes</source>
+   <translation>als Einzelstriche</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>as text</source>
+   <translation>als Text</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic</source>
    <translation>asymptotisch</translation>
@@ -3025,11 +3200,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>abgeschrägt</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>beyond the last vertex; half the width unless given</source>
-   <translation>über die letzte Ecke hinaus; halbe Breite, wenn nicht angegeben</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>both families</source>
    <translation>beide Scharen</translation>
@@ -3040,11 +3210,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Rand</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>boundary, corners or vertex numbers as 0,5,12</source>
-   <translation>boundary, corners oder Eckennummern wie 0,5,12</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>by boxes (fast)</source>
    <translation>nach Rechtecken (schnell)</translation>
@@ -3053,6 +3218,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>by outlines (dense)</source>
    <translation>nach Umrissen (dicht)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>by the sampling</source>
+   <translation>nach der Abtastung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3136,11 +3306,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>cross section</source>
-   <translation>Querschnitt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>cylinder</source>
    <translation>Zylinder</translation>
   </message>
@@ -3153,11 +3318,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>diagonal mesh</source>
    <translation>Diagonalnetz</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>diameter of bolt holes</source>
-   <translation>Durchmesser der Schraubenlöcher</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3205,9 +3365,9 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Flächen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>family of lines that louvres turn about</source>
-   <translation>Schar der Linien, um die Sonnenlamellen drehen</translation>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>faces flat to {}</source>
+   <translation>Maschen eben auf {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3265,6 +3425,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>GFK</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>glass</source>
+   <translation>Glas</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>glide on {}</source>
    <translation>auf {} gleiten</translation>
@@ -3276,23 +3441,13 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>hole along the axis of hubs, 0 for none</source>
-   <translation>Loch längs der Achse der Naben, 0 für keines</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>hollow</source>
    <translation>hohl</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>how beams meet</source>
-   <translation>wie Träger sich treffen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>how far plates stand in sockets</source>
-   <translation>wie weit Bleche in Hülsen stehen</translation>
+   <source>hollow sections and flanges are this wide</source>
+   <translation>Hohlprofile und Flansche sind so breit</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3301,8 +3456,18 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>in slots and at hubs</source>
-   <translation>in Schlitzen und an Naben</translation>
+   <source>hubs or sockets measure this across their faces</source>
+   <translation>so viel messen Naben oder Hülsen über ihre Flächen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>insulating-glass-4-12-4-12-4</source>
+   <translation>Isolierglas 4/12/4/12/4</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>insulating-glass-6-16-6</source>
+   <translation>Isolierglas 6/16/6</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3326,11 +3491,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>joint between panels</source>
-   <translation>Fuge zwischen Platten</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>lambda</source>
    <translation>lambda</translation>
   </message>
@@ -3341,23 +3501,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>largest that is built, of an edge</source>
-   <translation>größte einer Kante, die noch gebaut wird</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>leave the edges of the boundary out</source>
-   <translation>die Kanten des Randes auslassen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>Länge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>length that they are cut from; longer ones are spliced</source>
-   <translation>Länge, aus der sie geschnitten werden; längere werden gestoßen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3405,9 +3550,29 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Multinetz</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>near the net</source>
+   <translation>beim Netz</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>no</source>
    <translation>nein</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>no beams are made along the boundary</source>
+   <translation>längs des Randes entstehen keine Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>none</source>
+   <translation>keine</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>not at all</source>
+   <translation>gar nicht</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3426,51 +3591,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>of hollow sections and flanges</source>
-   <translation>von Hohlprofilen und Flanschen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of louvres about that axis</source>
-   <translation>der Sonnenlamellen um diese Achse</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of plane faces or twisted</source>
-   <translation>aus ebenen Flächen oder verwunden</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of slots</source>
-   <translation>von Schlitzen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the beams</source>
-   <translation>der Träger</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the flanges where it differs</source>
-   <translation>der Flansche, wo sie abweicht</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the panels where it differs</source>
-   <translation>der Platten, wo sie abweicht</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the plates</source>
-   <translation>der Bleche</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the strips</source>
-   <translation>der Streifen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>offset</source>
    <translation>Versatz</translation>
   </message>
@@ -3483,6 +3603,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>on the surface (S)</source>
    <translation>auf der Fläche (S)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one layer has slots where strips cross, two have bolt holes</source>
+   <translation>eine Lage hat Schlitze, wo Streifen sich kreuzen, zwei haben Schraubenlöcher</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3523,6 +3648,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plain</source>
    <translation>einfarbig</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>plain lines without blocks</source>
+   <translation>nur Linien, ohne Blöcke</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3586,13 +3716,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>sides of the panels</source>
-   <translation>Seiten der Platten</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>smooth solids instead of faceted ones</source>
-   <translation>glatte Körper statt facettierter</translation>
+   <source>slots and hubs leave this much air</source>
+   <translation>Schlitze und Naben lassen so viel Luft</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3651,8 +3776,18 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>strengthened-glass</source>
+   <translation>Glas, TVG</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>stress</source>
    <translation>Spannung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>strips are cut from this length; longer ones are spliced</source>
+   <translation>Streifen werden aus dieser Länge geschnitten; längere werden gestoßen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3670,14 +3805,159 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>nur Zug</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the axes unroll to lines of this kind</source>
+   <translation>die Achsen wickeln zu Linien dieser Art ab</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams are joined by hubs or sockets</source>
+   <translation>die Träger sind durch Naben oder Hülsen verbunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams are this high</source>
+   <translation>die Träger sind so hoch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams have this cross section</source>
+   <translation>die Träger haben diesen Querschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams meet like this at a node</source>
+   <translation>so treffen sich die Träger an einem Knoten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the bolt holes have this diameter</source>
+   <translation>die Schraubenlöcher haben diesen Durchmesser</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the border that is held twists the surface by {:.1f} degrees between the vertices {} and {}, where this net allows hardly any: let the border leave its curve and trim it afterwards</source>
+   <translation>der gehaltene Rand verwindet die Fläche um {:.1f} Grad zwischen den Ecken {} und {}, wo dieses Netz kaum etwas zulässt: den Rand seine Kurve verlassen lassen und danach beschneiden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the flanges are this thick, by default as thick as the plates</source>
+   <translation>die Flansche sind so dick, ohne Angabe so dick wie die Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the hubs have a hole of this diameter along their axis</source>
+   <translation>die Naben haben ein Loch dieses Durchmessers längs ihrer Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the hubs measure this across their faces</source>
+   <translation>so viel messen die Naben über ihre Flächen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the joint between two panels is this wide</source>
+   <translation>die Fuge zwischen zwei Platten ist so breit</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>the level of its lowest vertex</source>
    <translation>die Höhe seiner tiefsten Ecke</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the lines do not follow the curvature of the surface, as this net has to, but those of its diagonal mesh do: make a diagonal mesh first</source>
+   <translation>die Linien folgen nicht der Krümmung der Fläche, wie dieses Netz es muss, aber die seines Diagonalnetzes tun es: zuerst ein Diagonalnetz machen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the lines do not follow the curvature of the surface, as this net has to: take a start whose lines do</source>
+   <translation>die Linien folgen nicht der Krümmung der Fläche, wie dieses Netz es muss: einen Anfang nehmen, dessen Linien es tun</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the louvres are turned by this angle about their lines</source>
+   <translation>die Sonnenlamellen sind um diesen Winkel um ihre Linien gedreht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the louvres turn about lines of this family</source>
+   <translation>die Sonnenlamellen drehen um Linien dieser Schar</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the other variant of this net, on or off the diagonals, is much nearer</source>
+   <translation>die andere Variante dieses Netzes, auf den Diagonalen oder nicht, liegt viel näher</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the panels are this thick, by default as thick as the plates</source>
+   <translation>die Platten sind so dick, ohne Angabe so dick wie die Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the parts lie above the net, about it or below it</source>
+   <translation>die Teile liegen über dem Netz, mittig darin oder darunter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the plates are this thick</source>
+   <translation>die Bleche sind so dick</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the plates stand this deep in the sockets</source>
+   <translation>die Bleche stehen so tief in den Hülsen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the shape is doubly curved and will be bent towards a developable surface</source>
    <translation>die Form ist doppelt gekrümmt und wird zu einer abwickelbaren Fläche hin gebogen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the sides of the panels are square, or bevelled along the beams</source>
+   <translation>die Seiten der Platten sind rechtwinklig, oder längs der Träger abgeschrägt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the slots leave this much air</source>
+   <translation>die Schlitze lassen so viel Luft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the solids are smooth instead of faceted</source>
+   <translation>die Körper sind glatt statt facettiert</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the stock loses this much at each end</source>
+   <translation>die Lagerlänge verliert so viel an jedem Ende</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips are made of plane faces or twisted</source>
+   <translation>die Streifen sind aus ebenen Flächen oder verwunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips are this wide</source>
+   <translation>die Streifen sind so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips go this far beyond their last vertex, by default half their width</source>
+   <translation>so weit gehen die Streifen über ihre letzte Ecke hinaus, ohne Angabe um ihre halbe Breite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips stand on the surface or lie in it</source>
+   <translation>die Streifen stehen auf der Fläche oder liegen in ihr</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>those of its file</source>
+   <translation>die seiner Datei</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3696,8 +3976,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>to the surface</source>
-   <translation>zur Fläche</translation>
+   <source>toughened-glass</source>
+   <translation>Glas, ESG</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3770,21 +4050,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>verschweißen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>what joins the beams</source>
-   <translation>was die Träger verbindet</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>what the axes unroll to</source>
-   <translation>wozu die Achsen abwickeln</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>where the plates lie</source>
-   <translation>wo die Bleche liegen</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>yes</source>
    <translation>ja</translation>
@@ -3820,6 +4085,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} Kanten</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/display.py" />
+   <source>{} is hidden: nothing of this is seen yet</source>
+   <translation>{} ist ausgeblendet: davon ist noch nichts zu sehen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>{} is outdated: its source has changed since it was optimised or dragged</source>
+   <translation>{} ist veraltet: die Quelle hat sich geändert, seit es optimiert oder gezogen wurde</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>{} mesh</source>
    <translation>{} Netz</translation>
@@ -3845,9 +4120,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} auf den Diagonalen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
+   <source>{} parts, {} to {}</source>
+   <translation>{} Teile, {} bis {}</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>{} points</source>
    <translation>{} Punkte</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>{} stays as it is, though its source has changed: optimise it again</source>
+   <translation>{} bleibt, wie es ist, obwohl die Quelle sich geändert hat: neu optimieren</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
@@ -3868,6 +4153,13 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>{}, diag.</source>
    <translation>{}, diag.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>{}: far from the origin; put near it, and back where it is exported
+</source>
+   <translation>{}: weit vom Ursprung; in seine Nähe gesetzt, und beim Export zurück
+</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -4084,12 +4376,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
    <source>Bent panels</source>
-   <translation>Gebogene Paneele</translation>
+   <translation>Gebogene Platten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
    <source>Put one bent plate in every row of faces of the selected net</source>
-   <translation>In jede Reihe von Flächen des gewählten Netzes eine gebogene Platte legen</translation>
+   <translation>In jede Reihe von Maschen des gewählten Netzes eine gebogene Platte setzen</translation>
   </message>
  </context>
  <context>
@@ -4153,8 +4445,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
-   <source>Show the selected flat patterns on a page to print</source>
-   <translation>Die gewählten Abwicklungen auf einem Blatt zum Drucken zeigen</translation>
+   <source>Show each sheet of the selected flat patterns on a page to print</source>
+   <translation>Jede Tafel der gewählten Abwicklungen auf einem Blatt zum Drucken zeigen</translation>
   </message>
  </context>
  <context>
@@ -4273,6 +4565,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Lay the parts of the selected structures flat, in rows or on sheets</source>
    <translation>Die Teile der gewählten Tragwerke flach auslegen, in Reihen oder auf Tafeln</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FlipNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Flip net</source>
+   <translation>Netz wenden</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Turn the other side of the selected net up; an arrow shows it, offsets and parts follow</source>
+   <translation>Die andere Seite des gewählten Netzes nach oben wenden; ein Pfeil zeigt sie, Versätze und Teile folgen</translation>
   </message>
  </context>
  <context>
@@ -4513,8 +4818,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <name>Ortho_Weld</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>Join the selected nets into one where borders meet</source>
-   <translation>Die gewählten Netze zu einem verbinden, wo Ränder sich treffen</translation>
+   <source>Join nets, or one with itself, where borders meet</source>
+   <translation>Netze verbinden, oder eines mit sich selbst, wo Ränder sich treffen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />

@@ -9,24 +9,14 @@
    <translation>Un point du plan</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, force / mm2</source>
-   <translation>Le long des normales, force / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, negative for below</source>
-   <translation>Le long des normales, négatif pour dessous</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Along: parts keep their length along the sheet</source>
    <translation>Along : les pièces gardent leur longueur le long de la tôle</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles about x, then y, then z</source>
-   <translation>Angles autour de x, puis y, puis z</translation>
+   <source>Angles of turns about x, then y, then z</source>
+   <translation>Angles des rotations autour de x, puis y, puis z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -50,8 +40,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bore: hole along the axis of hubs, 0 for none</source>
-   <translation>Alésage : trou le long de l'axe des moyeux, 0 pour aucun</translation>
+   <source>Bore: the hubs have a hole of this diameter along their axis</source>
+   <translation>Alésage : les moyeux ont un trou de ce diamètre le long de leur axe</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -95,13 +85,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: in slots and at hubs</source>
-   <translation>Jeu : dans les encoches et aux moyeux</translation>
+   <source>Clearance: slots and hubs leave this much air</source>
+   <translation>Jeu : les encoches et les moyeux laissent ce jeu</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: of slots</source>
-   <translation>Jeu : des encoches</translation>
+   <source>Clearance: the slots leave this much air</source>
+   <translation>Jeu : les encoches laissent ce jeu</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -135,8 +125,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Distortion: largest that is built, of an edge</source>
-   <translation>Distorsion : la plus grande d'une arête encore réalisée</translation>
+   <source>Distance along the normals, negative for below</source>
+   <translation>Distance le long des normales, négative pour dessous</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distortion: a patch is built up to this distortion of an edge</source>
+   <translation>Distorsion : une surface est réalisée jusqu'à cette distorsion d'une arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Each time four faces are made of one</source>
+   <translation>Chaque fois, quatre faces sont faites d'une</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -150,13 +150,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ends: how beams meet</source>
-   <translation>Extrémités : comment les poutres se joignent</translation>
+   <source>Ends: the beams meet like this at a node</source>
+   <translation>Extrémités : les poutres se joignent ainsi à un nœud</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Even lengths or equal steps of the parameters</source>
    <translation>Longueurs égales ou pas égaux des paramètres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every so many lines of u and v stay</source>
+   <translation>Une ligne de u et de v reste sur ce nombre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -172,11 +177,6 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Faces that the net stays near as far as it can</source>
    <translation>Faces dont le réseau reste proche autant que possible</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Factor</source>
-   <translation>Facteur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -210,13 +210,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Fixed point</source>
-   <translation>Point fixe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Flange thickness: of the flanges where it differs</source>
-   <translation>Épaisseur des semelles : des semelles si elle diffère</translation>
+   <source>Flange thickness: the flanges are this thick, by default as thick as the plates</source>
+   <translation>Épaisseur des semelles : les semelles ont cette épaisseur, par défaut celle des plats</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -230,13 +225,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of border cables; 0: the same</source>
+   <translation>Densité de force des câbles de bord ; 0 : la même</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Force density of the cables, force / length</source>
    <translation>Densité de force des câbles, force / longueur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in its border cable</source>
-   <translation>Force dans le câble de bord</translation>
+   <source>Force in the membrane's border cable</source>
+   <translation>Force dans le câble de bord de la membrane</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -250,8 +250,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Gap: joint between panels</source>
-   <translation>Joint : joint entre panneaux</translation>
+   <source>Gap: the joint between two panels is this wide</source>
+   <translation>Joint : le joint entre deux panneaux a cette largeur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -270,23 +270,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Height: of the beams</source>
-   <translation>Hauteur : des poutres</translation>
+   <source>Height: the beams are this high</source>
+   <translation>Hauteur : les poutres ont cette hauteur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hole: diameter of bolt holes</source>
-   <translation>Trou : diamètre des trous de boulons</translation>
+   <source>Held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Tenus : boundary, corners ou sommets comme 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hole: the bolt holes have this diameter</source>
+   <translation>Trou : les trous de boulons ont ce diamètre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times</source>
-   <translation>Combien de fois</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -310,23 +310,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: across the faces of hubs</source>
-   <translation>Diamètre du moyeu : entre les faces des moyeux</translation>
+   <source>Hub diameter: hubs or sockets measure this across their faces</source>
+   <translation>Diamètre du moyeu : les moyeux ou les douilles mesurent autant entre leurs faces</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: across the faces of hubs, or of sockets</source>
-   <translation>Diamètre du moyeu : entre les faces des moyeux ou des douilles</translation>
+   <source>Hub diameter: the hubs measure this across their faces</source>
+   <translation>Diamètre du moyeu : les moyeux mesurent autant entre leurs faces</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
    <translation>Réseaux isométriques : réseau dont les faces donnent la forme ; vide : comme il commence</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Its radius</source>
-   <translation>Son rayon</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -370,8 +365,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Layers: 1 with slots, 2 with bolt holes</source>
-   <translation>Couches : 1 avec encoches, 2 avec trous de boulons</translation>
+   <source>Layers: one layer has slots where strips cross, two have bolt holes</source>
+   <translation>Couches : une couche a des encoches où les bandes se croisent, deux ont des trous de boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -390,8 +385,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less moves the centre away</source>
-   <translation>Moins éloigne le centre</translation>
+   <source>Less than 1 moves the centre away</source>
+   <translation>Moins de 1 éloigne le centre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -410,8 +405,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Louvre axis: family of lines that louvres turn about</source>
-   <translation>Axe des brise-soleil : famille de lignes autour desquelles tournent les brise-soleil</translation>
+   <source>Louvre axis: the louvres turn about lines of this family</source>
+   <translation>Axe des brise-soleil : les brise-soleil tournent autour des lignes de cette famille</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -439,14 +434,14 @@
    <translation>Fusionner les sommets plus proches que cela</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Midpoints, or smoothed</source>
-   <translation>Milieux, ou lissé</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Plans de symétrie par l'origine : lettres parmi x, y, z</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <source>Names of the parts that do not fit on a sheet</source>
+   <translation>Noms des pièces qui ne tiennent sur aucune tôle</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -475,13 +470,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>No boundary beams: leave the edges of the boundary out</source>
-   <translation>Sans poutres de bord : laisser de côté les arêtes du bord</translation>
+   <source>New vertices in the middle, or smoothed</source>
+   <translation>Nouveaux sommets au milieu, ou lissés</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Node: what joins the beams</source>
-   <translation>Nœud : ce qui relie les poutres</translation>
+   <source>No boundary beams: no beams are made along the boundary</source>
+   <translation>Sans poutres de bord : aucune poutre n'est faite le long du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Node: the beams are joined by hubs or sockets</source>
+   <translation>Nœud : les poutres sont reliées par des moyeux ou des douilles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -492,6 +492,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Number of sheets</source>
    <translation>Nombre de tôles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/drawings.py" />
+   <source>Number of the sheet that is shown; 0: all there is</source>
+   <translation>Numéro de la tôle montrée ; 0 : tout ce qu'il y a</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -515,8 +520,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Offset: where the plates lie</source>
-   <translation>Décalage : où se trouvent les plats</translation>
+   <source>Offset: the parts lie above the net, about it or below it</source>
+   <translation>Décalage : les pièces se trouvent au-dessus du réseau, autour de lui ou en dessous</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/structure_view.py" />
@@ -530,18 +535,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Overhang: beyond the last vertex; half the width unless given</source>
-   <translation>Débord : au-delà du dernier sommet ; la moitié de la largeur par défaut</translation>
+   <source>Overhang: the strips go this far beyond their last vertex, by default half their width</source>
+   <translation>Débord : les bandes dépassent d'autant leur dernier sommet, par défaut de la moitié de leur largeur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Panel edge: sides of the panels</source>
-   <translation>Chant des panneaux : côtés des panneaux</translation>
+   <source>Panel edge: the sides of the panels are square, or bevelled along the beams</source>
+   <translation>Chant des panneaux : les chants des panneaux sont d'équerre, ou biseautés le long des poutres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Panel thickness: of the panels where it differs</source>
-   <translation>Épaisseur des panneaux : des panneaux si elle diffère</translation>
+   <source>Panel thickness: the panels are this thick, by default as thick as the plates</source>
+   <translation>Épaisseur des panneaux : les panneaux ont cette épaisseur, par défaut celle des plats</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -570,8 +575,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pattern: what the axes unroll to</source>
-   <translation>Développé : ce en quoi les axes se déroulent</translation>
+   <source>Pattern: the axes unroll to lines of this kind</source>
+   <translation>Développé : les axes se déroulent en lignes de ce type</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -605,13 +610,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Position: to the surface</source>
-   <translation>Position : par rapport à la surface</translation>
+   <source>Position: the strips stand on the surface or lie in it</source>
+   <translation>Position : les bandes sont debout sur la surface ou couchées dedans</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Positions of the vertices, in mm</source>
    <translation>Positions des sommets, en mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pressure along the normals, force / mm2</source>
+   <translation>Pression le long des normales, force / mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -632,6 +642,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius of the sphere</source>
+   <translation>Rayon de la sphère</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -670,18 +685,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Saw: a saw cut behind a piece is this wide</source>
+   <translation>Trait de scie : un trait de scie après une pièce a cette largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Second</source>
    <translation>Second</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Section width: of hollow sections and flanges</source>
-   <translation>Largeur de la section : des profils creux et des semelles</translation>
+   <source>Section width: hollow sections and flanges are this wide</source>
+   <translation>Largeur de la section : les profils creux et les semelles ont cette largeur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Section: cross section</source>
-   <translation>Section : section transversale</translation>
+   <source>Section: the beams have this cross section</source>
+   <translation>Section : les poutres ont cette section transversale</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -697,6 +717,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi-axes of the quadric</source>
    <translation>Demi-axes de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/net_properties.py" />
+   <source>Show an arrow on the side that is up</source>
+   <translation>Montrer une flèche sur le côté qui est en haut</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -765,13 +790,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Smooth: smooth solids instead of faceted ones</source>
-   <translation>Lisse : solides lisses au lieu de facettés</translation>
+   <source>Smooth: the solids are smooth instead of faceted</source>
+   <translation>Lisse : les solides sont lisses au lieu de facettés</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Socket depth: how far plates stand in sockets</source>
-   <translation>Profondeur des douilles : de combien les plats entrent dans les douilles</translation>
+   <source>Socket depth: the plates stand this deep in the sockets</source>
+   <translation>Profondeur des douilles : les plats entrent de cette profondeur dans les douilles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -784,14 +809,14 @@
    <translation>Représente tout ce dont la forme a été construite</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Steps along u and v</source>
-   <translation>Pas selon u et v</translation>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Stands for the net as its source made it last</source>
+   <translation>Représente le réseau tel que sa source l'a fait en dernier</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stock: length that they are cut from; longer ones are spliced</source>
-   <translation>Longueur en stock : longueur dans laquelle elles sont coupées ; les plus longues sont éclissées</translation>
+   <source>Stock: strips are cut from this length; longer ones are spliced</source>
+   <translation>Longueur en stock : les bandes sont coupées dans cette longueur ; les plus longues sont éclissées</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -820,8 +845,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Strip: of plane faces or twisted</source>
-   <translation>Bande : de faces planes ou tordue</translation>
+   <source>Strip: the strips are made of plane faces or twisted</source>
+   <translation>Bande : les bandes sont faites de faces planes ou tordues</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -830,13 +855,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
-   <translation>Appuis à relever d'abord, SOMMET:HAUTEUR en mm, par exemple 0:1500</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>That of the border's cables; 0: the same</source>
-   <translation>Celle des câbles de bord ; 0 : la même</translation>
+   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
+   <translation>Appuis à relever d'abord, SOMMET,HAUTEUR en mm, par exemple 0,1500;20,900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -845,8 +865,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The mirror image alone</source>
-   <translation>L'image miroir seule</translation>
+   <source>The mirror image comes alone</source>
+   <translation>L'image miroir vient seule</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is moved by this</source>
+   <translation>Le réseau est déplacé de ceci</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is scaled by this factor</source>
+   <translation>Le réseau est mis à l'échelle par ce facteur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -854,19 +884,34 @@
    <translation>Le réseau visé par l'optimisation et l'édition</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>The other side is up than where the net came from</source>
+   <translation>L'autre côté est en haut que là d'où vient le réseau</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>The shape waits to be built anew</source>
    <translation>La forme attend d'être reconstruite</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Thickness: of the plates</source>
-   <translation>Épaisseur : des plats</translation>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>The source has changed since the vertices were moved; optimise again</source>
+   <translation>La source a changé depuis que les sommets ont bougé ; optimiser à nouveau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Tilt: of louvres about that axis</source>
-   <translation>Inclinaison : des brise-soleil autour de cet axe</translation>
+   <source>Thickness: the plates are this thick</source>
+   <translation>Épaisseur : les plats ont cette épaisseur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This point stays where it is</source>
+   <translation>Ce point reste où il est</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilt: the louvres are turned by this angle about their lines</source>
+   <translation>Inclinaison : les brise-soleil sont tournés de cet angle autour de leurs lignes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -875,8 +920,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Translation</source>
-   <translation>Translation</translation>
+   <source>Trim: the stock loses this much at each end</source>
+   <translation>Éboutage : la longueur en stock perd autant à chaque bout</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -920,8 +965,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length; 0: by the sampling</source>
-   <translation>Longueur d'arête souhaitée ; 0 : selon l'échantillonnage</translation>
+   <source>Wanted edge length, instead of the sampling</source>
+   <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -932,6 +977,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What is to be known about the net as it was made</source>
    <translation>Ce qu'il faut savoir du réseau tel qu'il a été fait</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>What is to be known before the shape is used</source>
+   <translation>Ce qu'il faut savoir avant d'utiliser la forme</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -954,6 +1004,11 @@
    <translation>Ce que l'image en montre</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>What was taken off the coordinates of a file far from the origin; export puts it back</source>
+   <translation>Ce qui a été retiré des coordonnées d'un fichier loin de l'origine ; l'export le rajoute</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Where the names stand</source>
    <translation>Où sont les noms</translation>
@@ -962,6 +1017,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Where the net stands and how it is turned</source>
    <translation>Où se trouve le réseau et comment il est tourné</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Where the shape stands while nobody has moved it</source>
+   <translation>Où se trouve la forme tant que personne ne l'a déplacée</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1000,31 +1060,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Width: of the strips</source>
-   <translation>Largeur : des bandes</translation>
+   <source>Width: the strips are this wide</source>
+   <translation>Largeur : les bandes ont cette largeur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Zigzag border, or closed by narrow quads</source>
    <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
   </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>boundary, corners or vertex numbers as 0,5,12</source>
-   <translation>boundary, corners ou numéros de sommets comme 0,5,12</translation>
-  </message>
  </context>
  <context>
   <name>Ortho</name>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>0: the solver finds it</source>
-   <translation>0 : le solveur le trouve</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>1 with slots, 2 with bolt holes</source>
-   <translation>1 avec encoches, 2 avec trous de boulons</translation>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>A click marks the worst place, a double click shows the measure in colours.</source>
+   <translation>Un clic marque le pire endroit, un double clic montre la mesure en couleurs.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -1057,6 +1107,11 @@
    <translation>Une surface minimale à lamelles droites et dressées.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>A net that came from far away lies about a point nearby, where CAD kernels keep their accuracy; its file's coordinates are put back on demand</source>
+   <translation>Un réseau venu de loin est placé autour d'un point proche, où les noyaux CAO gardent leur précision ; les coordonnées de son fichier sont rétablies sur demande</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A parallel net at a distance that is constant where the net allows it</source>
    <translation>Un réseau parallèle à une distance constante là où le réseau le permet</translation>
@@ -1065,6 +1120,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Un point du plan</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>A residual up to this counts as zero.</source>
+   <translation>Un résidu jusqu'à cette valeur compte pour zéro.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1083,16 +1143,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, force / mm2</source>
-   <translation>Le long des normales, force / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Along the normals, negative for below</source>
-   <translation>Le long des normales, négatif pour dessous</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angle</source>
    <translation>Angle</translation>
   </message>
@@ -1103,8 +1153,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles about x, then y, then z</source>
-   <translation>Angles autour de x, puis y, puis z</translation>
+   <source>Angles of turns about x, then y, then z</source>
+   <translation>Angles des rotations autour de x, puis y, puis z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -1117,9 +1167,19 @@
    <translation>Charge surfacique</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Arrow on the upper side</source>
+   <translation>Flèche sur le dessus</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Asymptotic</source>
    <translation>Asymptotique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Asymptotic diagonals</source>
+   <translation>Diagonales asymptotiques</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -1135,6 +1195,11 @@
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Figer</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Bars and strips are cut from this length, lamellas too.</source>
+   <translation>Les barres et les bandes sont coupées dans cette longueur, les lamelles aussi.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1205,6 +1270,11 @@
    <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Change source</source>
    <translation>Modifier la source</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <source>Change {}</source>
+   <translation>Modifier {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1288,13 +1358,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click vertices that do not move; again: they may</source>
-   <translation>Cliquer les sommets qui ne bougent pas ; à nouveau : ils peuvent</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>Click: mark the worst place. Double click: show it in colours</source>
-   <translation>Clic : marquer le pire endroit. Double clic : le montrer en couleurs</translation>
+   <source>Click vertices that must not move; a second click frees them.</source>
+   <translation>Cliquer les sommets qui ne doivent pas bouger ; un second clic les libère.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1307,7 +1372,7 @@
    <translation>Fermer</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <location filename="../../../freecad_ortho/commands/structures.py" />
    <source>Close the open task panel first.</source>
    <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
   </message>
@@ -1347,6 +1412,11 @@
    <translation>Contraintes</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Coordinates</source>
+   <translation>Coordonnées</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Cross rise</source>
    <translation>Flèche transversale</translation>
@@ -1372,6 +1442,16 @@
    <translation>Courbe des deux autres coordonnées</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>DXF drawings</source>
+   <translation>Dessins DXF</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>DXF version</source>
+   <translation>Version DXF</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Density</source>
    <translation>Densité</translation>
@@ -1393,6 +1473,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Distance along the normals, negative for below</source>
+   <translation>Distance le long des normales, négative pour dessous</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Distortion</source>
    <translation>Distorsion</translation>
   </message>
@@ -1403,8 +1488,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>Drag a vertex. Click: choose; Ctrl: several; Shift and drag: all in a frame; Del: no handle any more; Esc: put back. Handles that are not dragged hold the net. Each drag is one step for Undo.</source>
-   <translation>Tirer un sommet. Clic : choisir ; Ctrl : plusieurs ; Maj et tirer : tous dans un cadre ; Suppr : plus de poignée ; Échap : remettre. Les poignées qui ne sont pas tirées tiennent le réseau. Chaque tirage est un pas pour Annuler.</translation>
+   <source>Drag a vertex. Click: choose; Ctrl: several; Shift and drag: all in a frame; Del: no handle any more; Esc: put back. Handles that are not dragged stay exactly where they are. Each drag is one step for Undo.</source>
+   <translation>Tirer un sommet. Clic : choisir ; Ctrl : plusieurs ; Maj et tirer : tous dans un cadre ; Suppr : plus de poignée ; Échap : remettre. Les poignées qui ne sont pas tirées restent exactement où elles sont. Chaque tirage est un pas pour Annuler.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
@@ -1417,9 +1502,19 @@
    <translation>Dessiner</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
    <source>Drawing page</source>
    <translation>Page de dessin</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
+   <source>Drawing pages</source>
+   <translation>Pages de dessin</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Each time four faces are made of one</source>
+   <translation>Chaque fois, quatre faces sont faites d'une</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -1450,6 +1545,11 @@
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Edit net</source>
    <translation>Éditer le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/structure_view.py" />
+   <source>Edit settings</source>
+   <translation>Modifier les réglages</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/source_net_view.py" />
@@ -1488,6 +1588,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Every so many lines of u and v stay</source>
+   <translation>Une ligne de u et de v reste sur ce nombre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Exchange u and v</source>
    <translation>Échanger u et v</translation>
   </message>
@@ -1507,9 +1612,9 @@
    <translation>Les faces gardent leur forme : du papier que l'on courbe.</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Factor</source>
-   <translation>Facteur</translation>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>Faces keep their shape the more of it there is, such as 10; none is usual.</source>
+   <translation>Plus il y en a, par exemple 10, plus les faces gardent leur forme ; aucune est usuel.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
@@ -1558,11 +1663,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Fixed point</source>
-   <translation>Point fixe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flange thickness</source>
    <translation>Épaisseur des semelles</translation>
   </message>
@@ -1592,6 +1692,11 @@
    <translation>Développés</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>Flip net</source>
+   <translation>Retourner le réseau</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Dossier des fichiers de fabrication</translation>
@@ -1608,13 +1713,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Force density of border cables; 0: the same</source>
+   <translation>Densité de force des câbles de bord ; 0 : la même</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Force density of the cables, force / length</source>
    <translation>Densité de force des câbles, force / longueur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in its border cable</source>
-   <translation>Force dans le câble de bord</translation>
+   <source>Force in the membrane's border cable</source>
+   <translation>Force dans le câble de bord de la membrane</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1672,6 +1782,11 @@
    <translation>Géodésique</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Geodesic diagonals</source>
+   <translation>Diagonales géodésiques</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Glide</source>
    <translation>Glisser</translation>
@@ -1708,6 +1823,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Tenus : boundary, corners ou sommets comme 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Helicoid around z, radii from -radius to radius.</source>
    <translation>Hélicoïde autour de z, rayons de -rayon à rayon.</translation>
   </message>
@@ -1725,31 +1845,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times</source>
-   <translation>Combien de fois</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly faces keep their shape, such as 10; none</source>
-   <translation>Avec quelle force les faces gardent leur forme, par exemple 10 ; aucune</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly lines are drawn straight on the way, 0.01</source>
-   <translation>Avec quelle force les lignes sont redressées en chemin, 0.01</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly pairs of faces stay orthogonal, 0.001</source>
-   <translation>Avec quelle force les paires de faces restent orthogonales, 0.001</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>How strongly vertices stay where they are, 0.003</source>
-   <translation>Avec quelle force les sommets restent où ils sont, 0.003</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1813,11 +1908,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Its radius</source>
-   <translation>Son rayon</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Relier le dernier point au premier</translation>
   </message>
@@ -1842,16 +1932,6 @@
    <translation>Type</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>Largest residual that counts as zero</source>
-   <translation>Plus grand résidu qui compte pour zéro</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
-   <source>Largest residuals by steps; below the dashed line: zero</source>
-   <translation>Plus grands résidus par pas ; sous la ligne tiretée : zéro</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Latitudes</source>
    <translation>Latitudes</translation>
@@ -1872,19 +1952,14 @@
    <translation>Longueur</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Length of bars and strips, also of lamellas; 0: as long as it takes</source>
-   <translation>Longueur des barres et des bandes, lamelles comprises ; 0 : aussi longue qu'il faut</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
-   <source>Lengths in mm, curvatures in 1/m, angles in degrees</source>
-   <translation>Longueurs en mm, courbures en 1/m, angles en degrés</translation>
+   <source>Lengths are in mm, curvatures in 1/m, angles in degrees.</source>
+   <translation>Les longueurs sont en mm, les courbures en 1/m, les angles en degrés.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less moves the centre away</source>
-   <translation>Moins éloigne le centre</translation>
+   <source>Less than 1 moves the centre away</source>
+   <translation>Moins de 1 éloigne le centre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1967,11 +2042,6 @@
    <translation>Milieux des arêtes : un parallélogramme dans chaque face</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Midpoints, or smoothed</source>
-   <translation>Milieux, ou lissé</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Mirror</source>
    <translation>Miroir</translation>
@@ -1980,6 +2050,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Moebius transformation</source>
    <translation>Transformation de Möbius</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>More of it draws lines straighter on the way; 0.01 is usual.</source>
+   <translation>Plus il y en a, plus les lignes sont redressées en chemin ; 0.01 est usuel.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual.</source>
+   <translation>Plus il y en a, plus les paires de faces restent orthogonales ; 0.001 est usuel.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <source>More of it keeps vertices nearer to where they are; 0.003 is usual.</source>
+   <translation>Plus il y en a, plus les sommets restent près de leur place ; 0.003 est usuel.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2022,6 +2107,11 @@
    <translation>Multi-réseau : oui, à {:.1e} près sur tous les rectangles de lignes</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Names and marks</source>
+   <translation>Noms et marques</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Narrowest</source>
    <translation>Le plus étroit</translation>
@@ -2045,6 +2135,16 @@
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>Net</source>
    <translation>Réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Nets joined into one where borders meet, also within one net</source>
+   <translation>Réseaux réunis en un seul là où les bords se touchent, même dans un seul réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>New vertices in the middle, or smoothed</source>
+   <translation>Nouveaux sommets au milieu, ou lissés</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2085,11 +2185,6 @@
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>Not now</source>
    <translation>Pas maintenant</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
-   <source>Numbers of parameter lines, such as 0, 3</source>
-   <translation>Numéros de lignes paramétriques, par exemple 0, 3</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -2202,6 +2297,11 @@
    <translation>Part de la plage laissée libre aux bouts</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Parts are made along these lines only, numbered such as 0, 3.</source>
+   <translation>Des pièces ne sont faites que le long de ces lignes, numérotées par exemple 0, 3.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pattern</source>
    <translation>Développé</translation>
@@ -2282,19 +2382,14 @@
    <translation>Position</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/display_panel.py" />
-   <source>Power of ten, such as -6</source>
-   <translation>Puissance de dix, par exemple -6</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Pression</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Processes that share the work</source>
-   <translation>Processus qui se partagent le travail</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pressure along the normals, force / mm2</source>
+   <translation>Pression le long des normales, force / mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2340,6 +2435,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Radius of the sphere</source>
+   <translation>Rayon de la sphère</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2438,6 +2538,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Saw</source>
+   <translation>Trait de scie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Scale</source>
    <translation>Échelle</translation>
   </message>
@@ -2492,11 +2597,6 @@
    <translation>Réglages du réseau</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Several nets joined into one where their borders meet</source>
-   <translation>Plusieurs réseaux réunis en un seul où leurs bords se touchent</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Sheet height</source>
    <translation>Hauteur de tôle</translation>
@@ -2512,6 +2612,16 @@
    <translation>Largeur de tôle</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
+   <source>Sheet {}</source>
+   <translation>Tôle {}</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>Show the net</source>
+   <translation>Montrer le réseau</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Show the scale</source>
    <translation>Montrer l'échelle</translation>
@@ -2525,6 +2635,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth</source>
    <translation>Lisse</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>So many processes share the work.</source>
+   <translation>Autant de processus se partagent le travail.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2583,11 +2698,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Steps along u and v</source>
-   <translation>Pas selon u et v</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stock</source>
    <translation>Longueur en stock</translation>
   </message>
@@ -2643,8 +2753,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500</source>
-   <translation>Appuis à relever d'abord, SOMMET:HAUTEUR en mm, par exemple 0:1500</translation>
+   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
+   <translation>Appuis à relever d'abord, SOMMET,HAUTEUR en mm, par exemple 0,1500;20,900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2660,11 +2770,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>T range</source>
    <translation>Plage de t</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>That of the border's cables; 0: the same</source>
-   <translation>Celle des câbles de bord ; 0 : la même</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -2690,14 +2795,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Le premier contient le premier sommet</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/residual_plot.py" />
+   <source>The largest residuals by steps. Below the dashed line they count as zero.</source>
+   <translation>Les plus grands résidus par pas. Sous la ligne tiretée, ils comptent pour zéro.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>The mesh is {:.1e} from it on average</source>
    <translation>Le maillage en est à {:.1e} en moyenne</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The mirror image alone</source>
-   <translation>L'image miroir seule</translation>
+   <source>The mirror image comes alone</source>
+   <translation>L'image miroir vient seule</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2713,6 +2823,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The net is as it was before.</source>
    <translation>Le réseau est comme avant.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>The net is hidden: nothing of this is seen.</source>
+   <translation>Le réseau est masqué : rien de ceci n'est visible.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is moved by this</source>
+   <translation>Le réseau est déplacé de ceci</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is scaled by this factor</source>
+   <translation>Le réseau est mis à l'échelle par ce facteur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -2735,14 +2860,39 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Les paquets n'ont pas pu être installés :</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>The range goes by powers of ten, such as -6.</source>
+   <translation>La plage va par puissances de dix, par exemple -6.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}.</source>
    <translation>La forme s'est déplacée jusqu'à {} ({:.1f} arêtes moyennes). Sa taille était {} et est {}.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The source of this net has changed since; it stays as it is.</source>
+   <translation>La source de ce réseau a changé depuis ; il reste tel quel.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The source of this net has changed. Start begins anew with what it makes now.</source>
+   <translation>La source de ce réseau a changé. Démarrer recommence avec ce qu'elle fait à présent.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
+   <source>These vertices do not move; numbers such as 0,5,12 work too.</source>
+   <translation>Ces sommets ne bougent pas ; des numéros comme 0,5,12 conviennent aussi.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness</source>
    <translation>Épaisseur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This point stays where it is</source>
+   <translation>Ce point reste où il est</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2770,11 +2920,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Rayon supérieur</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Translation</source>
-   <translation>Translation</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
    <source>Triangle mesh (*.stl *.obj *.ply *.off *.glb)</source>
    <translation>Maillage de triangles (*.stl *.obj *.ply *.off *.glb)</translation>
@@ -2783,6 +2928,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
    <source>Triangles</source>
    <translation>Triangles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Trim</source>
+   <translation>Éboutage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2855,19 +3005,14 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Sommets selon u et v</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Vertices that do not move; numbers such as 0,5,12 work too</source>
-   <translation>Sommets qui ne bougent pas ; des numéros comme 0,5,12 conviennent aussi</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Waist</source>
    <translation>Taille</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length; 0: by the sampling</source>
-   <translation>Longueur d'arête souhaitée ; 0 : selon l'échantillonnage</translation>
+   <source>Wanted edge length, instead of the sampling</source>
+   <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2905,6 +3050,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Largeur x hauteur en pixels</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <source>Without a number the solver finds it.</source>
+   <translation>Sans nombre, le solveur le trouve.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Workers</source>
    <translation>Processus</translation>
@@ -2925,24 +3075,34 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>a block for each part</source>
+   <translation>un bloc par pièce</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>a file for each part</source>
+   <translation>un fichier par pièce</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>a length for each direction</source>
    <translation>une longueur par direction</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>a patch is built up to this distortion of an edge</source>
+   <translation>une surface est réalisée jusqu'à cette distorsion d'une arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a saw cut behind a piece is this wide</source>
+   <translation>un trait de scie après une pièce a cette largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>above</source>
    <translation>au-dessus</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>across the faces of hubs</source>
-   <translation>entre les faces des moyeux</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>across the faces of hubs, or of sockets</source>
-   <translation>entre les faces des moyeux ou des douilles</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -2995,6 +3155,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>comme il commence</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>as long as it takes</source>
+   <translation>aussi longue qu'il faut</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>as single strokes</source>
+   <translation>en traits simples</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>as text</source>
+   <translation>en texte</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic</source>
    <translation>asymptotique</translation>
@@ -3025,11 +3200,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>biseauté</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>beyond the last vertex; half the width unless given</source>
-   <translation>au-delà du dernier sommet ; la moitié de la largeur par défaut</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>both families</source>
    <translation>les deux familles</translation>
@@ -3040,11 +3210,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>bord</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>boundary, corners or vertex numbers as 0,5,12</source>
-   <translation>boundary, corners ou numéros de sommets comme 0,5,12</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>by boxes (fast)</source>
    <translation>par boîtes (rapide)</translation>
@@ -3053,6 +3218,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>by outlines (dense)</source>
    <translation>par contours (dense)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>by the sampling</source>
+   <translation>par l'échantillonnage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3136,11 +3306,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>cross section</source>
-   <translation>section transversale</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>cylinder</source>
    <translation>cylindre</translation>
   </message>
@@ -3153,11 +3318,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>diagonal mesh</source>
    <translation>maillage diagonal</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>diameter of bolt holes</source>
-   <translation>diamètre des trous de boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3205,9 +3365,9 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>faces</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>family of lines that louvres turn about</source>
-   <translation>famille de lignes autour desquelles tournent les brise-soleil</translation>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>faces flat to {}</source>
+   <translation>faces planes à {} près</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3265,6 +3425,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>PRV</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>glass</source>
+   <translation>verre</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>glide on {}</source>
    <translation>glisser sur {}</translation>
@@ -3276,23 +3441,13 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>hole along the axis of hubs, 0 for none</source>
-   <translation>trou le long de l'axe des moyeux, 0 pour aucun</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>hollow</source>
    <translation>creux</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>how beams meet</source>
-   <translation>comment les poutres se joignent</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>how far plates stand in sockets</source>
-   <translation>de combien les plats entrent dans les douilles</translation>
+   <source>hollow sections and flanges are this wide</source>
+   <translation>les profils creux et les semelles ont cette largeur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3301,8 +3456,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>in slots and at hubs</source>
-   <translation>dans les encoches et aux moyeux</translation>
+   <source>hubs or sockets measure this across their faces</source>
+   <translation>les moyeux ou les douilles mesurent autant entre leurs faces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>insulating-glass-4-12-4-12-4</source>
+   <translation>vitrage isolant 4/12/4/12/4</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>insulating-glass-6-16-6</source>
+   <translation>vitrage isolant 6/16/6</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3326,11 +3491,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>joint between panels</source>
-   <translation>joint entre panneaux</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>lambda</source>
    <translation>lambda</translation>
   </message>
@@ -3341,23 +3501,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>largest that is built, of an edge</source>
-   <translation>la plus grande d'une arête encore réalisée</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>leave the edges of the boundary out</source>
-   <translation>laisser de côté les arêtes du bord</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>longueur</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>length that they are cut from; longer ones are spliced</source>
-   <translation>longueur dans laquelle elles sont coupées ; les plus longues sont éclissées</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3405,9 +3550,29 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>multi-réseau</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>near the net</source>
+   <translation>près du réseau</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>no</source>
    <translation>non</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>no beams are made along the boundary</source>
+   <translation>aucune poutre n'est faite le long du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>none</source>
+   <translation>aucun</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>not at all</source>
+   <translation>pas du tout</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3426,51 +3591,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>of hollow sections and flanges</source>
-   <translation>des profils creux et des semelles</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of louvres about that axis</source>
-   <translation>des brise-soleil autour de cet axe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of plane faces or twisted</source>
-   <translation>de faces planes ou tordue</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of slots</source>
-   <translation>des encoches</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the beams</source>
-   <translation>des poutres</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the flanges where it differs</source>
-   <translation>des semelles si elle diffère</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the panels where it differs</source>
-   <translation>des panneaux si elle diffère</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the plates</source>
-   <translation>des plats</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>of the strips</source>
-   <translation>des bandes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>offset</source>
    <translation>décalage</translation>
   </message>
@@ -3483,6 +3603,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>on the surface (S)</source>
    <translation>sur la surface (S)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one layer has slots where strips cross, two have bolt holes</source>
+   <translation>une couche a des encoches où les bandes se croisent, deux ont des trous de boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3523,6 +3648,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plain</source>
    <translation>uni</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>plain lines without blocks</source>
+   <translation>lignes simples sans blocs</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3586,13 +3716,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>sides of the panels</source>
-   <translation>côtés des panneaux</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>smooth solids instead of faceted ones</source>
-   <translation>solides lisses au lieu de facettés</translation>
+   <source>slots and hubs leave this much air</source>
+   <translation>les encoches et les moyeux laissent ce jeu</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3651,8 +3776,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>strengthened-glass</source>
+   <translation>verre durci</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>stress</source>
    <translation>contrainte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>strips are cut from this length; longer ones are spliced</source>
+   <translation>les bandes sont coupées dans cette longueur ; les plus longues sont éclissées</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3670,14 +3805,159 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>traction seule</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the axes unroll to lines of this kind</source>
+   <translation>les axes se déroulent en lignes de ce type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams are joined by hubs or sockets</source>
+   <translation>les poutres sont reliées par des moyeux ou des douilles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams are this high</source>
+   <translation>les poutres ont cette hauteur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams have this cross section</source>
+   <translation>les poutres ont cette section transversale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the beams meet like this at a node</source>
+   <translation>les poutres se joignent ainsi à un nœud</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the bolt holes have this diameter</source>
+   <translation>les trous de boulons ont ce diamètre</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the border that is held twists the surface by {:.1f} degrees between the vertices {} and {}, where this net allows hardly any: let the border leave its curve and trim it afterwards</source>
+   <translation>le bord tenu tord la surface de {:.1f} degrés entre les sommets {} et {}, là où ce réseau n'en admet guère : laisser le bord quitter sa courbe et le rogner ensuite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the flanges are this thick, by default as thick as the plates</source>
+   <translation>les semelles ont cette épaisseur, par défaut celle des plats</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the hubs have a hole of this diameter along their axis</source>
+   <translation>les moyeux ont un trou de ce diamètre le long de leur axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the hubs measure this across their faces</source>
+   <translation>les moyeux mesurent autant entre leurs faces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the joint between two panels is this wide</source>
+   <translation>le joint entre deux panneaux a cette largeur</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>the level of its lowest vertex</source>
    <translation>le niveau de son sommet le plus bas</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the lines do not follow the curvature of the surface, as this net has to, but those of its diagonal mesh do: make a diagonal mesh first</source>
+   <translation>les lignes ne suivent pas la courbure de la surface, comme ce réseau le doit, mais celles de son maillage diagonal la suivent : faire d'abord un maillage diagonal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the lines do not follow the curvature of the surface, as this net has to: take a start whose lines do</source>
+   <translation>les lignes ne suivent pas la courbure de la surface, comme ce réseau le doit : prendre un départ dont les lignes la suivent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the louvres are turned by this angle about their lines</source>
+   <translation>les brise-soleil sont tournés de cet angle autour de leurs lignes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the louvres turn about lines of this family</source>
+   <translation>les brise-soleil tournent autour des lignes de cette famille</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the other variant of this net, on or off the diagonals, is much nearer</source>
+   <translation>l'autre variante de ce réseau, sur les diagonales ou non, est bien plus proche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the panels are this thick, by default as thick as the plates</source>
+   <translation>les panneaux ont cette épaisseur, par défaut celle des plats</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the parts lie above the net, about it or below it</source>
+   <translation>les pièces se trouvent au-dessus du réseau, autour de lui ou en dessous</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the plates are this thick</source>
+   <translation>les plats ont cette épaisseur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the plates stand this deep in the sockets</source>
+   <translation>les plats entrent de cette profondeur dans les douilles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the shape is doubly curved and will be bent towards a developable surface</source>
    <translation>la forme est à double courbure et sera pliée vers une surface développable</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the sides of the panels are square, or bevelled along the beams</source>
+   <translation>les chants des panneaux sont d'équerre, ou biseautés le long des poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the slots leave this much air</source>
+   <translation>les encoches laissent ce jeu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the solids are smooth instead of faceted</source>
+   <translation>les solides sont lisses au lieu de facettés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the stock loses this much at each end</source>
+   <translation>la longueur en stock perd autant à chaque bout</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips are made of plane faces or twisted</source>
+   <translation>les bandes sont faites de faces planes ou tordues</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips are this wide</source>
+   <translation>les bandes ont cette largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips go this far beyond their last vertex, by default half their width</source>
+   <translation>les bandes dépassent d'autant leur dernier sommet, par défaut de la moitié de leur largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips stand on the surface or lie in it</source>
+   <translation>les bandes sont debout sur la surface ou couchées dedans</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>those of its file</source>
+   <translation>celles de son fichier</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3696,8 +3976,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>to the surface</source>
-   <translation>par rapport à la surface</translation>
+   <source>toughened-glass</source>
+   <translation>verre trempé</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3770,21 +4050,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>souder</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>what joins the beams</source>
-   <translation>ce qui relie les poutres</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>what the axes unroll to</source>
-   <translation>ce en quoi les axes se déroulent</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>where the plates lie</source>
-   <translation>où se trouvent les plats</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>yes</source>
    <translation>oui</translation>
@@ -3820,6 +4085,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} arêtes</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/display.py" />
+   <source>{} is hidden: nothing of this is seen yet</source>
+   <translation>{} est masqué : rien de ceci n'est encore visible</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/outdated.py" />
+   <source>{} is outdated: its source has changed since it was optimised or dragged</source>
+   <translation>{} est périmé : sa source a changé depuis qu'il a été optimisé ou tiré</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>{} mesh</source>
    <translation>{} maillage</translation>
@@ -3845,9 +4120,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} sur les diagonales</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
+   <source>{} parts, {} to {}</source>
+   <translation>{} pièces, {} à {}</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>{} points</source>
    <translation>{} points</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>{} stays as it is, though its source has changed: optimise it again</source>
+   <translation>{} reste tel quel, bien que sa source ait changé : l'optimiser à nouveau</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
@@ -3868,6 +4153,13 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>{}, diag.</source>
    <translation>{} diag.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/nets.py" />
+   <source>{}: far from the origin; put near it, and back where it is exported
+</source>
+   <translation>{} : loin de l'origine ; placé près d'elle, et remis en place à l'export
+</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -4089,7 +4381,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
    <source>Put one bent plate in every row of faces of the selected net</source>
-   <translation>Poser une plaque pliée dans chaque rangée de faces du réseau choisi</translation>
+   <translation>Mettre une plaque pliée dans chaque rangée de faces du réseau sélectionné</translation>
   </message>
  </context>
  <context>
@@ -4153,8 +4445,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
-   <source>Show the selected flat patterns on a page to print</source>
-   <translation>Montrer les développés sélectionnés sur une page à imprimer</translation>
+   <source>Show each sheet of the selected flat patterns on a page to print</source>
+   <translation>Montrer chaque tôle des développés sélectionnés sur une page à imprimer</translation>
   </message>
  </context>
  <context>
@@ -4273,6 +4565,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Lay the parts of the selected structures flat, in rows or on sheets</source>
    <translation>Mettre à plat les pièces des structures sélectionnées, en rangées ou sur des tôles</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_FlipNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Flip net</source>
+   <translation>Retourner le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Turn the other side of the selected net up; an arrow shows it, offsets and parts follow</source>
+   <translation>Tourner l'autre côté du réseau sélectionné vers le haut ; une flèche le montre, décalages et pièces suivent</translation>
   </message>
  </context>
  <context>
@@ -4428,7 +4733,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../freecad_ortho/commands/structures.py" />
    <source>Make the selected net of sheets that are cut flat and bent into place</source>
-   <translation>Réaliser le réseau choisi en tôles découpées à plat puis cintrées en place</translation>
+   <translation>Réaliser le réseau sélectionné en tôles découpées à plat puis cintrées en place</translation>
   </message>
  </context>
  <context>
@@ -4513,8 +4818,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <name>Ortho_Weld</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>Join the selected nets into one where borders meet</source>
-   <translation>Réunir les réseaux sélectionnés en un seul là où les bords se touchent</translation>
+   <source>Join nets, or one with itself, where borders meet</source>
+   <translation>Réunir des réseaux, ou un réseau avec lui-même, là où les bords se touchent</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
