@@ -190,7 +190,8 @@ def solver_settings(
         options.update({word: values[word] for word in _LOADS})
     if values["reference"] is not None:
         options["reference"] = convert.array(values["reference"].Vertices)
-    handles = {vertex: np.array(place) for vertex, place in values["handles"].items()}
+    fix = _numbers(mesh, *_fix(values["fix"]), values["net"])
+    handles = _drawn(values["handles"], mesh, fix)
     constraints = Constraints(
         handles=handles,
         glide=guides.glides(values["glide"], mesh, net),
@@ -199,12 +200,26 @@ def solver_settings(
     )
     settings.update(
         net=values["net"],
-        fix=_numbers(mesh, *_fix(values["fix"]), values["net"]),
+        fix=fix,
         options=NetOptions(**options),
     )
     if handles or constraints.glide or constraints.close_to or constraints.symmetry:
         settings["constraints"] = constraints
     return settings
+
+
+def _drawn(
+    handles: dict[int, tuple[float, ...]], mesh: QuadMesh, fix: str | list[int]
+) -> dict[int, np.ndarray]:
+    """The handles, without those of vertices that are fixed where the last drag left them."""
+    places = {vertex: np.array(place) for vertex, place in handles.items()}
+    fixed = fixed_vertices(mesh, fix) if places else np.zeros(0, dtype=bool)
+    there = {
+        vertex
+        for vertex, place in places.items()
+        if 0 <= vertex < len(fixed) and fixed[vertex] and (place == mesh.vertices[vertex]).all()
+    }
+    return {vertex: place for vertex, place in places.items() if vertex not in there}
 
 
 def _numbers(mesh: QuadMesh, rule: str, vertices: list[int], net: str) -> str | list[int]:
