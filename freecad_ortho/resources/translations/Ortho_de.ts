@@ -254,6 +254,11 @@
    <translation>Fuge: die Fuge zwischen zwei Platten ist so breit</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap: the joint between two patches is this wide</source>
+   <translation>Fuge: die Fuge zwischen zwei Flächenstücken ist so breit</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Gliding without an object: boundary, or such as z=0</source>
    <translation>Gleiten ohne Objekt: boundary, oder etwa z=0</translation>
@@ -3858,6 +3863,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the joint between two panels is this wide</source>
    <translation>die Fuge zwischen zwei Platten ist so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the joint between two patches is this wide</source>
+   <translation>die Fuge zwischen zwei Flächenstücken ist so breit</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />

@@ -254,6 +254,11 @@
    <translation>Joint : le joint entre deux panneaux a cette largeur</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gap: the joint between two patches is this wide</source>
+   <translation>Joint : le joint entre deux surfaces a cette largeur</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Gliding without an object: boundary, or such as z=0</source>
    <translation>Glissement sans objet : boundary, ou par exemple z=0</translation>
@@ -3858,6 +3863,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the joint between two panels is this wide</source>
    <translation>le joint entre deux panneaux a cette largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the joint between two patches is this wide</source>
+   <translation>le joint entre deux surfaces a cette largeur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
