@@ -11,7 +11,7 @@ import FreeCAD
 
 PATH = "User parameter:BaseApp/Preferences/Mod/Ortho"
 
-LENGTHS = {"BeamHeight": 200.0, "BeamThickness": 12.0, "PanelThickness": 12.0, "PanelGap": 10.0}
+LENGTHS = {"BeamHeight": 200.0, "BeamThickness": 20.0, "PanelThickness": 12.0, "PanelGap": 8.0}
 COLOURS = {
     "NetColour": (0.80, 0.84, 0.88),
     "BeamColour": (0.58, 0.63, 0.69),

@@ -115,8 +115,8 @@ def plan(options: argparse.Namespace) -> tuple[Job, QuadMesh]:
     edge = drawn.mean_edge
     factor = 1.0 if 500 <= edge <= 3000 else edge / 1000
     height = options.height or two_digits(200 * factor)
-    thickness = options.thickness or two_digits(12 * factor)
-    gap = two_digits(10 * factor)
+    thickness = options.thickness or two_digits(20 * factor)
+    gap = two_digits(8 * factor)
     if factor != 1.0:
         say(f"plates for a mean edge of {edge:,.3g} mm: {height:g} x {thickness:g} mm, gap {gap:g}")
     return Job(options.mesh.resolve(), unit, height, thickness, gap), drawn

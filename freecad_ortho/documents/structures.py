@@ -80,8 +80,11 @@ def add_structure(
         feature = structure_object.create(document, title, Net=net, **properties)
         places.join_container(feature, net)
         with removed_on_failure(feature), progress(FreeCAD.Qt.translate("Ortho", title)) as say:
+            told = structure_object.acquaint(feature)
             structure_object.rebuild(feature, say)
         feature.purgeTouched()
+        if told:
+            document.recompute()
         # As Part does with what a shape is made of: otherwise both are drawn into each other.
         net.Visibility = False
     return feature
@@ -152,14 +155,12 @@ def _change(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
     properties = _properties(system, settings, values(target, system))
     before = {name: getattr(target, name) for name in properties}
     try:
-        for name, value in properties.items():
-            setattr(target, name, value)
+        structure_object.set_properties(target, properties)
         if target.BuiltFrom != build.recipe([target]):
             with progress(_change_title(target)) as say:
                 structure_object.rebuild(target, say)
     except BaseException:
-        for name, value in before.items():
-            setattr(target, name, value)
+        structure_object.set_properties(target, before)
         raise
     # It is built; what stands on it is still to follow.
     target.purgeTouched()
@@ -171,7 +172,7 @@ def _change(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
 def add_beams(
     net: FreeCAD.DocumentObject,
     height: Length = 200.0,
-    thickness: Length = 12.0,
+    thickness: Length = 20.0,
     offset: str = "centre",
 ) -> FreeCAD.DocumentObject:
     """Add a Structure with a beam on every edge of a Net; short for :func:`add_structure`.
@@ -185,7 +186,7 @@ def add_beams(
 def add_panels(
     net: FreeCAD.DocumentObject,
     thickness: Length = 12.0,
-    gap: Length = 10.0,
+    gap: Length = 8.0,
     offset: str = "above",
     beams: FreeCAD.DocumentObject | None = None,
 ) -> FreeCAD.DocumentObject:

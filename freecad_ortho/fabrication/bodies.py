@@ -19,10 +19,16 @@ if TYPE_CHECKING:
     import cadquery
 
 Loops = tuple[tuple[int, ...], ...]
-# Sides of a body with the corners of a box: a lower ring of four, then the upper one.
-BOX_SIDES: Loops = ((4, 5, 6, 7), (3, 2, 1, 0)) + tuple(
-    (k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4) for k in range(4)
-)
+
+
+def prism_sides(count: int) -> Loops:
+    """Sides of a body with a lower ring of corners, then an upper one, ``count`` each."""
+    sides = tuple((k, (k + 1) % count, (k + 1) % count + count, k + count) for k in range(count))
+    return (tuple(range(count, 2 * count)), tuple(reversed(range(count))), *sides)
+
+
+# Sides of a body with the corners of a box.
+BOX_SIDES = prism_sides(4)
 # The corners of a box in this order, true where its upper bound is meant.
 BOX_CORNERS = np.array(
     [(x, y, upper) for upper in (False, True) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
@@ -185,9 +191,4 @@ class Prism(Body):
 
     def pieces(self) -> tuple[Polyhedron, ...]:
         """The prism without its hole."""
-        count = len(self.outline)
-        sides = tuple(
-            (k, (k + 1) % count, (k + 1) % count + count, k + count) for k in range(count)
-        )
-        ends = (tuple(range(count, 2 * count)), tuple(reversed(range(count))))
-        return (Polyhedron(self.points, (*ends, *sides)),)
+        return (Polyhedron(self.points, prism_sides(len(self.outline))),)

@@ -56,6 +56,13 @@ def verdict(part: Part, limits: Limits) -> str:
             complaints.append(f"{name} {value:.3g} {unit} exceeds {limit:g} {unit}")
     if words := _overstressed(part):
         complaints.append(words)
+    material = part.material
+    bearing = part.measures.bearing_mm
+    if bearing is not None and bearing < material.bearing:
+        where = (
+            f"bears {bearing:.3g} mm" if bearing >= 0 else f"ends {-bearing:.3g} mm beside a beam"
+        )
+        complaints.append(f"{where}, {material.name} needs {material.bearing:g} mm of bearing")
     if part.assembly:
         complaints.append(part.assembly)
     return "; ".join(complaints) or OK

@@ -14,6 +14,9 @@ _GLASS_DENSITY, _GLASS_MODULUS, _GLASS_POISSON = 2500.0, 70_000.0, 0.2
 # Characteristic bending strengths of glass, MPa: annealed (EN 572-1), heat strengthened (EN 1863-1)
 # and thermally toughened (EN 12150-1).
 _ANNEALED, _STRENGTHENED, _TOUGHENED = 45.0, 70.0, 120.0
+# Least bearing, mm: of glass the edge cover of DIN 18008-2; of metals and wood for want of a rule
+# what leaves room for a screw's edge or a bead of glue, with tolerances.
+_ON_GLASS, _ON_METAL, _ON_WOOD = 10.0, 5.0, 10.0
 # Insulating units are named after their build-up: glass, cavity, glass ... in mm (EN 1279).
 _UNIT = "insulating-glass"
 _BUILD_UP = re.compile(rf"{_UNIT}((?:-\d{{1,3}}(?:\.\d{{1,2}})?)+)")
@@ -28,6 +31,7 @@ class Material:
         density: kg/m3; of a build-up its mass by its whole volume.
         youngs_modulus: MPa, in the direction of bending.
         bending_limit: largest bending stress allowed, MPa.
+        bearing: least width that a panel lies on its beams, mm.
         layers: of a build-up, thicknesses from one face to the other, pane and cavity in turn, mm;
             empty for what is solid and cut from sheets of any thickness.
         poisson: Poisson's ratio.
@@ -41,6 +45,7 @@ class Material:
     density: float
     youngs_modulus: float
     bending_limit: float
+    bearing: float
     layers: tuple[float, ...] = ()
     poisson: float = 0.3
     own_shear_modulus: float | None = None
@@ -52,6 +57,7 @@ class Material:
         positive("Poisson's ratio", self.poisson, "")
         if self.own_shear_modulus is not None:
             positive("shear modulus", self.own_shear_modulus, "MPa")
+        positive("bearing", self.bearing, "mm")
         for layer in self.layers:
             positive("layer", layer, "mm")
 
@@ -100,7 +106,9 @@ class Material:
 
 
 def _glass(name: str, strength: float) -> Material:
-    return Material(name, _GLASS_DENSITY, _GLASS_MODULUS, strength, poisson=_GLASS_POISSON)
+    return Material(
+        name, _GLASS_DENSITY, _GLASS_MODULUS, strength, _ON_GLASS, poisson=_GLASS_POISSON
+    )
 
 
 def insulating_unit(*layers: float) -> Material:
@@ -120,7 +128,7 @@ def insulating_unit(*layers: float) -> Material:
     for layer in layers:
         positive("layer", layer, "mm")
     density = _GLASS_DENSITY * sum(layers[::2]) / sum(layers)
-    return Material(name, density, _GLASS_MODULUS, _ANNEALED, layers, _GLASS_POISSON)
+    return Material(name, density, _GLASS_MODULUS, _ANNEALED, _ON_GLASS, layers, _GLASS_POISSON)
 
 
 # Strengths are characteristic values of common grades, without partial safety factors: structural
@@ -130,12 +138,12 @@ def insulating_unit(*layers: float) -> Material:
 MATERIALS = {
     material.name: material
     for material in (
-        Material("steel", 7850.0, 210_000.0, 355.0),
-        Material("stainless", 7900.0, 200_000.0, 220.0),
-        Material("aluminium", 2700.0, 70_000.0, 160.0),
-        Material("plywood", 680.0, 10_000.0, 40.0, own_shear_modulus=620.0),
-        Material("timber", 420.0, 11_000.0, 24.0, own_shear_modulus=690.0),
-        Material("gfrp", 1900.0, 25_000.0, 240.0, own_shear_modulus=3_000.0),
+        Material("steel", 7850.0, 210_000.0, 355.0, _ON_METAL),
+        Material("stainless", 7900.0, 200_000.0, 220.0, _ON_METAL),
+        Material("aluminium", 2700.0, 70_000.0, 160.0, _ON_METAL),
+        Material("plywood", 680.0, 10_000.0, 40.0, _ON_WOOD, own_shear_modulus=620.0),
+        Material("timber", 420.0, 11_000.0, 24.0, _ON_WOOD, own_shear_modulus=690.0),
+        Material("gfrp", 1900.0, 25_000.0, 240.0, _ON_METAL, own_shear_modulus=3_000.0),
         _glass("glass", _ANNEALED),
         _glass("strengthened-glass", _STRENGTHENED),
         _glass("toughened-glass", _TOUGHENED),

@@ -33,6 +33,7 @@ class Measures:
         combined_MPa: of both, von Mises; filled in by the structure.
         lean_deg: largest angle between the part's upright and the surface normal.
         torsion_deg_per_m: largest torsion along the part.
+        bearing_mm: least width that a panel lies on beams; negative where it ends beside them.
     """
 
     gap_mm: float | None = None
@@ -46,6 +47,7 @@ class Measures:
     combined_MPa: float | None = None
     lean_deg: float | None = None
     torsion_deg_per_m: float | None = None
+    bearing_mm: float | None = None
 
 
 def measure_words(field: str) -> tuple[str, str]:

@@ -234,6 +234,9 @@ def build(
         raise InputError(
             f"system: expected different systems, got {'+'.join(names) or 'none'}; choose each once"
         )
+    for system in systems:
+        for other in system.excludes.keys() & set(names):
+            raise InputError(f"system: {system.name}+{other} {system.excludes[other]}")
     say = progress or (lambda fraction, words: None)
     say(0.0, "net")
     results: dict[str, SystemParts] = {}
@@ -248,7 +251,7 @@ def build(
         if not made.parts:
             raise InputError(f"{system.name}: nothing to build on this net; choose another system")
         _refuse_thickness(system.name, made.parts)
-        results[system.name] = replace(made, parts=_stressed(made.parts))
+        results[system.name] = replace(made, parts=_stressed(made.parts), settings=system)
     stands = place or Place()
     moved = stands.directions(local.shift)
     taken = moved if origin is None else origin + moved

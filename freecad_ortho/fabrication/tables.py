@@ -27,6 +27,7 @@ _MEASURES = (
     "combined_MPa",
     "lean_deg",
     "torsion_deg_per_m",
+    "bearing_mm",
 )
 COLUMNS = (
     "name",

@@ -114,9 +114,12 @@ def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
     net = _common_net(features)
     by_system = _by_system(features)
     carrier = _carrier(by_system, net)
+    nodes = _nodes_beside(by_system, net)
     wanted = list(by_system)
     if carrier is not None:
         by_system["beams"] = carrier
+    if nodes is not None:
+        by_system["nodes"] = nodes
     ordered = [name for name in SYSTEMS if name in by_system]
     lines = _agreed(features, "lines", lambda feature: (feature.Family, tuple(feature.Lines)))
     return _Plan(
@@ -165,6 +168,23 @@ def _carrier(
         raise InputError("structures: lie on different beams; export them one after the other")
     _check_carrier(found[0] if found else None, net)
     return found[0] if found else None
+
+
+def _nodes_beside(
+    by_system: dict[str, FreeCAD.DocumentObject], net: FreeCAD.DocumentObject
+) -> FreeCAD.DocumentObject | None:
+    """The nodes that panels stay clear of where these are built without them."""
+    panels = by_system.get("panels")
+    if panels is None or panels.OnNodes is None or "nodes" in by_system:
+        return None
+    nodes = panels.OnNodes
+    known = structure_object.is_structure(nodes) and nodes.System == structure_object.NODES
+    if not known or nodes.Net is not net or nodes.OnBeams is not panels.OnBeams:
+        raise InputError(
+            f"{panels.Label}: '{nodes.Label}' is not a structure of nodes on the same net and "
+            "beams; choose another for 'OnNodes' or leave it empty"
+        )
+    return nodes
 
 
 def _agreed(

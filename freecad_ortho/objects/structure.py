@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import FreeCAD
@@ -17,7 +17,7 @@ from freecad_ortho.objects.system_properties import options_of, system_property
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 VERSION = 2
-BEAMS, PANELS = "Beams", "Panels"
+BEAMS, PANELS, NODES = "Beams", "Panels", "Nodes"
 # The title of a system in documents -> its name in fabrication.
 TITLES = {name.capitalize(): name for name in SYSTEMS}
 # Systems whose parts may lie on beams that are a structure of their own.
@@ -50,6 +50,12 @@ _PROPERTIES = (
         "OnBeams",
         "Structure",
         QT_TRANSLATE_NOOP("App::Property", "Beams that the parts lie on or join; empty: the net"),
+    ),
+    Property(
+        "App::PropertyLink",
+        "OnNodes",
+        "Structure",
+        QT_TRANSLATE_NOOP("App::Property", "Nodes whose hubs the panels stay clear of"),
     ),
     Property(
         "App::PropertyEnumeration",
@@ -135,8 +141,8 @@ class Structure(outdated.Following):
         return build.recipe([feature])
 
     def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
-        """The beams that the parts lie on."""
-        return [feature.OnBeams] if is_structure(feature.OnBeams) else []
+        """The beams that the parts lie on, the nodes that they stay clear of."""
+        return [item for item in (feature.OnBeams, feature.OnNodes) if is_structure(item)]
 
 
 def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD.DocumentObject:
@@ -154,17 +160,43 @@ def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD
     feature.System = title
     feature.setPropertyStatus("System", "ReadOnly")
     ensure_options(feature)
+    set_properties(feature, properties)
+    if FreeCAD.GuiUp:
+        from freecad_ortho.view.structure_view import StructureView
+
+        StructureView(feature.ViewObject)
+    return feature
+
+
+def set_properties(feature: FreeCAD.DocumentObject, properties: Mapping[str, Any]) -> None:
+    """Set properties by name."""
     for name, value in properties.items():
         if name == _MATERIAL.name:
             # Build-ups of insulating glass are as many as one likes.
             choose(feature, _MATERIAL, value)
         else:
             setattr(feature, name, value)
-    if FreeCAD.GuiUp:
-        from freecad_ortho.view.structure_view import StructureView
 
-        StructureView(feature.ViewObject)
-    return feature
+
+def acquaint(feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
+    """Tell panels of the nodes on the same net and beams, whichever was there first.
+
+    Returns:
+        Panels that were there before and have to make room now.
+    """
+    beside = [
+        item
+        for item in feature.Net.InList
+        if is_structure(item) and item is not feature and item.OnBeams is feature.OnBeams
+    ]
+    told = []
+    if feature.System == PANELS:
+        feature.OnNodes = next((item for item in beside if item.System == NODES), None)
+    elif feature.System == NODES:
+        told = [item for item in beside if item.System == PANELS and item.OnNodes is None]
+    for panels in told:
+        panels.OnNodes = feature
+    return told
 
 
 def ensure_options(feature: FreeCAD.DocumentObject) -> None:
@@ -173,6 +205,7 @@ def ensure_options(feature: FreeCAD.DocumentObject) -> None:
     ensure(feature, [system_property(option) for option in options_of(system)])
     status = "Hidden" if system not in ON_BEAMS else "-Hidden"
     feature.setPropertyStatus("OnBeams", status)
+    feature.setPropertyStatus("OnNodes", "-Hidden" if feature.System == PANELS else "Hidden")
 
 
 def rebuild(

@@ -212,7 +212,8 @@ def test_parts_list_reads_back(structure, folder):
     assert set(REQUIRED.split()) <= set(COLUMNS)
     sizes = [column for column in COLUMNS if column.rpartition("_")[0] in SIZES]
     assert len(sizes) == len(SIZES)
-    for row, part in zip(rows, structure.parts, strict=True):
+    verdicts = structure.verdicts
+    for row, part, verdict in zip(rows, structure.parts, verdicts, strict=True):
         assert (row["name"], row["kind"], row["family"]) == (part.name, part.kind, part.family)
         assert row["line"] == ("" if part.line is None else str(part.line))
         for column in sizes:
@@ -227,7 +228,7 @@ def test_parts_list_reads_back(structure, folder):
                 assert float(row[field.name]) == pytest.approx(value, rel=1e-5)
         assert tuple(map(int, row["vertices"].split())) == part.vertices
         assert row["face"] == ("" if part.face is None else str(part.face))
-        assert row["verdict"] == "ok"
+        assert row["verdict"] == verdict
 
 
 def test_report_reads_back(structure, folder, roof):

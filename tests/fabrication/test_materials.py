@@ -81,7 +81,7 @@ def test_an_insulating_unit_weighs_what_its_panes_do():
 def test_panels_of_a_build_up_are_as_thick_as_it_is(roof):
     structure = api.fabricate(roof, "beams+panels", material="panels=insulating-glass-6-16-6")
     assert {part.thickness for part in structure.results["panels"].parts} == {28.0}
-    assert {part.thickness for part in structure.results["beams"].parts} == {12.0}
+    assert {part.thickness for part in structure.results["beams"].parts} == {20.0}
     with pytest.raises(InputError, match=r"panels: .* is 28 mm thick and P0000 20 mm; set a"):
         api.fabricate(
             roof, "panels", material="panels=insulating-glass-6-16-6", panel_thickness=20.0

@@ -11,9 +11,8 @@ from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho.fabrication import Beams, FlatPattern, Hole, Panels, Workshop, build, write
 from freecad_ortho.fabrication.clash import check_clashes
-from freecad_ortho.fabrication.families import congruent, families
+from freecad_ortho.fabrication.families import families
 from freecad_ortho.fabrication.kerf import compensated
-from freecad_ortho.fabrication.nesting.sheet import turned
 from freecad_ortho.fabrication.nodes import nodes
 from freecad_ortho.fabrication.part import measure_words
 from freecad_ortho.fabrication.pattern import polygon_area
@@ -75,7 +74,9 @@ def test_families_of_a_plane_grid(plane):
     equal = families(structure.parts, nodes(structure.site, structure.parts))
     assert [len(group) for group in equal.lengths["beam"]] == [31]
     assert [len(group) for group in equal.shapes["panel"]] == [12]
-    assert set(equal.equal_to[part.name] for part in structure.parts) == {"B0000", "P0000"}
+    # Beams inside, and those of the rim that are mitred on their left or on their right alone.
+    firsts = {equal.equal_to[part.name] for part in structure.parts}
+    assert firsts == {"B0000", "B0001", "B0003", "P0000"}
 
 
 def test_no_member_of_a_family_is_beyond_the_tolerance(roof):
@@ -87,33 +88,13 @@ def test_no_member_of_a_family_is_beyond_the_tolerance(roof):
             name for name in parts if name[0] == groups[0][0][0]
         )
         for group in groups:
-            assert all(abs(parts[n].length - parts[group[0]].length) <= 1 for n in group)
-    for groups in equal.shapes.values():
-        leaders = [parts[group[0]].pattern for group in groups]
-        for k, leader in enumerate(leaders):
-            assert not any(congruent(other, leader) for other in leaders[:k])
-        for group in groups:
-            assert all(congruent(parts[group[0]].pattern, parts[n].pattern) for n in group)
+            assert all(abs(parts[n].length - parts[group[0]].length) <= 0.5 for n in group)
     # A surface of revolution: in each of six rows all panels are alike but those at both ends.
     assert len(equal.shapes["panel"]) == 12
 
 
 def plate(outline, **more):
     return FlatPattern(np.array(outline, float), (), np.zeros(2), 1.0, **more)
-
-
-def test_congruent_turns_but_does_not_flip_and_minds_the_holes():
-    outline = np.array([[0, 0], [100, 0], [80, 40], [0, 60]], float)
-    one = plate(outline, holes=(Hole(np.array([20.0, 20.0]), 8.0),))
-    same = plate(
-        np.roll(turned(outline, 73.0), 2, axis=0) + 5,
-        holes=(Hole(turned(np.array([[20.0, 20.0]]), 73.0)[0] + 5, 8.0),),
-    )
-    assert congruent(one, same)
-    assert not congruent(one, replace(same, holes=(Hole(same.holes[0].centre + 3, 8.0),)))
-    assert not congruent(one, replace(same, holes=()))
-    assert not congruent(plate(outline), plate(outline[::-1] * [-1, 1]))
-    assert not congruent(plate(outline), plate(outline * 1.03))
 
 
 def test_stock_holds_every_beam_once_and_what_sawing_takes(roof):
@@ -430,7 +411,7 @@ def test_no_list_of_bends_for_flat_plates(written):
 
 def test_a_long_report_ends_its_lists_and_names_the_files(plane, tmp_path):
     """Groups first, then the parts that fail, then some of the others."""
-    structure = build(plane, [Beams(200, 12), Panels(20, 15)])
+    structure = build(plane, [Beams(200, 30), Panels(20, 15)])
     parts = list(structure.parts)
     parts[-1] = replace(parts[-1], measures=replace(parts[-1].measures, gap_mm=7.0))
     many = [
@@ -446,7 +427,7 @@ def test_a_long_report_ends_its_lists_and_names_the_files(plane, tmp_path):
     assert ['class="bad"' in row for row in rows] == [True] * 4 + [False] * 56
     assert f"<p>{len(many) - 60} more parts: all are in parts.csv.</p>" in page
     count = {kind: sum(part.kind == kind for part in many) for kind in ("beam", "panel")}
-    assert f"<td>beam</td><td>steel</td><td>12</td><td>{count['beam']}</td>" in page
+    assert f"<td>beam</td><td>steel</td><td>30</td><td>{count['beam']}</td>" in page
     assert f"<td>panel</td><td>steel</td><td>20</td><td>{count['panel']}</td>" in page
 
 

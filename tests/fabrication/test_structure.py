@@ -31,19 +31,19 @@ from tests.conftest import grid_faces
 def test_systems_come_in_the_order_of_building_with_their_defaults():
     assert systems_of("panels+beams", {"thickness": 9.0}) == [
         Beams(200.0, 9.0, "centre"),
-        Panels(9.0, 10.0, "centre"),
+        Panels(9.0, 8.0, "centre"),
     ]
     assert systems_of("beams+panels", {"panel_thickness": 5.0, "offset": "above"}) == [
-        Beams(200.0, 12.0, "above"),
-        Panels(5.0, 10.0, "above"),
+        Beams(200.0, 20.0, "above"),
+        Panels(5.0, 8.0, "above"),
     ]
-    assert systems_of("beams", {"gap": 3.0}) == [Beams(200.0, 12.0)]
+    assert systems_of("beams", {"gap": 3.0}) == [Beams(200.0, 20.0)]
 
 
 @pytest.mark.parametrize(
     ("names", "values", "words"),
     [
-        ("", {}, "system: expected one of beams, panels"),
+        ("", {}, "system: expected one of beams, nodes"),
         ("beams+beams", {}, "system: expected one of"),
         ("walls", {}, "got 'walls'"),
         ("beams", {"colour": 1}, "colour: no system has such a size"),

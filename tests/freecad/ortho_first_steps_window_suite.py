@@ -136,7 +136,7 @@ class TestPreferences(FirstStepsCase):
         FreeCADGui.showPreferences("Ortho")
         self.assertTrue(self.filled)
         self.assertEqual(preferences.length("BeamHeight"), 333.0)
-        self.assertEqual(preferences.length("PanelGap"), 10.0)
+        self.assertEqual(preferences.length("PanelGap"), 8.0)
         self.assertEqual(preferences.import_unit(), "m")
         self.assertEqual(preferences.solver_settings(), {"backend": "scipy"})
         for shown, wanted in zip(preferences.colour("NetColour"), (1.0, 0.2, 0.0), strict=True):

@@ -293,7 +293,7 @@ class TestStructure(DocumentCase):
         # FreeCAD writes shapes with fifteen digits.
         self.assertLess(abs(again.Shape.Volume / volume - 1), 1e-12)
         self.assertEqual(list(again.PartNames), names)
-        self.assertEqual(again.Thickness.Value, 12.0)
+        self.assertEqual(again.Thickness.Value, 20.0)
         Path(tools.SCRATCH / "volume.txt").write_text(repr(again.Shape.Volume), encoding="utf-8")
 
 
@@ -335,7 +335,7 @@ class TestExport(DocumentCase):
         sizes = {"sheet": "3000x1500", "stock": "6 m", "kerf": "0.2 mm"}
         alone = api.export_fabrication(beams, tools.SCRATCH / "one", **sizes)
         shared = api.export_fabrication(beams, tools.SCRATCH / "two", workers=2, **sizes)
-        self.assertIn("sheet-001-steel-12mm.dxf", [path.name for path in alone])
+        self.assertIn("sheet-001-steel-20mm.dxf", [path.name for path in alone])
         for one, other in zip(alone, shared, strict=True):
             self.assertEqual(one.read_bytes(), other.read_bytes(), one.name)
         report = json.loads((tools.SCRATCH / "two" / "report.json").read_text(encoding="utf-8"))

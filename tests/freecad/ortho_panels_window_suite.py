@@ -208,7 +208,7 @@ class TestSettings(WindowCase):
             self.assertIn("thickness", self.errors.pop())
             self.assertTrue(FreeCADGui.Control.activeDialog())
         press("Cancel")
-        self.assertEqual((beams.Shape.Volume, beams.Thickness.Value), (volume, 12.0))
+        self.assertEqual((beams.Shape.Volume, beams.Thickness.Value), (volume, 20.0))
         self.assertEqual((self.document.UndoCount, beams.State), (steps, ["Up-to-date"]))
 
 

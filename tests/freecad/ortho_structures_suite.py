@@ -70,6 +70,29 @@ class TestSettings(StructureCase):
         own = sum(json.loads(feature.Report)["mass_kg"] for feature in (beams, panels))
         self.assertAlmostEqual(report["mass_kg"], own, places=6)
 
+    def test_nodes_beams_and_panels_know_each_other(self):
+        beams = api.add_structure(self.net, "beams", ends="hub", hub_diameter=160.0)
+        first = api.add_structure(self.net, "panels", beams=beams)
+        whole = first.Shape.Volume
+        with self.assertRaises(InputError) as refused:
+            api.add_structure(self.net, "nodes", beams=api.add_beams(self.net))
+        self.assertIn("leave no room for hubs", str(refused.exception))
+        nodes = api.add_structure(self.net, "nodes", beams=beams)
+        self.assertIs(first.OnNodes, nodes)
+        self.assertLess(first.Shape.Volume, whole)
+        self.assertEqual(first.State, ["Up-to-date"])
+        second = api.add_structure(self.net, "panels", beams=beams)
+        self.assertIs(second.OnNodes, nodes)
+        self.assertAlmostEqual(second.Shape.Volume, first.Shape.Volume, places=3)
+        folder = tools.SCRATCH / "joined"
+        api.export_fabrication([beams, nodes, first], folder)
+        report = json.loads((folder / "report.json").read_text())
+        self.assertEqual(report["clash_check"]["clashes"], [])
+        self.assertEqual(report["nodes"]["diameter_mm"], 160.0)
+        self.document.removeObject(nodes.Name)
+        self.document.recompute()
+        self.assertAlmostEqual(first.Shape.Volume, whole, places=3)
+
     def test_lengths_in_any_unit_and_bad_ones_refused(self):
         feature = api.add_structure(self.net, "beams", height="0.3 m", thickness="1 cm")
         self.assertEqual((feature.Height.Value, feature.Thickness.Value), (300.0, 10.0))
@@ -99,7 +122,7 @@ class TestUpdating(StructureCase):
         beams = api.add_beams(self.net)
         beams.AutomaticUpdate = False
         before = beams.Shape.Volume
-        beams.Thickness = 24.0
+        beams.Thickness = 40.0
         self.document.recompute()
         self.assertEqual(beams.Shape.Volume, before)
         self.assertIn("Touched", beams.State)

@@ -18,7 +18,7 @@ from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
-    system.name: system for system in (Beams, Panels, Louvres, Nodes, Lamellas, BentPanels, Patches)
+    system.name: system for system in (Beams, Nodes, Panels, Louvres, Lamellas, BentPanels, Patches)
 }
 
 __all__ = [
@@ -42,7 +42,7 @@ def systems_of(
     """Make systems by their names, joined by "+", from the values of their options.
 
     Options that are not given take their defaults; options of other systems are left out.
-    Panels of a build-up are as thick as it is unless told.
+    Panels of a build-up are as thick as it is unless told, and beams leave room for hubs.
 
     Raises:
         InputError: an unknown system or one twice, an unknown option, a value that cannot be used.
@@ -57,6 +57,8 @@ def systems_of(
     for name in values:
         if name not in known:
             raise InputError(f"{name}: no system has such a size; there are {', '.join(known)}")
+    if "nodes" in wanted and values.get("node", "hub") == "hub":
+        values = {"ends": "hub", **values}
     chosen = [system for name, system in SYSTEMS.items() if name in wanted]
     result = []
     for system in chosen:

@@ -38,6 +38,7 @@ class SystemParts:
         geometry: arrays that systems built after this one may lie on.
         joints: of the parts those to be printed, one of each shape.
         tables: lists of its own to write beside those of every structure.
+        settings: of the system that made them; filled in by the structure.
     """
 
     parts: tuple[Part, ...]
@@ -46,6 +47,7 @@ class SystemParts:
     geometry: Any = None
     joints: tuple[Part, ...] = ()
     tables: tuple[Table, ...] = ()
+    settings: System | None = None
 
 
 class System(ABC):
@@ -53,6 +55,8 @@ class System(ABC):
 
     name: ClassVar[str]
     options: ClassVar[tuple[Option, ...]]
+    # Systems whose parts would stand where its own do, and why.
+    excludes: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> System:

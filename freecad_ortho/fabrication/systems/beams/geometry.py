@@ -80,6 +80,7 @@ class BeamGeometry:
         twist_mm: (E,) largest distance of the axes' ends from the beam's middle plane.
         levels: lower and upper level along the axes, mm from the mesh.
         section_half: half the width of the section, mm.
+        built: (E,) true for the edges that have a beam.
     """
 
     points: FloatArray
@@ -95,6 +96,7 @@ class BeamGeometry:
     twist_mm: FloatArray
     levels: tuple[float, float]
     section_half: float
+    built: BoolArray
 
     def ring(self, up: FloatArray, half: float) -> FloatArray:
         """(E, 6, 3) corners at heights ``up`` (E,) in the beam's own coordinates, see ``LOOPS``."""
@@ -126,6 +128,7 @@ def beam_geometry(
     width: float,
     frames: Frames,
     cuts: Cuts,
+    built: BoolArray,
 ) -> BeamGeometry:
     """Compute the box of every beam.
 
@@ -135,6 +138,7 @@ def beam_geometry(
         width: of the section, across the beam, mm.
         frames: planes of the beams.
         cuts: where they end.
+        built: (E,) which edges have one.
 
     Raises:
         InputError: a height or width that does not fit an edge.
@@ -166,6 +170,7 @@ def beam_geometry(
         twist_mm=np.abs(frames.miss).max(axis=1) * max(abs(level) for level in levels),
         levels=levels,
         section_half=width / 2,
+        built=built,
     )
     rings = np.concatenate([geometry.ring(geometry.up(k), width / 2) for k in (0, 1)], axis=1)
     points = geometry.start[:, None] + np.einsum("epc,eck->epk", rings, geometry.frame)

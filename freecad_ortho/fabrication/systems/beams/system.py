@@ -78,7 +78,7 @@ class Beams(System):
     name: ClassVar[str] = "beams"
     options: ClassVar[tuple[Option, ...]] = (
         Option("height", 200.0, "length", "the beams are this high"),
-        Option("thickness", 12.0, "length", "the plates are this thick"),
+        Option("thickness", 20.0, "length", "the plates are this thick"),
         Option(
             "offset",
             "centre",
@@ -115,7 +115,7 @@ class Beams(System):
                 f"ends: only plates can be lapped, got section {self.section}; take section plate "
                 "or other ends"
             )
-        self._section()
+        self.profile.refuse_low(self.height)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Beams:
@@ -139,7 +139,7 @@ class Beams(System):
         if not self.boundary_beams:
             # Lines that run on along the border would be left with gaps.
             site = replace(site, lines=ParameterLines(site.mesh.connectivity))
-        section = self._section()
+        section = self.profile
         frames = beam_frames(site.mesh, site.axes)
         built = np.ones(len(site.mesh.connectivity.edges), dtype=bool)
         if not self.boundary_beams:
@@ -149,7 +149,8 @@ class Beams(System):
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
         cuts, folded, laps = self._cuts(site, frames, around, built)
-        geometry = beam_geometry(site.mesh, self.levels, section.overall_width, frames, cuts)
+        width = section.overall_width
+        geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
         parts = edge_beams(site, geometry, section, wanted & ~folded)
         lines = tuple(line for line in site.chosen_lines if (folded & built)[line.edges].all())
         folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps)
@@ -157,7 +158,9 @@ class Beams(System):
         report = self._report(site, geometry, parts, wanted)
         return SystemParts(parts, report, (*_messages(report, parts), *doubts), geometry)
 
-    def _section(self) -> Section:
+    @property
+    def profile(self) -> Section:
+        """The cross section."""
         flange = self.thickness if self.flange_thickness is None else self.flange_thickness
         return Section(self.section, self.thickness, self.section_width, flange)
 
@@ -165,7 +168,7 @@ class Beams(System):
         self, site: Site, frames: Frames, around: Around, built: BoolArray
     ) -> tuple[Cuts, BoolArray, Crossings | None]:
         """Where beams end, which edges are parts of folded plates, and their half laps."""
-        width = self._section().overall_width
+        width = self.profile.overall_width
         none, all_edges = np.zeros(len(built), dtype=bool), np.ones(len(built), dtype=bool)
         if self.ends == "mitred":
             return mitred(frames, around), none, None

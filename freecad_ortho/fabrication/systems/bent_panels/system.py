@@ -7,7 +7,7 @@ Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -50,6 +50,10 @@ class BentPanels(System):
     gap: float = 10.0
 
     name: ClassVar[str] = "bent-panels"
+    excludes: ClassVar[Mapping[str, str]] = {
+        "nodes": "cannot be built together: the sheets run over the nodes; take panels, or leave "
+        "the nodes out"
+    }
     options: ClassVar[tuple[Option, ...]] = (
         Option("thickness", 3.0, "length", "the plates are this thick"),
         Option("gap", 10.0, "length", "the joint between two panels is this wide"),

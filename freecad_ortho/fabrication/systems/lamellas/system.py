@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -38,6 +39,10 @@ class Lamellas(LamellaSettings, System):
     """Strips along the chosen parameter lines, one part a line or a piece of one."""
 
     name: ClassVar[str] = "lamellas"
+    excludes: ClassVar[Mapping[str, str]] = {
+        "nodes": "cannot be built together: lamellas run through their crossings, where slots or "
+        "bolts join them; leave the nodes out"
+    }
 
     def build(self, site: Site) -> SystemParts:
         """Work out the lamellas.

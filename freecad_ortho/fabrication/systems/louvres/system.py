@@ -57,7 +57,7 @@ class Louvres(System):
             "length",
             "the panels are this thick, by default as thick as the plates",
         ),
-        Option("gap", 10.0, "length", "the joint between two panels is this wide"),
+        Option("gap", 8.0, "length", "the joint between two panels is this wide"),
         Option(
             "louvre_axis", "u", "choice", "the louvres turn about lines of this family", FAMILIES
         ),

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body
+from freecad_ortho.fabrication.equal import equal_groups
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
@@ -18,7 +19,8 @@ from freecad_ortho.fabrication.systems.beams.frames import (
     around_axes,
     beam_frames,
 )
-from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, gaps_after, hub
+from freecad_ortho.fabrication.systems.beams.system import Beams
+from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.option import Option
@@ -26,13 +28,14 @@ from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 KINDS = ("hub", "socket")
-# Nodes are equal within these: angles between beams, sizes.
-_SAME_RADIANS, _SAME_MM = np.radians(0.1), 0.5
 
 
 @dataclass(frozen=True)
 class Nodes(System):
     """A joint at every vertex: a hub that beams are butted on, or a socket under a crossing.
+
+    Where there are beams, these say how high and thick they are, what lies above the net, how much
+    room is left, and how wide the hubs are that they end at.
 
     Args:
         kind: "hub", a prism about the axis with a face square to each beam, as high as the beams;
@@ -55,7 +58,7 @@ class Nodes(System):
     bore: float = 0.0
     depth: float = 30.0
     height: float = 200.0
-    thickness: float = 12.0
+    thickness: float = 20.0
     offset: str = "centre"
     clearance: float = 1.0
     boundary_beams: bool = True
@@ -73,7 +76,7 @@ class Nodes(System):
         ),
         Option("socket_depth", 30.0, "length", "the plates stand this deep in the sockets"),
         Option("height", 200.0, "length", "the beams are this high"),
-        Option("thickness", 12.0, "length", "the plates are this thick"),
+        Option("thickness", 20.0, "length", "the plates are this thick"),
         Option(
             "offset",
             "centre",
@@ -116,8 +119,34 @@ class Nodes(System):
         """Work out the joints at the vertices of the chosen edges.
 
         Raises:
-            InputError: a hub too small for its beams.
+            InputError: a hub too small for its beams, or beams that leave it no room.
         """
+        beams = site.done["beams"].settings if "beams" in site.done else None
+        return self._fitting(beams)._build(site) if isinstance(beams, Beams) else self._build(site)
+
+    def _fitting(self, beams: Beams) -> Nodes:
+        """These joints with the sizes of the beams that they join."""
+        if self.kind == "hub" and beams.ends != "hub":
+            raise InputError(
+                f"nodes: the beams are {beams.ends} and leave no room for hubs; set ends hub, or "
+                "take sockets for nodes"
+            )
+        if self.kind == "socket" and (beams.ends == "hub" or beams.section != "plate"):
+            raise InputError(
+                "nodes: sockets hold plates that reach their axes; set section plate and ends "
+                "mitred or lapped, or take hubs for nodes"
+            )
+        return replace(
+            self,
+            diameter=beams.hub_diameter if self.kind == "hub" else self.diameter,
+            height=beams.height,
+            thickness=beams.profile.overall_width,
+            offset=beams.offset,
+            clearance=beams.clearance,
+            boundary_beams=beams.boundary_beams,
+        )
+
+    def _build(self, site: Site) -> SystemParts:
         frames = beam_frames(site.mesh, site.axes)
         built = site.chosen_edges.copy()
         if not self.boundary_beams:
@@ -126,15 +155,14 @@ class Nodes(System):
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
         names = part_names("N", len(site.mesh.vertices))
-        made = [
+        parts = tuple(
             self._part(site, names[vertex], vertex, arms, turn)
             for vertex, arms, turn in _stars(frames, around)
-        ]
-        parts = tuple(part for part, _ in made)
-        equal = _equal([angles for _, angles in made], [part.length for part in parts])
-        groups: dict[str, list[str]] = {}
-        for part, first in zip(parts, equal, strict=True):
-            groups.setdefault(parts[first].name, []).append(part.name)
+        )
+        groups = {
+            parts[group[0]].name: [parts[number].name for number in group]
+            for group in equal_groups(parts)
+        }
         report = {
             "kind": self.kind,
             "diameter_mm": self.diameter,
@@ -143,16 +171,19 @@ class Nodes(System):
             **sums(parts),
         }
         joints = tuple(part for part in parts if part.name in groups)
-        return SystemParts(parts, report, joints=joints)
+        return SystemParts(parts, report, geometry=self._hubs(site, parts), joints=joints)
 
-    def _part(
-        self, site: Site, name: str, vertex: int, arms: FloatArray, turn: FloatArray
-    ) -> tuple[Part, FloatArray]:
-        """One joint, and the angles between its beams."""
+    def _hubs(self, site: Site, parts: tuple[Part, ...]) -> dict[int, FloatArray]:
+        """(2, K, 3) lower and upper corners of the hub at each vertex, in the site's mesh, mm."""
+        if self.kind != "hub":
+            return {}
+        return {part.vertices[0]: (part.points - site.shift).reshape(2, -1, 3) for part in parts}
+
+    def _part(self, site: Site, name: str, vertex: int, arms: FloatArray, turn: FloatArray) -> Part:
         axis = site.axes.directions[vertex]
         length = float(np.linalg.norm(site.axes.offsets[vertex]))
         body = self._body(name, turn, arms @ axis, length)
-        part = Part(
+        return Part(
             name=name,
             kind="node",
             body=body,
@@ -168,7 +199,6 @@ class Nodes(System):
             vertices=(vertex,),
             measures=Measures(lean_deg=float(site.axes.lean_deg[vertex])),
         )
-        return part, gaps_after(turn)
 
     def _body(self, name: str, turn: FloatArray, rises: FloatArray, length: float) -> Body:
         """Body of one joint: directions of its beams, their rise, and length of its offset."""
@@ -217,23 +247,3 @@ def _frame(arm: FloatArray, axis: FloatArray) -> FloatArray:
     """(3, 3) x towards the first beam, z along the axis."""
     first = unit_rows((arm - (arm @ axis) * axis)[None])[0]
     return np.stack([first, np.cross(axis, first), axis])
-
-
-def _equal(angles: list[FloatArray], lengths: list[float]) -> list[int]:
-    """For each node the first one that is congruent to it, turned about its axis."""
-    kinds = {count: np.empty((len(angles), count + 1)) for count in {len(own) for own in angles}}
-    firsts: dict[int, list[int]] = {count: [] for count in kinds}
-    result = []
-    for number, (own, length) in enumerate(zip(angles, lengths, strict=True)):
-        count = len(own)
-        known, table = firsts[count], kinds[count][: len(firsts[count])]
-        turns = np.stack([np.roll(own, k) for k in range(count)])
-        apart = np.abs(table[:, None, :-1] - turns).max(axis=2).min(axis=1)
-        same = (apart <= _SAME_RADIANS) & (np.abs(table[:, -1] - length) <= _SAME_MM)
-        if same.any():
-            result.append(known[int(same.argmax())])
-            continue
-        kinds[count][len(known)] = [*own, length]
-        known.append(number)
-        result.append(number)
-    return result

@@ -17,8 +17,11 @@ import numpy as np
 
 from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.beams.geometry import LEFT_TOP, RIGHT_TOP, BeamGeometry
+from freecad_ortho.fabrication.systems.panels.corners import Corners, uncut
+from freecad_ortho.fabrication.systems.panels.hubs import Stands, corner_cuts, lift_over
+from freecad_ortho.fabrication.systems.panels.planes import Planes
 from solver.errors import InputError
-from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # Sine of a corner's exterior angle below which its two sides count as one line.
@@ -30,24 +33,35 @@ class PanelGeometry:
     """All panels of a mesh as arrays, one row a face; mm.
 
     Attributes:
-        points: (F, 8, 3) lower corners, then upper corners, counter-clockwise from above.
         origin: (F, 3) where the lower left corner of the flat pattern's box is.
-        frame: (F, 3, 3) rows along the first side, across it, normal.
-        outline: (F, 4, 2) the plate to cut in its plane, the first side of the face along x.
+        planes: of the faces.
+        outline: (F, 4, 2) the plate to cut in its plane, the first side of the face along x,
+            before corners are cut off.
         upper: (F, 4, 2) outline of the upper side, less than the plate where bevels lean in.
+        lower: (F, 4, 2) outline of the lower side.
+        levels: (2, F) of the lower and upper side above the planes.
+        corners: lines that cut corners off.
         sides: (F, 4) how far each side moved inwards.
-        clear: (F, 4) gap that stays clear at the tightest level, inf at the boundary.
+        clear: (F, 4) width of the joint where it is tightest, inf at the boundary.
         lift: (F,) from the parallel mesh to the plate's lower face; 0 without beams.
+        over_hubs: (F,) true where that lifts the panel over hubs.
     """
 
-    points: FloatArray
     origin: FloatArray
-    frame: FloatArray
+    planes: Planes
     outline: FloatArray
     upper: FloatArray
+    lower: FloatArray
+    levels: FloatArray
+    corners: Corners
     sides: FloatArray
     clear: FloatArray
     lift: FloatArray
+    over_hubs: BoolArray
+
+    def lower_edges(self) -> FloatArray:
+        """(F, 4, 2, 3) ends of the lower edges, in the site's mesh."""
+        return self.planes.in_space(self.corners.trimmed(self.lower), self.levels[0])
 
 
 def panel_geometry(
@@ -56,6 +70,7 @@ def panel_geometry(
     gap: float,
     beams: BeamGeometry | None = None,
     inward: FloatArray | None = None,
+    stands: Stands | None = None,
 ) -> PanelGeometry:
     """Compute the corners of all panels.
 
@@ -66,65 +81,103 @@ def panel_geometry(
         beams: when given, panels lie on them, lifted until no beam's upper side cuts a panel.
         inward: (F, 4, 3) normals of the planes that bevelled sides are parallel to, into the face;
             without it sides are square.
+        stands: hubs that the panels stay clear of. Panels on beams whose cut corners would leave
+            nothing of a side are lifted over them.
 
     Raises:
-        InputError: a face that the gap leaves nothing of.
+        InputError: a face that the gap or the hubs leave nothing of.
     """
-    corner = mesh.vertices[mesh.faces]
-    middle = corner.mean(axis=1)
-    normal = mesh.face_normals
-    side = np.roll(corner, -1, axis=1) - corner
-    first = unit_rows(side[:, 0] - np.einsum("fk,fk->f", side[:, 0], normal)[:, None] * normal)
-    second = np.cross(normal, first)
-    frame = np.stack([first, second, normal], axis=1)
-    flat = np.einsum("fck,fdk->fcd", corner - middle[:, None], frame[:, :2])
-
-    thickness = levels[1] - levels[0]
-    lower = np.full(len(corner), levels[0])
-    lift = np.zeros(len(corner))
+    planes, thickness = Planes.of(mesh), levels[1] - levels[0]
+    lift = np.zeros(len(mesh.faces))
+    over_hubs = np.zeros(len(mesh.faces), dtype=bool)
     if beams is not None:
-        lift = _lift(mesh.connectivity, beams, middle, normal)
-        lower = lift
-    upper = lower + thickness
-    if inward is None:
-        sides, clear = _square_sides(mesh.connectivity, normal, side, (lower, upper), gap)
-        rings = [inset(flat, sides)] * 2
-        outline = rings[0]
-    else:
-        by_level = [_bevelled_sides(frame, inward, level, gap) for level in (lower, upper)]
-        rings = [inset(flat, sides) for sides in by_level]
-        sides = np.minimum(*by_level)
-        outline = inset(flat, sides)
-        clear = np.full(sides.shape, gap)
+        lift = _lift(mesh.connectivity, beams, planes)
+        if stands is not None:
+            over_hubs |= not stands.cut
+            if stands.cut:
+                both = np.stack([lift, lift + thickness])
+                rings = _rings(mesh, planes, both, gap, inward)
+                over_hubs = corner_cuts(planes, both, stands).through(*rings).gone(*rings)
+            lift = np.where(over_hubs, np.maximum(lift, lift_over(planes, stands.hubs)), lift)
+    lower = np.full(len(lift), levels[0]) if beams is None else lift
+    both = np.stack([lower, lower + thickness])
+    rings = _rings(mesh, planes, both, gap, inward)
     for ring in rings:
-        _refuse_gap(gap, thickness, flat, ring)
-    points = np.concatenate(
-        [
-            middle[:, None]
-            + np.einsum("fcd,fdk->fck", ring, frame[:, :2])
-            + (level[:, None] * normal)[:, None]
-            for ring, level in zip(rings, (lower, upper), strict=True)
-        ],
-        axis=1,
-    )
+        _refuse_gap(gap, thickness, planes.flat, ring)
+    lines = uncut(len(lift))
+    if stands is not None:
+        lines = corner_cuts(planes, both, stands).spared(over_hubs).through(*rings)
+    lines.refuse_meeting(*rings)
+    outline = rings[0] if inward is None else _wider(*rings, planes.flat)
     low = np.concatenate([outline.min(axis=1), lower[:, None]], axis=1)
-    origin = middle + np.einsum("fd,fdk->fk", low, frame)
-    return PanelGeometry(points, origin, frame, outline, rings[1], sides, clear, lift)
+    origin = planes.middle + np.einsum("fd,fdk->fk", low, planes.frame)
+    solid = [
+        planes.in_space(lines.trimmed(ring), level) for ring, level in zip(rings, both, strict=True)
+    ]
+    return PanelGeometry(
+        origin,
+        planes,
+        outline,
+        rings[1],
+        rings[0],
+        both,
+        lines,
+        _distances(planes.flat, outline),
+        joint_widths(mesh.connectivity, np.concatenate(solid, axis=2)),
+        lift,
+        over_hubs,
+    )
 
 
-def _square_sides(
-    connectivity: Connectivity,
-    normal: FloatArray,
-    side: FloatArray,
-    levels: tuple[FloatArray, FloatArray],
-    gap: float,
-) -> tuple[FloatArray, FloatArray]:
-    """How far square sides move inwards, and the gap that stays clear, (F, 4) each."""
-    bend = half_angle_tangents(connectivity, normal, side)
+def _rings(
+    mesh: QuadMesh, planes: Planes, levels: FloatArray, gap: float, inward: FloatArray | None
+) -> list[FloatArray]:
+    """Outlines (F, 4, 2) of the lower and upper side of the panels at levels (2, F)."""
+    if inward is None:
+        return [inset(planes.flat, _square_sides(mesh, levels, gap))] * 2
+    return [
+        inset(planes.flat, _bevelled_sides(planes.frame, inward, level, gap)) for level in levels
+    ]
+
+
+def _wider(one: FloatArray, other: FloatArray, flat: FloatArray) -> FloatArray:
+    """Outlines (F, 4, 2) that hold two others with parallel sides."""
+    return inset(flat, np.minimum(_distances(flat, one), _distances(flat, other)))
+
+
+def _distances(flat: FloatArray, ring: FloatArray) -> FloatArray:
+    """(F, 4) how far the sides of an outline lie inwards of the face's."""
+    along = unit_rows(np.roll(flat, -1, axis=1) - flat)
+    arms = ring - flat
+    return np.asarray(along[..., 0] * arms[..., 1] - along[..., 1] * arms[..., 0])
+
+
+def joint_widths(connectivity: Connectivity, sides: FloatArray) -> FloatArray:
+    """(F, 4) how far the sides of neighbouring plates (F, 4, 4, 3) are apart, inf at the boundary.
+
+    Measured square to the plane midway between the two sides, between their nearest corners: what
+    stays clear whatever the lift and the angle of the plates.
+    """
+    start, end, high_start = sides[:, :, 0], sides[:, :, 1], sides[:, :, 2]
+    outward = unit_rows(np.cross(end - start, high_start - start))
+    twins = np.where(connectivity.twins >= 0, connectivity.twins, 0)
+    other = sides.reshape(-1, 4, 3)[twins].reshape(sides.shape)
+    across = outward - outward.reshape(-1, 3)[twins].reshape(outward.shape)
+    across /= np.maximum(np.linalg.norm(across, axis=2, keepdims=True), 1e-12)
+    near = np.einsum("fsek,fsk->fse", sides, across).max(axis=2)
+    far = np.einsum("fsek,fsk->fse", other, across).min(axis=2)
+    inside = connectivity.twins.reshape(near.shape) >= 0
+    return np.where(inside, far - near, np.inf)
+
+
+def _square_sides(mesh: QuadMesh, levels: FloatArray, gap: float) -> FloatArray:
+    """(F, 4) how far square sides move inwards, so that half of the gap stays clear."""
+    corner = mesh.vertices[mesh.faces]
+    side = np.roll(corner, -1, axis=1) - corner
+    bend = half_angle_tangents(mesh.connectivity, mesh.face_normals, side)
     closing = np.max([-level[:, None] * bend for level in levels] + [0 * bend], axis=0)
-    sides = np.maximum(gap / 2, closing + gap / 4)
-    sides = np.where(np.isnan(bend), gap / 2, sides)
-    return sides, np.where(np.isnan(bend), np.inf, 2 * (sides - closing))
+    sides = np.maximum(gap / 2, closing + gap / 4 * np.hypot(1.0, bend))
+    return np.asarray(np.where(np.isnan(bend), gap / 2, sides))
 
 
 def _bevelled_sides(
@@ -154,18 +207,16 @@ def half_angle_tangents(
     return np.where(across >= 0, tangent, np.nan)
 
 
-def _lift(
-    connectivity: Connectivity, beams: BeamGeometry, middle: FloatArray, normal: FloatArray
-) -> FloatArray:
+def _lift(connectivity: Connectivity, beams: BeamGeometry, planes: Planes) -> FloatArray:
     """(F,) how far the beams' upper sides stand above each face of the parallel mesh."""
     on_left = connectivity.edge_faces[connectivity.face_edges, 0]
-    on_left = on_left == np.arange(len(middle))[:, None]
+    on_left = on_left == np.arange(len(on_left))[:, None]
     top = np.where(
         on_left[:, :, None, None],
         beams.points[:, LEFT_TOP][connectivity.face_edges],
         beams.points[:, RIGHT_TOP][connectivity.face_edges],
     )
-    above = np.einsum("fcpk,fk->fcp", top - middle[:, None, None], normal)
+    above = np.einsum("fcpk,fk->fcp", top - planes.middle[:, None, None], planes.frame[:, 2])
     return np.maximum(above.max(axis=(1, 2)), 0.0)
 
 

@@ -8,14 +8,14 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
-from freecad_ortho.fabrication.systems.panels.geometry import (
-    PanelGeometry,
-    panel_geometry,
-)
+from freecad_ortho.fabrication.systems.panels.bearing import bearings, least_bearing
+from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, panel_geometry
+from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.option import Option
@@ -24,6 +24,7 @@ from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 EDGES = ("square", "bevel")
+AT_HUBS = ("cut", "lift")
 
 # Distance between diagonals above which a face is visibly not planar, mm.
 _GAP_WORTH_SAYING = 0.1
@@ -41,6 +42,9 @@ class Panels(System):
         offset: along the face normal the panels occupy ``[0, thickness]`` (above), half to each
             side (centre) or ``[-thickness, 0]`` (below); with beams they lie on top instead.
         edge: "square" to the panel, or "bevel": parallel to the beams, towards the node axes.
+        at_hubs: "cut" corners of panels off beside hubs, or "lift" panels over them; without beams
+            corners are cut off whatever it says.
+        clearance: between hubs and corners that are cut off beside them, mm.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown offset.
@@ -50,6 +54,8 @@ class Panels(System):
     gap: float
     offset: str = "centre"
     edge: str = "square"
+    at_hubs: str = "cut"
+    clearance: float = 1.0
 
     name: ClassVar[str] = "panels"
     options: ClassVar[tuple[Option, ...]] = (
@@ -60,7 +66,7 @@ class Panels(System):
             "length",
             "the panels are this thick, by default as thick as the plates",
         ),
-        Option("gap", 10.0, "length", "the joint between two panels is this wide"),
+        Option("gap", 8.0, "length", "the joint between two panels is this wide"),
         Option(
             "offset",
             "centre",
@@ -75,6 +81,14 @@ class Panels(System):
             "the sides of the panels are square, or bevelled along the beams",
             EDGES,
         ),
+        Option(
+            "at_hubs",
+            "cut",
+            "choice",
+            "the panels' corners are cut off beside hubs, or the panels lifted over them",
+            AT_HUBS,
+        ),
+        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
     )
 
     def __post_init__(self) -> None:
@@ -83,13 +97,18 @@ class Panels(System):
         check_offset(self.offset)
         if self.edge not in EDGES:
             raise InputError(f"panel edge: expected one of {', '.join(EDGES)}, got '{self.edge}'")
+        if self.at_hubs not in AT_HUBS:
+            raise InputError(f"at hubs: expected one of {', '.join(AT_HUBS)}, got '{self.at_hubs}'")
+        if not 0 <= self.clearance < float("inf"):
+            raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Panels:
         """Make the settings from options; panels are as thick as the beams unless told."""
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
-        return cls(plate, values["gap"], values["offset"], values["panel_edge"])
+        names = ("gap", "offset", "panel_edge", "at_hubs", "clearance")
+        return cls(plate, *(values[name] for name in names))
 
     @property
     def levels(self) -> tuple[float, float]:
@@ -97,21 +116,29 @@ class Panels(System):
         return offset_levels(self.offset, self.thickness)
 
     def build(self, site: Site) -> SystemParts:
-        """Work out the panels, on the beams where there are some.
+        """Work out the panels, on the beams and clear of the hubs where there are some.
 
         Raises:
-            InputError: a face that the gap leaves nothing of.
+            InputError: a face that the gap or the hubs leave nothing of.
         """
         mesh, beams = site.mesh, None
         if "beams" in site.done:
             beams = site.done["beams"].geometry
             mesh = mesh.with_vertices(mesh.vertices + beams.levels[1] * site.axes.offsets)
         inward = _inward(site) if self.edge == "bevel" else None
-        geometry = panel_geometry(mesh, self.levels, self.gap, beams, inward)
+        stands = None
+        if "nodes" in site.done:
+            cut = self.at_hubs == "cut" or beams is None
+            stands = Stands(site.done["nodes"].geometry, cut, self.clearance)
+        geometry = panel_geometry(mesh, self.levels, self.gap, beams, inward, stands)
+        widths = None
+        if beams is not None:
+            widths = bearings(mesh.connectivity, beams, geometry.lower_edges())
         gaps = diagonal_distances(site.mesh)
-        parts = panel_parts(site, geometry, self.thickness, gaps)
-        report = self._report(geometry, parts, beams is not None)
-        messages = _messages(report, float(gaps.max()))
+        least = None if widths is None else least_bearing(widths)
+        parts = panel_parts(site, geometry, self.thickness, gaps, least)
+        report = self._report(geometry, parts, least)
+        messages = _messages(report, float(gaps.max()), site.material)
         if beams is not None and _faces_down(site.mesh):
             messages += (
                 "panels: they lie under the beams, because the upper side of the net faces down; "
@@ -120,8 +147,9 @@ class Panels(System):
         return SystemParts(parts, report, messages, geometry)
 
     def _report(
-        self, geometry: PanelGeometry, parts: tuple[Part, ...], on_beams: bool
+        self, geometry: PanelGeometry, parts: tuple[Part, ...], bearing: FloatArray | None
     ) -> dict[str, Any]:
+        on_beams = bearing is not None
         clear = float(geometry.clear.min())
         return {
             "thickness_mm": self.thickness,
@@ -133,6 +161,9 @@ class Panels(System):
             if self.edge == "square"
             else 0,
             "lift_max_mm": float(geometry.lift.max()),
+            "corners_cut": int(geometry.corners.cut.sum()),
+            "lifted_over_hubs": int(geometry.over_hubs.sum()),
+            "bearing_min_mm": None if bearing is None else float(bearing.min()),
             **sums(parts),
         }
 
@@ -151,8 +182,20 @@ def _inward(site: Site) -> FloatArray:
     return np.where(on_left[:, :, None], left, -left)
 
 
-def _messages(report: dict[str, Any], gap: float) -> tuple[str, ...]:
+def _messages(report: dict[str, Any], gap: float, material: Material) -> tuple[str, ...]:
     messages = []
+    bearing = report["bearing_min_mm"]
+    if bearing is not None and bearing < material.bearing:
+        messages.append(
+            f"panels: they bear on the beams by {bearing:.3g} mm at the narrowest, "
+            f"{material.name} needs {material.bearing:g} mm; take a smaller gap, thicker beams or "
+            "a section with flanges"
+        )
+    if report["corners_cut"] and report["lifted_over_hubs"]:
+        messages.append(
+            f"panels: {report['lifted_over_hubs']} are lifted over hubs, as corners cut off beside "
+            "them would leave nothing of a side"
+        )
     if report["sides_shrunk_more"]:
         messages.append(
             f"panels: {report['sides_shrunk_more']} sides shrunk by more than half the gap, "

@@ -8,7 +8,7 @@ al. (2021), Using isometries for computational design and fabrication.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -56,6 +56,10 @@ class Patches(System):
     distortion: float = 1.0
 
     name: ClassVar[str] = "patches"
+    excludes: ClassVar[Mapping[str, str]] = {
+        "nodes": "cannot be built together: the sheets run over the nodes; take panels, or leave "
+        "the nodes out"
+    }
     options: ClassVar[tuple[Option, ...]] = (
         Option("thickness", 3.0, "length", "the plates are this thick"),
         Option("gap", 10.0, "length", "the joint between two patches is this wide"),

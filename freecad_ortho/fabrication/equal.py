@@ -1,0 +1,150 @@
+"""Which parts are equal: their solids can be laid on each other, with holes, folds and marks.
+
+A part may be turned, but a plate is not flipped over: its marks are on one side. Only the words on
+it, which name its neighbours, may differ. Every member of a group is within the tolerance of the
+group's first member, so groups do not creep.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from freecad_ortho.fabrication.part import Part
+from solver.mesh.quadmesh import FloatArray
+
+# Distance, mm, within which all corners, holes and lines of equal parts lie.
+TOLERANCE_MM = 0.5
+# Half turns about the axes of a part's own coordinates, and none.
+_HALF_TURNS = [np.diag(signs) for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))]
+
+
+def equal_groups(parts: Sequence[Part]) -> list[list[int]]:
+    """Groups of numbers of equal parts, each with the first of them at its head."""
+    forms = [_Form(part) for part in parts]
+    kinds: dict[tuple[str, str], int] = {}
+    rows = [
+        # The distances move by at most twice as far as corners do.
+        [*form.distances, 1e4 * kinds.setdefault((part.kind, part.material.name), len(kinds))]
+        + [1e4 * len(form.points), 1e3 * part.thickness]
+        for part, form in zip(parts, forms, strict=True)
+    ]
+    return grouped(
+        np.array(rows, dtype=float).reshape(-1, 6),
+        2 * TOLERANCE_MM,
+        lambda i, j: forms[i].coincides(forms[j]),
+    )
+
+
+def grouped(
+    rows: FloatArray, reach: float, same: Callable[[int, int], bool] | None = None
+) -> list[list[int]]:
+    """Groups of rows: the first free row leads all free ones within reach that are the same."""
+    if not len(rows):
+        return []
+    tree = cKDTree(rows)
+    free = np.ones(len(rows), dtype=bool)
+    groups = []
+    for leader in range(len(rows)):
+        if not free[leader]:
+            continue
+        near = np.array(tree.query_ball_point(rows[leader], reach, p=np.inf))
+        others = np.sort(near[free[near] & (near > leader)]).tolist()
+        group = [leader] + [k for k in others if same is None or same(leader, k)]
+        free[group] = False
+        groups.append(group)
+    return groups
+
+
+class _Form:
+    """What must coincide, as points in a part's own coordinates about its middle.
+
+    Attributes:
+        points: (N, 4) corners of the body, ends of lines, middles of holes; what each of them is
+            in the last column, so that only its like is near.
+        ring: (M,) corners of the flat pattern as complex numbers, None without one.
+        body: (K, 3) corners of the body.
+    """
+
+    def __init__(self, part: Part) -> None:
+        pattern, body = part.pattern, part.body.points
+        rows = [np.column_stack([body, np.zeros(len(body))])]
+        middle, self.ring = body.mean(axis=0), None
+        if pattern is not None:
+            middle = np.array([*pattern.outline.mean(axis=0), 0.0])
+            self.ring = (pattern.outline - middle[:2]) @ np.array([1, 1j])
+            flat = [(cut, 1.0) for cut in pattern.cutouts]
+            flat += [(bend.points, 2.0) for bend in pattern.bends]
+            lines = [mark for mark in pattern.marks if not mark.text]
+            flat += [(line.points, 3.0) for line in lines]
+            flat += [(hole.centre[None], 10 + hole.diameter) for hole in pattern.holes]
+            for points, what in flat:
+                marked = np.array([0.0, 1e3 * what])
+                rows.append(np.column_stack([points, np.tile(marked, (len(points), 1))]))
+        self.points = np.concatenate(rows) - [*middle, 0.0]
+        self.body = body - middle
+
+    @property
+    def distances(self) -> tuple[float, float, float]:
+        """Least, mean and largest distance of the body's corners from their middle, mm."""
+        away = np.linalg.norm(self.body - self.body.mean(axis=0), axis=1)
+        return float(away.min()), float(away.mean()), float(away.max())
+
+    @cached_property
+    def _tree(self) -> cKDTree:
+        return cKDTree(self.points)
+
+    def coincides(self, other: _Form) -> bool:
+        """Tell whether this form can be laid on another of as many points."""
+        return any(self._lies_on(other, turn) for turn in self._turns(other))
+
+    def _lies_on(self, other: _Form, turn: FloatArray) -> bool:
+        """Tell whether it does, turned by this rotation (3, 3) that takes rows."""
+        moved = np.column_stack([self.points[:, :3] @ turn, self.points[:, 3]])
+        if other._tree.query(moved, distance_upper_bound=TOLERANCE_MM)[0].max() > TOLERANCE_MM:
+            return False
+        return bool(cKDTree(moved).query(other.points)[0].max() <= TOLERANCE_MM)
+
+    def _turns(self, other: _Form) -> Iterator[FloatArray]:
+        """Rotations that may lay it on the other."""
+        if self.ring is not None and other.ring is not None:
+            yield from _plane_turns(self.ring, other.ring)
+        elif self.ring is other.ring:
+            yield from _HALF_TURNS
+            yield from self._turns_about_axis(other)
+
+    def _turns_about_axis(self, other: _Form) -> Iterator[FloatArray]:
+        """Turns about z that bring its outermost corner near to one of the other's."""
+        mine, others = (form.body[:, :2] @ np.array([1, 1j]) for form in (self, other))
+        far = int(np.abs(mine).argmax())
+        near = np.abs(np.abs(others) - np.abs(mine[far])) <= 2 * TOLERANCE_MM
+        near &= np.abs(other.body[:, 2] - self.body[far, 2]) <= 2 * TOLERANCE_MM
+        for place in others[near]:
+            turn = _about_z(np.angle(place / mine[far]))
+            # The nearest corners say more exactly how far it is to be turned.
+            moved = self.body @ turn
+            nearest = others[cKDTree(other.body).query(moved)[1]]
+            rest = np.angle((nearest * (moved[:, :2] @ np.array([1, -1j]))).sum())
+            yield turn @ _about_z(rest)
+
+
+def _plane_turns(one: FloatArray, other: FloatArray) -> Iterator[FloatArray]:
+    """Turns that lay the corners of an outline on those of another, in their order."""
+    count = len(one)
+    if count != len(other):
+        return
+    shifted = other[(np.arange(count)[:, None] + np.arange(count)) % count]
+    turn = shifted @ one.conj()
+    turn /= np.maximum(np.abs(turn), np.finfo(float).tiny)
+    miss = np.abs(shifted - turn[:, None] * one).max(axis=1)
+    for fitting in turn[miss <= TOLERANCE_MM]:
+        yield _about_z(float(np.angle(fitting)))
+
+
+def _about_z(angle: float) -> FloatArray:
+    """(3, 3) turns rows counter-clockwise."""
+    cosine, sine = np.cos(angle), np.sin(angle)
+    return np.array([[cosine, sine, 0.0], [-sine, cosine, 0.0], [0.0, 0.0, 1.0]])
