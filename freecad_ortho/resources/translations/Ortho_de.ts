@@ -25,6 +25,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At hubs: the panels' corners are cut off beside hubs, or the panels lifted over them</source>
+   <translation>An Naben: neben Naben sind die Ecken der Platten abgeschnitten, oder die Platten über sie gehoben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
   </message>
@@ -487,6 +492,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Node: the beams are joined by hubs or sockets</source>
    <translation>Knoten: die Träger sind durch Naben oder Hülsen verbunden</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Nodes whose hubs the panels stay clear of</source>
+   <translation>Knoten, von deren Naben die Platten Abstand halten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1190,6 +1200,11 @@
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>At</source>
    <translation>Bei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At hubs</source>
+   <translation>An Naben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3311,6 +3326,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>cut</source>
+   <translation>abschneiden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>cylinder</source>
    <translation>Zylinder</translation>
   </message>
@@ -3508,6 +3528,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>lift</source>
+   <translation>anheben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3903,6 +3928,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the panels are this thick, by default as thick as the plates</source>
    <translation>die Platten sind so dick, ohne Angabe so dick wie die Bleche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the panels' corners are cut off beside hubs, or the panels lifted over them</source>
+   <translation>neben Naben sind die Ecken der Platten abgeschnitten, oder die Platten über sie gehoben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

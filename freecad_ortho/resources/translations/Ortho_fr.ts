@@ -25,6 +25,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At hubs: the panels' corners are cut off beside hubs, or the panels lifted over them</source>
+   <translation>Aux moyeux : près des moyeux, les coins des panneaux sont coupés, ou les panneaux relevés par-dessus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
   </message>
@@ -487,6 +492,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Node: the beams are joined by hubs or sockets</source>
    <translation>Nœud : les poutres sont reliées par des moyeux ou des douilles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Nodes whose hubs the panels stay clear of</source>
+   <translation>Nœuds dont les panneaux évitent les moyeux</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1190,6 +1200,11 @@
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>At</source>
    <translation>À</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At hubs</source>
+   <translation>Aux moyeux</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3311,6 +3326,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>cut</source>
+   <translation>couper</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>cylinder</source>
    <translation>cylindre</translation>
   </message>
@@ -3508,6 +3528,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>lift</source>
+   <translation>relever</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3903,6 +3928,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the panels are this thick, by default as thick as the plates</source>
    <translation>les panneaux ont cette épaisseur, par défaut celle des plats</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the panels' corners are cut off beside hubs, or the panels lifted over them</source>
+   <translation>près des moyeux, les coins des panneaux sont coupés, ou les panneaux relevés par-dessus</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
