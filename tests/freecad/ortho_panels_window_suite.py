@@ -96,7 +96,7 @@ class TestUnits(WindowCase):
         wait()
         height = tools.field("Height")
         self.assertEqual(height.text(), "200 mm")
-        self.assertEqual(tools.field("Thickness").text(), "12 mm")
+        self.assertEqual(tools.field("Thickness").text(), "20 mm")
         press("Ok")
         beams = net.Document.Beams
         self.assertEqual((beams.Height.Value, beams.Thickness.Value), (200.0, 12.0))
@@ -148,7 +148,7 @@ class TestSettings(WindowCase):
         return self.panel
 
     def test_every_structure_opens_its_own_and_changes_nothing_by_ok(self):
-        beams = api.add_beams(self.net, height=150.0)
+        beams = api.add_structure(self.net, "beams", height=150.0, ends="hub")
         made = {
             "beams": beams,
             "panels": api.add_panels(self.net, beams=beams),
