@@ -99,7 +99,7 @@ class TestUnits(WindowCase):
         self.assertEqual(tools.field("Thickness").text(), "20 mm")
         press("Ok")
         beams = net.Document.Beams
-        self.assertEqual((beams.Height.Value, beams.Thickness.Value), (200.0, 12.0))
+        self.assertEqual((beams.Height.Value, beams.Thickness.Value), (200.0, 20.0))
         FreeCADGui.runCommand("Ortho_FlatPatterns")
         wait()
         press("Ok")
