@@ -23,7 +23,7 @@ from freecad_ortho.fabrication import (
     write,
 )
 from freecad_ortho.fabrication.dxf import LAYERS, row_layout, write_dxf
-from freecad_ortho.fabrication.pattern import FlatPattern, Mark, polygon_area
+from freecad_ortho.fabrication.pattern import Bevel, FlatPattern, polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.tables import COLUMNS
@@ -144,21 +144,22 @@ def test_texts_lie_inside_and_names_are_right(structure, drawing):
             assert depth(text_box(text), part.pattern.outline) > 0, part.name
 
 
-def test_lines_on_the_far_side_are_dashed_and_no_others(tmp_path):
-    ends = {True: [[10.0, 10.0], [90.0, 10.0]], False: [[10.0, 30.0], [90.0, 30.0]]}
-    marks = tuple(Mark(np.array(points), hidden=hidden) for hidden, points in ends.items())
+def test_bevels_on_the_far_side_are_dashed_and_no_others(tmp_path):
+    ends = {-5.0: [[10.0, 10.0], [90.0, 10.0]], 5.0: [[10.0, 30.0], [90.0, 30.0]]}
+    bevels = tuple(Bevel(np.array(points), angle) for angle, points in ends.items())
     outline = np.array([[0.0, 0.0], [100.0, 0.0], [100.0, 50.0], [0.0, 50.0]])
-    write_dxf(tmp_path / "p.dxf", {"P1": FlatPattern(outline, marks, np.array([50.0, 20.0]), 5.0)})
+    pattern = FlatPattern(outline, (), np.array([50.0, 20.0]), 5.0, bevels=bevels)
+    write_dxf(tmp_path / "p.dxf", {"P1": pattern})
     lines = [
         line
         for block in ezdxf.readfile(tmp_path / "p.dxf").blocks
-        for line in block.query("LINE[layer=='ENGRAVE']")
+        for line in block.query("LINE[layer=='BEVEL']")
     ]
     drawn = {
         line.dxf.linetype == "FAR_SIDE": [[*line.dxf.start][:2], [*line.dxf.end][:2]]
         for line in lines
     }
-    assert drawn == ends and len(lines) == 2
+    assert drawn == {True: ends[-5.0], False: ends[5.0]} and len(lines) == 2
 
 
 def test_label_and_marks_do_not_cover_each_other(structure, drawing):
