@@ -186,7 +186,7 @@ class TestCommands(WorkbenchCase):
         FreeCADGui.runCommand("Ortho_Beams")
         wait()
         spin = FreeCADGui.getMainWindow().findChildren(QtGui.QAbstractSpinBox)
-        field = next(s for s in spin if s.isVisible() and s.property("rawValue") == 12.0)
+        field = next(s for s in spin if s.isVisible() and s.property("rawValue") == 20.0)
         field.setProperty("rawValue", 1e5)
         press("Ok")
         self.assertIn("thickness", self.errors.pop())
