@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -32,6 +33,9 @@ from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.spans import Drilled, span_body
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
+
+if TYPE_CHECKING:
+    import shapely
 
 # Length of the marks at crossings, in widths.
 _TICK = 0.3
@@ -236,10 +240,13 @@ def _pattern(made: Cut) -> FlatPattern:
 
 def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArray) -> list[Mark]:
     """A tick and the other's name at each crossing, beside it on the side that stays whole."""
+    import shapely
+
     ribbon = made.lamella.ribbon
     strip = ribbon.strip
     level = 0.5 * (ribbon.lower + ribbon.upper)
     marks = []
+    plate = shapely.make_valid(shapely.Polygon(made.outline))
     for crossing in made.crossings:
         station = crossing.station
         slot = crossing.slot
@@ -266,10 +273,19 @@ def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArr
         place = strip.flat_points[station] + text_room * ahead + up * across
         angle = float(np.degrees(np.arctan2(*(ahead @ turn)[::-1])))
         marks += [
-            Mark(placed(tick)),
+            *(Mark(placed(piece)) for piece in _inside(tick, plate)),
             Mark(placed(place[None]), crossing.other, size, angle),
         ]
     return marks
+
+
+def _inside(line: FloatArray, plate: shapely.Geometry) -> list[FloatArray]:
+    """The longest part of a line that lies on a plate; none where it is off it."""
+    import shapely
+
+    cut = shapely.LineString(line).intersection(plate)
+    pieces = [piece for piece in shapely.get_parts(cut) if piece.length > 0]
+    return [np.array(max(pieces, key=lambda piece: piece.length).coords)] if pieces else []
 
 
 def _label(made: Cut) -> tuple[FloatArray, float, FloatArray]:
