@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -31,7 +31,7 @@ from freecad_ortho.fabrication.systems.lamellas.splice_parts import splice_part
 from freecad_ortho.fabrication.systems.lamellas.splices import Splice, pieces_of
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
-from solver.mesh.lines import ParameterLine
+from solver.mesh.lines import ParameterLine, ParameterLines
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,9 @@ class Lamellas(LamellaSettings, System):
                 width, slots or holes that do not fit.
         """
         pattern = pattern_of(site, self)
+        if pattern.kind == "arc":
+            # At the border a CMC net asks nothing: a line that runs on there is no arc any more.
+            site = replace(site, lines=ParameterLines(site.mesh.connectivity))
         lines = [line for line in site.chosen_lines if len(line.vertices) > 1]
         if self.layers == 2 and any(not line.family for line in lines):
             raise InputError(
