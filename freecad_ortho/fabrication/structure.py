@@ -192,7 +192,7 @@ class Structure:
             return [f"coordinates in files are measured from {shown} mm, which is near the net"]
         return [
             "the net is far from the origin, and coordinates in files are those of the model: a "
-            "CAD kernel may call solids invalid there, which are whole near it ('--origin local')"
+            "CAD kernel may call solids invalid there, which are whole near it; take a local origin"
         ]
 
     def _verdict(self) -> dict[str, Any]:
