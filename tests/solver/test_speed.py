@@ -6,6 +6,8 @@ import time
 
 import numpy as np
 import pytest
+from scipy import sparse
+from scipy.sparse.linalg import splu
 
 from solver import NetOptions, start_optimisation
 from solver.nets import RECIPES
@@ -53,8 +55,23 @@ def test_time_grows_slowly_with_the_mesh(monkeypatch):
     assert np.log(large / small) / np.log(10_000 / 1_024) <= 1.55
 
 
+def laplacian_seconds(side=100, repeats=8):
+    """Fastest factorisation of the five-point Laplacian of a grid: how fast this machine is now."""
+    line = sparse.diags([-1.0, 2.1, -1.0], [-1, 0, 1], shape=(side, side))
+    matrix = sparse.csc_matrix(sparse.kronsum(line, line))
+    fastest = np.inf
+    for _ in range(repeats):
+        begin = time.process_time()
+        splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
+        fastest = min(fastest, time.process_time() - begin)
+    return fastest
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(("net", "wanted"), [("principal", 30), ("cmc", 20), ("stress", 20)])
-def test_steps_a_second(monkeypatch, net, wanted):
+@pytest.mark.parametrize(("net", "most"), [("principal", 3), ("cmc", 3), ("stress", 5)])
+def test_a_step_costs_few_factorisations_of_a_laplacian(monkeypatch, net, most):
+    # Measured 1.1 to 1.9, 1.6 to 2.0 and 2.0 to 3.2, while the machine itself varied by two.
+    yardsticks = [laplacian_seconds()]
     step, _, _ = times(monkeypatch, wavy_grid(39, 39), net)
-    assert 1 / step >= wanted
+    yardsticks.append(laplacian_seconds())
+    assert step <= most * max(yardsticks)
