@@ -135,10 +135,13 @@ def _fill_title_block(
     names = [name for name, _ in drawings.names_on(feature, sheet)]
     structures = ", ".join(item.Label for item in feature.Structures)
     document = feature.Document
+    scale = f"1 : {to_one:g}"
+    # A page has one of the two fields of the scale: the second since FreeCAD 1.1.
     known = {
         "FC-Title": document.Label,
         "Subtitle": f"{structures}: {_first_to_last(names)}",
-        "FC-Scale": f"1 : {to_one:g}",
+        "FC-Scale": scale,
+        "scale": scale,
         "SheetNumber": f"{sheet or 1} / {max(feature.SheetCount, 1) if sheet else 1}",
         "CreationDate": datetime.date.today().isoformat(),
         "AuthorName": document.CreatedBy,

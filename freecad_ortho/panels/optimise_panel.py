@@ -20,6 +20,7 @@ from freecad_ortho.panels.net_choice import NetChoice
 from freecad_ortho.panels.net_words import remark_words
 from freecad_ortho.panels.residual_plot import ResidualPlot
 from freecad_ortho.panels.run import Run
+from freecad_ortho.panels.sight import bring_into_sight
 from freecad_ortho.panels.watch import NetWatch, cover, uncover
 from freecad_ortho.resources import icon
 
@@ -184,6 +185,8 @@ class OptimisePanel:
         else:
             self._say(error)
         self._show_state()
+        # On a small screen the panel shows fewer lines than what was asked for takes.
+        bring_into_sight(self.plot, self.message)
 
     def _commit(self) -> None:
         settings = dict(self._settings)

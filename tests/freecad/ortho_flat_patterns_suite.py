@@ -129,7 +129,7 @@ class TestDrawing(FlatCase):
             fields = page.Template.EditableTexts
             self.assertEqual(fields["SheetNumber"], f"{number} / {flat.SheetCount}")
             self.assertIn(f"{shown[0]} to {shown[-1]}", fields["Subtitle"])
-            scale = float(fields["FC-Scale"].split(":")[1])
+            scale = float((fields.get("FC-Scale") or fields["scale"]).split(":")[1])
             self.assertLessEqual(2200 / scale, 420.0)
             self.assertGreater(2200 / scale, 100.0)
             # The parts' edges and the four of the sheet, nothing of the next sheet.

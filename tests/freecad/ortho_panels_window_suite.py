@@ -95,6 +95,7 @@ class TestUnits(WindowCase):
         FreeCADGui.runCommand("Ortho_Beams")
         wait()
         height = tools.field("Height")
+        wait(lambda: height.text() == "200 mm", 5)
         self.assertEqual(height.text(), "200 mm")
         self.assertEqual(tools.field("Thickness").text(), "20 mm")
         press("Ok")

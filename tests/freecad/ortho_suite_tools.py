@@ -141,9 +141,17 @@ def field(label):
     import FreeCADGui
     from PySide import QtGui
 
-    for form in FreeCADGui.getMainWindow().findChildren(QtGui.QFormLayout):
-        for row in range(form.rowCount()):
-            item = form.itemAt(row, QtGui.QFormLayout.LabelRole)
-            if item and item.widget().isVisible() and item.widget().text() == label:
-                return form.itemAt(row, QtGui.QFormLayout.FieldRole).widget()
-    raise AssertionError(f"no field {label}")
+    found = []
+
+    def look():
+        for form in FreeCADGui.getMainWindow().findChildren(QtGui.QFormLayout):
+            for row in range(form.rowCount()):
+                item = form.itemAt(row, QtGui.QFormLayout.LabelRole)
+                if item and item.widget().isVisible() and item.widget().text() == label:
+                    found.append(form.itemAt(row, QtGui.QFormLayout.FieldRole).widget())
+        return found
+
+    # FreeCAD shows a panel a while after it was asked for it.
+    if not wait(look, 5):
+        raise AssertionError(f"no field {label}")
+    return found[0]

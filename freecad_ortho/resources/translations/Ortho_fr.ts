@@ -3487,12 +3487,12 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>insulating-glass-4-12-4-12-4</source>
-   <translation>vitrage isolant 4/12/4/12/4</translation>
+   <translation>vitrage 4/12/4/12/4</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>insulating-glass-6-16-6</source>
-   <translation>vitrage isolant 6/16/6</translation>
+   <translation>vitrage 6/16/6</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
