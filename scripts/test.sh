@@ -23,7 +23,8 @@ python="$venv/bin/python"
 check "ruff check" "$python" -m ruff check .
 check "ruff format" "$python" -m ruff format --check .
 check "mypy" "$python" -m mypy
-check "pytest" "$python" -m pytest "$@"
+# Tests of one file stay together: they share what is costly to make.
+check "pytest" "$python" -m pytest -n "$workers" --dist loadfile "$@"
 
 if [ ${#failed[@]} -gt 0 ]; then
   fail "failed: $(printf '%s, ' "${failed[@]}" | sed 's/, $//'); see above"

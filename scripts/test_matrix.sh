@@ -9,9 +9,10 @@ usage() {
 usage: bash scripts/test_matrix.sh [--required] [--only NAME]... [arguments for pytest]
 
 Runs tests/freecad, with and without a window, on FreeCAD 0.20 (Debian bookworm), 1.0 (trixie)
-and 1.1 (forky), and prints how long each suite took on each. This machine's own FreeCAD is tested
-in place and stands for its release; the others run in a Debian of their own that is built once
-and kept (scripts/debian_system.sh; root only).
+and 1.1 (forky), and prints how long each suite took on each; suites that take minutes run on the
+last of these only. This machine's own FreeCAD is tested in place and stands for its release; the
+others run in a Debian of their own that is built once and kept (scripts/debian_system.sh; root
+only).
 
   --required    fail where such a Debian cannot be had, instead of saying so and leaving it out
   --only NAME   here, bookworm, trixie or forky
@@ -46,15 +47,21 @@ if [ ${#only[@]} -eq 0 ]; then
 fi
 
 # The one thing that runs here and, copied along, in each of the other systems.
-one='bash scripts/setup.sh --dev && . .venv/ortho-paths.sh &&
-  .venv/bin/python -m pytest -q tests/freecad "$@"'
+one="bash scripts/setup.sh --dev && . .venv/ortho-paths.sh &&
+  .venv/bin/python -m pytest -q tests/freecad \
+    -n $workers --dist loadgroup --maxschedchunk 1"' "$@"'
 
+given=("$@")
 results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 failed=() absent=()
+newest=${only[${#only[@]} - 1]}
 for name in "${only[@]}"; do
   say "== FreeCAD suites: $name"
   code=0
+  chosen=()
+  if [ "$name" != "$newest" ]; then chosen=(-m "not long_suite"); fi
+  set -- ${chosen[@]+"${chosen[@]}"} ${given[@]+"${given[@]}"}
   if [ "$name" = here ]; then
     (cd "$root" && timeout "${minutes}m" bash -c "$one" bash --junitxml "$results/here.xml" "$@") ||
       code=$?

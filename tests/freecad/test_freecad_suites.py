@@ -23,10 +23,26 @@ WINDOW = os.environ.get("ORTHO_FREECAD") or shutil.which("freecad")
 SCREEN = shutil.which("xvfb-run")
 SECONDS = 300
 # Runs on a document that the headless suite saves, once with and once without the add-on.
-MISSING = "ortho_missing_suite"
+SAVING, MISSING = "ortho_headless_suite", "ortho_missing_suite"
+# These take a minute and more each, and what differs between versions of FreeCAD is met in the
+# others too: on several versions they run on one.
+LONG = {
+    "ortho_first_steps_window_suite",
+    "ortho_random_suite",
+    "ortho_story_window_suite",
+}
 SUITES = sorted(path.stem for path in FOLDER.glob("ortho_*_suite.py") if path.stem != MISSING)
 WINDOWED = [name for name in SUITES if name.endswith("_window_suite")]
 HEADLESS = [name for name in SUITES if name not in WINDOWED]
+
+
+def marked(suites):
+    """Suites as parameters, marked with what a run of them has to know."""
+    marks = {name: [pytest.mark.long_suite] for name in LONG}
+    # Where several run at once, what needs the saved document follows in the same process.
+    marks[SAVING] = [pytest.mark.xdist_group("saved document")]
+    return [pytest.param(name, marks=marks.get(name, [])) for name in suites]
+
 
 needs_console = pytest.mark.skipif(
     not CONSOLE, reason="FreeCAD is not installed: no freecadcmd, ORTHO_FREECADCMD not set"
@@ -120,7 +136,7 @@ def scratch(tmp_path_factory):
 
 
 @needs_console
-@pytest.mark.parametrize("suite", HEADLESS)
+@pytest.mark.parametrize("suite", marked(HEADLESS))
 def test_headless(run, suite):
     _, said = run([CONSOLE], suite)
     # FreeCAD reports each error state with a traceback; there must be no other.
@@ -130,6 +146,7 @@ def test_headless(run, suite):
 
 
 @needs_console
+@pytest.mark.xdist_group("saved document")
 @pytest.mark.parametrize("with_add_on", [True, False])
 def test_document_opens_where_something_is_missing(run, scratch, with_add_on):
     if not (scratch / "volume.txt").exists():
@@ -140,7 +157,7 @@ def test_document_opens_where_something_is_missing(run, scratch, with_add_on):
 
 @needs_window
 @pytest.mark.slow
-@pytest.mark.parametrize("suite", WINDOWED)
+@pytest.mark.parametrize("suite", marked(WINDOWED))
 def test_with_a_window(run, suite):
     _, said = run([SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW], suite)
     for word in ("Traceback", "Exception", "Error in"):
