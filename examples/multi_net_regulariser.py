@@ -13,7 +13,7 @@ import numpy as np
 from examples.demo_roof import demo_roof
 from solver import NetOptions, QuadMesh
 from solver.gauss_newton import Optimisation
-from solver.nets import RECIPES
+from solver.nets import NETS
 from solver.problem import Problem
 from solver.terms.fairness import Fairness
 from solver.terms.multi import multi_net
@@ -32,7 +32,7 @@ def rough_roof(amount: float = 0.1) -> tuple[QuadMesh, QuadMesh]:
 def orthogonal(mesh: QuadMesh, fairness: float = 0.0, multi: float = 0.0) -> QuadMesh:
     """Minimise E_ortho + fairness E_fair + multi E_multi, the weights set to zero in the end."""
     free = np.zeros(len(mesh.vertices), dtype=bool)
-    problem = RECIPES["orthogonal"](Problem("orthogonal", mesh, free), NetOptions())
+    problem = NETS["orthogonal"].recipe(Problem("orthogonal", mesh, free), NetOptions())
     problem.guide(multi_net(mesh.connectivity), multi)
     problem.guide(Fairness(mesh.connectivity.line_triples), fairness)
     return Optimisation(problem, accept_start=False).run().mesh

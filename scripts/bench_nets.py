@@ -22,7 +22,7 @@ from bench import ROOT, wavy_grid, write
 
 from solver import NetOptions, QuadMesh, Session, optimise, start_optimisation
 from solver.linear.backends import BACKENDS
-from solver.nets import RECIPES
+from solver.nets import NETS
 
 SIDE = 39  # 1,521 vertices
 STEPS, REPEATS = 12, 3
@@ -76,7 +76,7 @@ def net_table(backend: str) -> str:
         "| set-up in steps |",
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |",
     ]
-    for net in RECIPES:
+    for net in NETS:
         one = run_steps(mesh, net, backend)
         lines.append(
             f"| {net} | {one['variables']:,} | {one['constraints']:,} | {one['step_ms']:.1f} "

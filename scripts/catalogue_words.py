@@ -15,16 +15,22 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS
 from freecad_ortho.option import Option
 from freecad_ortho.sources import GROUPS, SOURCES
-from solver.analysis.fields import FIELDS
-from solver.nets import RECIPES
+from solver.analysis.fields import fields
+from solver.nets import NETS
+from solver.nets.options import OPTIONS
 
 _PANELS, _PROPERTIES = "Ortho", "App::Property"
 
 
 def words() -> Iterator[tuple[str, str]]:
     """Give pairs of context and word; some come twice."""
-    for names in (RECIPES, FIELDS, ("None",), MATERIALS, *GROUPS.values()):
+    for names in (NETS, fields(), ("None",), MATERIALS, *GROUPS.values()):
         yield from ((_PANELS, name) for name in names)
+    for net in NETS.values():
+        yield from ((_PANELS, words) for words in (net.title, net.gives))
+    for choice in OPTIONS.values():
+        yield _PROPERTIES, choice.sentence
+        yield from ((_PANELS, words) for words in (choice.label, *choice.shown.values()))
     for source in SOURCES.values():
         yield _PANELS, source.meaning
         for option in source.options:

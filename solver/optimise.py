@@ -14,7 +14,7 @@ from solver.errors import InputError
 from solver.gauss_newton import Optimisation
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
-from solver.nets import RECIPES
+from solver.nets import Net, net_named
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, fixed_vertices
@@ -37,7 +37,7 @@ def optimise(
 
     Args:
         mesh: the start, in any unit; it is not changed.
-        net: name of the recipe, see ``solver.nets.RECIPES``.
+        net: name of the recipe, see ``solver.nets.NETS``.
         callback: called after each step; returning True stops.
         settings: any of the keyword arguments of :func:`start_optimisation`.
 
@@ -72,13 +72,14 @@ def start_optimisation(
 
     Args:
         mesh: the start, in any unit; it is not changed.
-        net: name of the recipe, see ``solver.nets.RECIPES``.
+        net: name of the recipe, see ``solver.nets.NETS``.
         fairness: start weight of straight parameter lines, by default the recipe's.
         closeness: start weight of staying near the start.
         multi: start weight of orthogonality of neighbouring pairs of faces.
         isometry: start weight of faces keeping their shape, for sheets that only bend; by default
             none.
         fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
+            Where it is ``none``, what the net needs is held: the boundary of a stress net.
         tolerance: largest residual that counts as zero, dimensionless.
         max_steps: largest number of steps, over all attempts.
         backend: ``rslab`` or ``scipy``; by default the fastest installed.
@@ -88,8 +89,7 @@ def start_optimisation(
     Raises:
         InputError: a setting that cannot be used.
     """
-    if net not in RECIPES:
-        raise InputError(f"net: expected one of {', '.join(RECIPES)}, got '{net}'")
+    asked = net_named(net)
     if not math.isfinite(tolerance) or tolerance <= 0:
         raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
     if max_steps < 1:
@@ -111,13 +111,13 @@ def start_optimisation(
         reference = np.asarray(chosen.reference, dtype=np.float64)
         chosen = replace(chosen, reference=LocalOrigin.of(reference).near(reference))
     wanted = (constraints or Constraints()).about(origin)
-    fixed = fixed_vertices(mesh, fix)
-    held = _held(net, bool(fixed.any()), wanted)
+    fixed = fixed_vertices(mesh, fix, asked)
+    held = _held(asked, bool(fixed.any()), wanted)
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
     remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
 
-    plan = Plan(net, fixed, chosen, wanted, weights)
+    plan = Plan(asked, fixed, chosen, wanted, weights)
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     problems = plan.problems(mesh) if fairness is None else [plan.single(mesh)]
     original = next(problem for problem in problems if problem.mesh is mesh)
@@ -128,9 +128,9 @@ def start_optimisation(
     )
 
 
-def _held(net: str, fixed: bool, wanted: Constraints) -> list[str]:
+def _held(net: Net, fixed: bool, wanted: Constraints) -> list[str]:
     """What a user holds, in the words in which it was asked for."""
-    words = ["supports" if net == "stress" else "fixed vertices"] if fixed else []
+    words = [net.held] if fixed else []
     return [*words, "gliding vertices"] if wanted.glide else words
 
 

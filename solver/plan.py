@@ -10,7 +10,7 @@ import numpy as np
 from solver.mesh.bend import central_directions, doubly_curved, unbent
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
-from solver.nets import CONTINUED, DEVELOPABLE, GUARDED, RECIPES, RIGID, Stage
+from solver.nets import NETS, Easier, Net
 from solver.nets.constraints import Constraints, SurfaceGlide, add_constraints
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides
@@ -24,8 +24,6 @@ _GUARD = 0.1
 _SHEETS, _DOMES, _BENT = (0.3, 3.0), (30.0, 3.0, 0.3), (3.0, 30.0, 0.3)
 # Third differences of a start, in mean edges, up to which it has no noise to be smoothed away.
 _SMOOTH = 0.05
-# And in the attempts after the first of other nets.
-_EVENNESS = {"asymptotic": (3.0, 30.0), "cmc": (3.0, 30.0)}
 
 
 @dataclass(frozen=True)
@@ -33,12 +31,12 @@ class Plan:
     """A net with all that was said about it, ready to be posed from any start.
 
     Attributes:
-        net: name of the recipe.
+        net: what is wanted.
         fixed: (V,) true for vertices that must not move.
         weights: of the guides in the first attempt.
     """
 
-    net: str
+    net: Net
     fixed: BoolArray
     options: NetOptions
     constraints: Constraints
@@ -46,43 +44,42 @@ class Plan:
 
     def problems(self, mesh: QuadMesh) -> list[Problem]:
         """Return the net from the mesh, then ways round where that leads nowhere, then the rest."""
-        if self.net in DEVELOPABLE:
+        if self.net.way.bent:
             return self._sheets(mesh)
         ladder = self._ladder()
-        if self.net not in CONTINUED:
+        if not self.net.way.easier:
             return [self.pose(mesh, ladder)]
-        others = [self._easier(mesh, ladder, stage) for stage in CONTINUED[self.net]]
+        others = [self._easier(mesh, ladder, stage) for stage in self.net.way.easier]
         return [self.pose(mesh, ladder[:1]), *others, self.pose(mesh, ladder[1:])]
 
     def single(self, mesh: QuadMesh) -> Problem:
         """Return the net from the mesh with the guides of its first attempt only."""
-        sheet = self.net in DEVELOPABLE
-        return self.pose(mesh, (self._of_sheet(mesh)[0] if sheet else self._ladder())[:1])
+        bent = self.net.way.bent
+        return self.pose(mesh, (self._of_sheet(mesh)[0] if bent else self._ladder())[:1])
 
-    def pose(self, mesh: QuadMesh, attempts: Sequence[Weights], net: str | None = None) -> Problem:
+    def pose(self, mesh: QuadMesh, attempts: Sequence[Weights], net: Net | None = None) -> Problem:
         """Pose this net, or another with the same options, from a start."""
-        name = net or self.net
-        empty = Problem(name, mesh, self.fixed, may_flatten=self._may_flatten)
-        problem = RECIPES[name](empty, self.options)
+        net = net or self.net
+        empty = Problem(net.name, mesh, self.fixed, may_flatten=self._may_flatten)
+        problem = net.recipe(empty, self.options)
         add_constraints(problem, self.constraints, attempts[0].closeness)
         return add_guides(problem, attempts)
 
     @property
     def _may_flatten(self) -> bool:
         """Whether a plane was asked for: by a net of sheets, or by saying where vertices are."""
-        sheet = self.net in (*DEVELOPABLE, "isometric")
         wanted = self.constraints
         surface = any(isinstance(glide, SurfaceGlide) for glide in wanted.glide)
-        return bool(sheet or wanted.handles or wanted.close_to is not None or surface)
+        return bool(self.net.flat or wanted.handles or wanted.close_to is not None or surface)
 
     def _ladder(self) -> list[Weights]:
         """Weights of the attempts, the first ones as asked for."""
         first, *rest = self.weights.ladder()
-        if self.net in GUARDED:
+        if self.net.way.guarded:
             guarded = [replace(one, edge_guard=_GUARD, face_guard=_GUARD) for one in (first, *rest)]
             # Some differ by their guards only.
             return list(dict.fromkeys(guarded))
-        return [first, *self._even(_EVENNESS.get(self.net, (1.0,))), *rest]
+        return [first, *self._even(self.net.way.evenness), *rest]
 
     def _even(self, weights: Sequence[float]) -> list[Weights]:
         return [self.weights.even(weight) for weight in weights]
@@ -95,7 +92,7 @@ class Plan:
             ladder = [*self._even(_BENT), *self.weights.ladder()]
             bent = [self.pose(unbent(mesh, way), ladder) for way in central_directions(mesh)]
         before, after = self.pose(mesh, own[:first]), self.pose(mesh, own[first:])
-        if double and self.net in RIGID:
+        if double and self.net.way.rigid:
             return [*bent, before, after]
         return [before, *bent, after]
 
@@ -104,16 +101,16 @@ class Plan:
         double = doubly_curved(mesh)
         rest = self.weights.ladder()
         even = self._even(_DOMES if double else _SHEETS)
-        if not double and self.net not in RIGID and _unevenness(mesh) < _SMOOTH:
+        if not double and not self.net.way.rigid and _unevenness(mesh) < _SMOOTH:
             return [rest[0], *even, *rest[1:]], 1, double
         return [*even, *rest], 1 if double else len(_SHEETS), double
 
-    def _easier(self, mesh: QuadMesh, ladder: list[Weights], stage: Stage) -> Problem:
+    def _easier(self, mesh: QuadMesh, ladder: list[Weights], stage: Easier) -> Problem:
         smoother = [replace(one, fairness=stage.fairness * one.fairness) for one in ladder]
         if stage.evenness:
             smoother = [one.even(stage.evenness) for one in smoother[:2]]
             ladder = smoother
-        problem = self.pose(mesh, smoother, stage.net)
+        problem = self.pose(mesh, smoother, NETS[stage.net])
         problem.easier = lambda found: self.pose(found, ladder)
         return problem
 

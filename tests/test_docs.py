@@ -9,9 +9,9 @@ from freecad_ortho import api
 from freecad_ortho.__main__ import main
 from freecad_ortho.cli import commands
 from freecad_ortho.fabrication.tables import COLUMNS
-from solver.analysis.check import MEASURES
 from solver.mesh.primitives import primitive
-from solver.nets import RECIPES
+from solver.nets import NETS, all_measures, nets_with
+from solver.nets.options import OPTIONS
 from tests.conftest import ROOT
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -42,8 +42,21 @@ def test_every_page_is_reached_from_the_readme():
 
 def test_every_net_and_measure_is_explained():
     rows = set(re.findall(r"^\| `?([a-z- ]+)`? \|", text("docs/nets.md"), re.MULTILINE))
-    assert set(RECIPES) <= rows, "a net is missing in docs/nets.md"
-    assert {name for name, *_ in MEASURES} <= rows, "a measure is missing in docs/nets.md"
+    assert set(NETS) <= rows, "a net is missing in docs/nets.md"
+    assert set(all_measures()) <= rows, "a measure is missing in docs/nets.md"
+
+
+def test_tables_of_nets_and_options_say_what_the_table_of_nets_says():
+    document = text("docs/nets.md")
+    for net in NETS.values():
+        assert f"| `{net.name}` | {net.condition} | {net.purpose} |" in document
+    rows = [line.split(" | ") for line in document.splitlines() if line.startswith("| `--")]
+    for option in OPTIONS.values():
+        words = option.shown if option.kind == "choice" else [option.name.replace("_", "-")]
+        for word in words:
+            if word != option.default:
+                (row,) = [row for row in rows if re.search(rf"--{word}\b(?!-)", row[0])]
+                assert row[1] == ", ".join(nets_with(option.name)), row
 
 
 def test_every_net_has_its_picture_and_numbers():
@@ -52,7 +65,7 @@ def test_every_net_has_its_picture_and_numbers():
     pictures = set(re.findall(r"\(pictures/nets/([a-z-]+)\.png\)", document))
     table = document.split("<!-- examples table: begin -->")[1].split("<!-- examples table: end")[0]
     numbers = set(re.findall(r"^\| ([a-z-]+) \|", table, re.MULTILINE))
-    assert set(RECIPES) <= sections & pictures & numbers
+    assert set(NETS) <= sections & pictures & numbers
 
 
 def test_every_column_is_explained():
@@ -113,7 +126,7 @@ def test_commands_of_sources_run(workplace):
 
 def test_commands_of_nets_run(workplace):
     lines = re.findall(r"^    python -m freecad_ortho (.+)", text("docs/nets.md"), re.MULTILINE)
-    assert len(lines) > len(RECIPES)
+    assert len(lines) > len(NETS)
     # A dome is no minimal surface: all that would be left of it is a plane.
     minimal = {"asymptotic -o": "helicoid", "asymptotic --diagonal": "catenoid"}
     dome = api.read_mesh("in.obj").mesh

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 
 import numpy as np
 import pytest
@@ -13,7 +14,9 @@ from freecad_ortho.__main__ import main
 from freecad_ortho.cli import net_options, values
 from solver import QuadMesh
 from solver.analysis import measures, spheres
+from solver.nets import register, unregister
 from tests.conftest import grid_faces, shared_mesh, wavy_grid
+from tests.own_net import FLAT
 
 
 @pytest.fixture
@@ -28,6 +31,23 @@ def optimised(tmp_path, start, *arguments: str):
     code = main(["optimise", str(start), "-o", str(out), "--report", str(report), *arguments])
     assert code == 0, json.loads(report.read_text())["message"]
     return api.read_mesh(out).mesh, json.loads(report.read_text())
+
+
+def test_a_net_of_ones_own_is_offered(wave, tmp_path, capsys):
+    register(FLAT)
+    try:
+        with pytest.raises(SystemExit):
+            main(["optimise", "--help"])
+        words = " ".join(capsys.readouterr().out.split())
+        assert "isometric, flat (default: principal)" in words
+        assert "--length L chebyshev, geodesic-chebyshev, flat: edge length" in words
+        assert main(["check", str(wave)]) == 0
+        shown = capsys.readouterr().out
+        assert re.search(r"^flatness +\d", shown, re.M) and re.search(r"^flat +\d", shown, re.M)
+        mesh, report = optimised(tmp_path, wave, "--net", "flat")
+        assert report["net"] == "flat" and measures.planarity(mesh).max() <= 1e-10
+    finally:
+        unregister(FLAT.name)
 
 
 def test_radius_of_a_cmc_net(tmp_path):
@@ -215,8 +235,10 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--net", "isometric", "--reference", "absent.obj"], "absent.obj: no such file"),
         (["--supports", "corners"], "--supports: only stress nets have it, not principal"),
         (["--net", "stress", "--supports", "boundary", "--fix", "5"], "give --fix or --supports"),
-        (["--net", "conical", "--diagonal"], "--diagonal: only geodesic, dog, asymptotic"),
+        (["--net", "conical", "--diagonal"], "--diagonal: only geodesic, dog, geodesic-chebyshev"),
         (["--radius", "3"], "--radius: only cmc nets have it"),
+        (["--tension"], "--tension: only stress nets have it, not principal"),
+        (["--net", "fishing"], "net: expected one of principal, orthogonal"),
         (["--load-area", "3"], "--load-area: only stress nets have it"),
         (["--net", "stress", "--supports", "1,2"], "would be a mechanism"),
         (["--net", "cmc", "--radius", "-1"], "radius: expected a positive length"),

@@ -21,6 +21,7 @@ from freecad_ortho.cli import (
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import OrthoError, cannot_be_written
+from solver.nets import NETS
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
@@ -70,7 +71,8 @@ def _parser() -> argparse.ArgumentParser:
 
 def _add_optimise(parser: argparse.ArgumentParser) -> None:
     _add_input(parser)
-    parser.add_argument("--net", default="principal", help="which net (default: principal)")
+    names = ", ".join(NETS)
+    parser.add_argument("--net", default="principal", help=f"{names} (default: principal)")
     parser.add_argument("-o", "--output", required=True, metavar="OUT.obj")
     parser.add_argument("--report", metavar="R.json", help="write the numbers of the run")
     parser.add_argument("--fairness", type=float, metavar="W", help="weight of straight lines")

@@ -18,6 +18,7 @@ from solver.io.points import read_points
 from solver.io.polygons import quads_of
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray
+from solver.nets import NETS, Net, net_named, nets_with
 from solver.nets.constraints import (
     BoundaryGlide,
     CurveGlide,
@@ -25,24 +26,10 @@ from solver.nets.constraints import (
     PlaneGlide,
     SurfaceGlide,
 )
+from solver.nets.options import OPTIONS, NetOption
 
 _AXES = "xyz"
-_CHEBYSHEV = ("chebyshev", "geodesic-chebyshev")
-# Nets that have an option, and what it is where it was not given.
-_ONLY: dict[str, tuple[tuple[str, ...], object]] = {
-    "diagonal": (("geodesic", "dog", "asymptotic", "cmc", "snet", "geodesic-chebyshev"), False),
-    "radius": (("cmc",), None),
-    "length": (_CHEBYSHEV, None),
-    "per_family": (_CHEBYSHEV, False),
-    "angle": (("orthogonal",), 90.0),
-    "reference": (("isometric",), None),
-    "load": (("stress",), 0.0),
-    "load_area": (("stress",), 0.0),
-    "load_length": (("stress",), 0.0),
-    "supports": (("stress",), None),
-    "compression": (("stress",), False),
-    "tension": (("stress",), False),
-}
+_WRITTEN = {"length": "L", "angle": "DEG", "number": "N"}
 # The end of a --glide that names vertices; a path may have an @ of its own.
 _VERTICES = re.compile(r"@([\d,]+)$")
 # Curves whose ends are nearer than this part of their size are closed.
@@ -53,21 +40,11 @@ def add(parser: argparse.ArgumentParser) -> None:
     """Add the options; lengths are in the unit of the mesh file."""
     parser.add_argument("--multi", type=float, metavar="W", help="weight of the multi-net guide")
     parser.add_argument("--isometry", type=float, metavar="W", help="weight of faces' own shape")
-    parser.add_argument("--diagonal", action="store_true", help="star terms on the diagonal net")
-    parser.add_argument("--radius", type=float, metavar="R", help="cmc: radius (default: free)")
-    parser.add_argument("--length", type=float, metavar="L", help="chebyshev: edge length")
-    parser.add_argument("--per-family", action="store_true", help="chebyshev: a length a family")
+    for option in OPTIONS.values():
+        _add_option(parser, option)
     parser.add_argument(
-        "--angle", type=float, default=90.0, metavar="DEG", help="orthogonal: angle"
+        "--supports", metavar="boundary|corners|I,J", help=f"{_nets(_supported())}: what is held"
     )
-    parser.add_argument("--reference", metavar="FILE", help="isometric: the mesh in its own shape")
-    parser.add_argument("--load", type=float, default=0.0, help="stress: load of a vertex")
-    parser.add_argument("--load-area", type=float, default=0.0, help="stress: load of unit area")
-    parser.add_argument("--load-length", type=float, default=0.0, help="stress: weight of edges")
-    parser.add_argument("--supports", metavar="boundary|corners|I,J", help="stress: what is held")
-    forces = parser.add_mutually_exclusive_group()
-    forces.add_argument("--compression", action="store_true", help="stress: no tension")
-    forces.add_argument("--tension", action="store_true", help="stress: no compression")
     parser.add_argument(
         "--handle", action="append", default=[], metavar="I:x,y,z", help="drag vertex I there"
     )
@@ -88,39 +65,83 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
     Raises:
         InputError: an option that the net does not have, or one that cannot be used.
     """
-    for name, (nets, default) in _ONLY.items():
-        if getattr(options, name) != default and options.net not in nets:
-            raise InputError(
-                f"--{name.replace('_', '-')}: only {', '.join(nets)} nets have it, not "
-                f"{options.net}; leave it out"
-            )
-    forces = "compression" if options.compression else "tension" if options.tension else "free"
-    reference = None
-    if options.reference:
-        reference = _reference(options.reference, options.up, loaded)
-    fix = options.fix
-    if options.supports and fix != "none":
+    asked = net_named(options.net)
+    for option in OPTIONS.values():
+        for flag, given in _given(option, options):
+            if given and option.name not in asked.options:
+                raise _not_for(flag, nets_with(option.name), asked)
+    if options.supports and asked.name not in _supported():
+        raise _not_for("--supports", _supported(), asked)
+    if options.supports and options.fix != "none":
         raise InputError("--supports: what does not move is supported; give --fix or --supports")
-    if options.net == "stress":
-        fix = options.supports or (fix if fix != "none" else "boundary")
     return {
-        "fix": fix,
+        "fix": options.supports or options.fix,
         "multi": options.multi,
         "isometry": options.isometry,
         "options": NetOptions(
-            diagonal=options.diagonal,
-            radius=options.radius,
-            length=options.length,
-            per_family=options.per_family,
-            angle=options.angle,
-            reference=reference,
-            load=options.load,
-            load_area=options.load_area,
-            load_length=options.load_length,
-            forces=forces,
+            **{option.name: _value(option, options, loaded) for option in OPTIONS.values()}
         ),
         "constraints": _constraints(options, loaded),
     }
+
+
+def _add_option(parser: argparse.ArgumentParser, option: NetOption) -> None:
+    """Offer an option of nets; of a choice each word but the usual one is an option."""
+    words = f"{_nets(nets_with(option.name))}: {option.brief}"
+    if option.kind == "choice":
+        group = parser.add_mutually_exclusive_group()
+        for word in _choices(option):
+            group.add_argument(f"--{word}", action="store_true", help=words)
+    elif option.kind == "flag":
+        parser.add_argument(_flag(option), action="store_true", help=words)
+    elif option.kind == "mesh":
+        parser.add_argument(_flag(option), metavar="FILE", help=words)
+    else:
+        usual = "free" if option.default is None else f"{option.default:g}"
+        parser.add_argument(
+            _flag(option),
+            type=float,
+            default=option.default,
+            metavar=_WRITTEN[option.kind],
+            help=f"{words} (default: {usual})",
+        )
+
+
+def _given(option: NetOption, options: argparse.Namespace) -> list[tuple[str, bool]]:
+    """The words that stand for an option, and whether they were given."""
+    if option.kind == "choice":
+        return [(f"--{word}", getattr(options, word)) for word in _choices(option)]
+    usual = False if option.kind == "flag" else option.default
+    return [(_flag(option), getattr(options, option.name) != usual)]
+
+
+def _value(option: NetOption, options: argparse.Namespace, loaded: api.LoadedMesh) -> Any:
+    if option.kind == "choice":
+        chosen = [word for word in _choices(option) if getattr(options, word)]
+        return chosen[0] if chosen else option.default
+    value = getattr(options, option.name)
+    return _reference(value, options.up, loaded) if option.kind == "mesh" and value else value
+
+
+def _flag(option: NetOption) -> str:
+    return f"--{option.name.replace('_', '-')}"
+
+
+def _choices(option: NetOption) -> list[str]:
+    return [word for word in option.shown if word != option.default]
+
+
+def _supported() -> tuple[str, ...]:
+    """Nets that need supports."""
+    return tuple(name for name, net in NETS.items() if net.supports != "none")
+
+
+def _nets(names: tuple[str, ...]) -> str:
+    return ", ".join(names) or "no net"
+
+
+def _not_for(flag: str, nets: tuple[str, ...], asked: Net) -> InputError:
+    return InputError(f"{flag}: only {_nets(nets)} nets have it, not {asked.name}; leave it out")
 
 
 def _reference(path: str, up: str, loaded: api.LoadedMesh) -> FloatArray:

@@ -23,7 +23,7 @@ def show_net(
     Args:
         net: the Net.
         colour_map: ``"None"``, ``"Target"`` (what the kind of net is judged by), or a field of
-            :data:`solver.analysis.fields.FIELDS`; None leaves it as it is.
+            :func:`solver.analysis.fields.fields`; None leaves it as it is.
         value_range: lowest and highest value of the scale in mm, 1/m, 1/m2 or degrees; of residuals
             powers of ten, such as ``(-6, -1)``. Without it the range follows the values.
         overlays: names of the view's overlays (``"Diagonals"``, ``"Axes"``, ...), all others are

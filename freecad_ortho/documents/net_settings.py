@@ -12,11 +12,12 @@ import numpy as np
 from freecad_ortho import convert, preferences
 from freecad_ortho.objects import guides
 from freecad_ortho.objects import net as net_object
-from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES, FORCES, NETS
+from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES, property_of
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
+from solver.nets import NETS
 from solver.nets.constraints import Constraints
-from solver.nets.options import NetOptions
+from solver.nets.options import OPTIONS, NetOption, NetOptions
 from solver.nets.settings import fixed_vertices
 
 
@@ -35,7 +36,21 @@ class _Plain:
     write: Callable[[Any], Any] = lambda value: value
 
 
-def _positive(word: str) -> _Plain:
+def _option(option: NetOption) -> _Plain:
+    """An option of nets."""
+    name = property_of(option)
+    if option.kind == "length":
+        return _positive(option.name, name)
+    if option.kind == "choice":
+        return _choice(option.name, name, option.shown)
+    if option.kind == "mesh":
+        return _Plain(name, write=_reference)
+    if option.kind == "angle":
+        return _Plain(name, lambda quantity: quantity.Value, float)
+    return _Plain(name) if option.kind == "flag" else _Plain(name, write=float)
+
+
+def _positive(word: str, name: str) -> _Plain:
     """A length of which zero stands for free."""
 
     def write(value: Any) -> float:
@@ -46,7 +61,6 @@ def _positive(word: str) -> _Plain:
             raise InputError(f"{word}: expected a positive length, got {value}")
         return length
 
-    name = {"radius": "TargetRadius", "length": "TargetEdge"}[word]
     return _Plain(name, lambda quantity: quantity.Value or None, write)
 
 
@@ -87,16 +101,7 @@ def _symmetry(text: str) -> str:
 
 _PLAIN = {
     "net": _choice("net", "NetType", NETS),
-    "diagonal": _Plain("DiagonalNet"),
-    "angle": _Plain("MedialAngle", lambda quantity: quantity.Value, float),
-    "radius": _positive("radius"),
-    "length": _positive("length"),
-    "per_family": _Plain("PerFamily"),
-    "reference": _Plain("IsometricTo", write=_reference),
-    "load": _Plain("VertexWeight", write=float),
-    "load_area": _Plain("AreaWeight", write=float),
-    "load_length": _Plain("EdgeWeight", write=float),
-    "forces": _choice("forces", "AllowedForces", FORCES),
+    **{option.name: _option(option) for option in OPTIONS.values()},
     "symmetry": _Plain("MirrorPlanes", write=_symmetry),
     "fairness": _weight("fairness"),
     "closeness": _weight("closeness"),
@@ -104,8 +109,6 @@ _PLAIN = {
     "isometry": _weight("isometry"),
     "tolerance": _Plain("TargetTolerance", write=float),
 }
-_OPTIONS = ("diagonal", "angle", "radius", "length", "per_family")
-_LOADS = ("load", "load_area", "load_length", "forces")
 _PASSED = ("max_steps", "backend", "options", "constraints")
 _WEIGHTS = ("fairness", "closeness", "multi", "isometry", "tolerance")
 
@@ -165,6 +168,11 @@ def _is_kept(word: str) -> bool:
     return word in _PLAIN or word in ("fix", "handles", "glide", "close_to")
 
 
+def held(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> np.ndarray:
+    """(V,) true for vertices of a net that do not move: those that are fixed, or its supports."""
+    return fixed_vertices(mesh, for_solver(net, mesh)["fix"], NETS[net.NetType])
+
+
 def for_solver(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> dict[str, Any]:
     """Keyword arguments of ``solver.start_optimisation`` from the properties of a net.
 
@@ -185,13 +193,16 @@ def solver_settings(
     # Which solver is a matter of the machine and its user, not of the net.
     settings: dict[str, Any] = preferences.solver_settings()
     settings.update((word, values[word]) for word in _WEIGHTS if values[word] is not None)
-    options = {word: values[word] for word in _OPTIONS}
-    if values["net"] == "stress":
-        options.update({word: values[word] for word in _LOADS})
-    if values["reference"] is not None:
-        options["reference"] = convert.array(values["reference"].Vertices)
-    fix = _numbers(mesh, *_fix(values["fix"]), values["net"])
-    handles = _drawn(values["handles"], mesh, fix)
+    asked = NETS[values["net"]]
+    # What other nets are told stays in the document and is none of this net's business.
+    options = {word: values[word] for word in asked.options}
+    for word in asked.options:
+        if OPTIONS[word].kind == "mesh" and options[word] is not None:
+            options[word] = convert.array(options[word].Vertices)
+    fix = _numbers(mesh, *_fix(values["fix"]))
+    handles = values["handles"]
+    if handles:
+        handles = _drawn(handles, mesh, fixed_vertices(mesh, fix, asked))
     constraints = Constraints(
         handles=handles,
         glide=guides.glides(values["glide"], mesh, net),
@@ -209,11 +220,10 @@ def solver_settings(
 
 
 def _drawn(
-    handles: dict[int, tuple[float, ...]], mesh: QuadMesh, fix: str | list[int]
+    handles: dict[int, tuple[float, ...]], mesh: QuadMesh, fixed: np.ndarray
 ) -> dict[int, np.ndarray]:
     """The handles, without those of vertices that are fixed where the last drag left them."""
     places = {vertex: np.array(place) for vertex, place in handles.items()}
-    fixed = fixed_vertices(mesh, fix) if places else np.zeros(0, dtype=bool)
     there = {
         vertex
         for vertex, place in places.items()
@@ -222,10 +232,8 @@ def _drawn(
     return {vertex: place for vertex, place in places.items() if vertex not in there}
 
 
-def _numbers(mesh: QuadMesh, rule: str, vertices: list[int], net: str) -> str | list[int]:
-    """What the solver is to fix; a stress net needs supports, its boundary where none are named."""
-    if net == "stress" and rule == "none" and not vertices:
-        return "boundary"
+def _numbers(mesh: QuadMesh, rule: str, vertices: list[int]) -> str | list[int]:
+    """What the solver is to fix."""
     if not vertices:
         return rule
     mask = fixed_vertices(mesh, rule) | fixed_vertices(mesh, vertices)

@@ -260,7 +260,7 @@ def dragging(
 
     settings = net_settings.for_solver(target, mesh) | passed
     if hold:
-        fixed = fixed_vertices(mesh, settings["fix"]) | fixed_vertices(mesh, list(hold))
+        fixed = net_settings.held(target, mesh) | fixed_vertices(mesh, list(hold))
         settings["fix"] = np.flatnonzero(fixed).tolist()
     return Session(mesh, handles, settings.pop("net"), **settings)
 

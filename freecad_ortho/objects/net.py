@@ -8,7 +8,8 @@ import FreeCAD
 
 from freecad_ortho.objects import net_settings
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
-from solver.analysis.fields import FIELDS
+from solver.analysis.fields import fields
+from solver.nets import NETS
 
 if TYPE_CHECKING:
     from solver.mesh.quadmesh import QuadMesh
@@ -18,19 +19,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 VERSION = 2
 # Colours by what the target of the net asks for, whatever that is.
 BY_TARGET = "Target"
-COLOUR_MAPS = ("None", BY_TARGET, *FIELDS)
-# What a net of each kind is judged by; on its diagonals where there are such colours.
-_JUDGED_BY = {
-    "principal": "Planarity",
-    "circular": "Circular",
-    "conical": "Conical",
-    "geodesic": "Geodesic",
-    "dog": "Geodesic",
-    "chebyshev": "Chebyshev",
-    "geodesic-chebyshev": "Chebyshev",
-    "asymptotic": "Asymptotic",
-    "cmc": "Mean curvature",
-}
+COLOUR_MAPS = ("None", BY_TARGET, *fields())
 
 NET_PROPERTIES = (
     Property(
@@ -149,9 +138,14 @@ def colour_field(net: FreeCAD.DocumentObject, colour_map: str | None = None) -> 
     chosen = net.ColourMap if colour_map is None else colour_map
     if chosen != BY_TARGET:
         return chosen
-    found = _JUDGED_BY.get(net.NetType, "Orthogonality")
+    found = NETS[net.NetType].field
     on_diagonals = f"{found} diagonals"
-    return on_diagonals if net.DiagonalNet and on_diagonals in FIELDS else found
+    return on_diagonals if asked_of_diagonals(net) and on_diagonals in fields() else found
+
+
+def asked_of_diagonals(net: FreeCAD.DocumentObject) -> bool:
+    """Whether what the net is to become is asked of the diagonals of its faces."""
+    return bool(net.DiagonalNet) and True in NETS[net.NetType].variants
 
 
 def is_net(feature: object) -> bool:

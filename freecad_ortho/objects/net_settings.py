@@ -5,28 +5,53 @@ from __future__ import annotations
 import FreeCAD
 
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
+from solver.nets import NETS
+from solver.nets.options import OPTIONS, NetOption
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-# The recipes of the solver; a test compares them.
-NETS = (
-    "principal",
-    "orthogonal",
-    "circular",
-    "conical",
-    "geodesic",
-    "dog",
-    "chebyshev",
-    "geodesic-chebyshev",
-    "asymptotic",
-    "cmc",
-    "snet",
-    "stress",
-    "isometric",
-)
 FIX_RULES = ("none", "corners", "boundary")
-FORCES = ("free", "compression", "tension")
 AUTOMATIC = -1.0
+_KINDS = {
+    "flag": "App::PropertyBool",
+    "length": "App::PropertyLength",
+    "angle": "App::PropertyAngle",
+    "number": "App::PropertyFloat",
+    "choice": "App::PropertyEnumeration",
+    "mesh": "App::PropertyLinkHidden",
+}
+# Names under which documents have kept options since before these had a table.
+_STORED = {
+    "diagonal": "DiagonalNet",
+    "angle": "MedialAngle",
+    "radius": "TargetRadius",
+    "length": "TargetEdge",
+    "reference": "IsometricTo",
+    "load": "VertexWeight",
+    "load_area": "AreaWeight",
+    "load_length": "EdgeWeight",
+    "forces": "AllowedForces",
+}
+
+
+def property_of(option: NetOption) -> str:
+    """Name of the property that holds an option of nets."""
+    camel = "".join(word.capitalize() for word in option.name.split("_"))
+    return _STORED.get(option.name, camel)
+
+
+def _property(option: NetOption) -> Property:
+    return Property(
+        _KINDS[option.kind],
+        property_of(option),
+        "Target",
+        option.sentence,
+        # FreeCAD's own of the others is the same.
+        default=option.default if option.kind == "angle" else None,
+        choices=tuple(option.shown) if option.kind == "choice" else (),
+        flags=OUTPUT,
+    )
+
 
 TARGET = (
     Property(
@@ -35,87 +60,10 @@ TARGET = (
         "Target",
         QT_TRANSLATE_NOOP("App::Property", "The net that optimising and editing aim at"),
         default="principal",
-        choices=NETS,
+        choices=NETS.keys(),
         flags=OUTPUT,
     ),
-    Property(
-        "App::PropertyBool",
-        "DiagonalNet",
-        "Target",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Ask it of the diagonals of the faces, not of the edges"
-        ),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyAngle",
-        "MedialAngle",
-        "Target",
-        QT_TRANSLATE_NOOP("App::Property", "Orthogonal nets: angle between the two directions"),
-        default=90.0,
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyLength",
-        "TargetRadius",
-        "Target",
-        QT_TRANSLATE_NOOP("App::Property", "CMC nets: radius of the vertex spheres; 0 is free"),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyLength",
-        "TargetEdge",
-        "Target",
-        QT_TRANSLATE_NOOP("App::Property", "Chebyshev nets: length of the edges; 0 is free"),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyBool",
-        "PerFamily",
-        "Target",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Chebyshev nets: each direction has a length of its own"
-        ),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyLinkHidden",
-        "IsometricTo",
-        "Target",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Isometric nets: net whose faces give the shape; empty: as it starts"
-        ),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyFloat",
-        "VertexWeight",
-        "Target",
-        QT_TRANSLATE_NOOP("App::Property", "Stress nets: downward load at every vertex"),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyFloat",
-        "AreaWeight",
-        "Target",
-        QT_TRANSLATE_NOOP("App::Property", "Stress nets: downward load of a square millimetre"),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyFloat",
-        "EdgeWeight",
-        "Target",
-        QT_TRANSLATE_NOOP("App::Property", "Stress nets: weight of a millimetre of edge"),
-        flags=OUTPUT,
-    ),
-    Property(
-        "App::PropertyEnumeration",
-        "AllowedForces",
-        "Target",
-        QT_TRANSLATE_NOOP("App::Property", "Stress nets: forces that edges may carry"),
-        choices=FORCES,
-        flags=OUTPUT,
-    ),
+    *map(_property, OPTIONS.values()),
 )
 
 CONSTRAINTS = (

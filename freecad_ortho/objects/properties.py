@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,7 +31,7 @@ class Property:
     group: str
     tooltip: str
     default: Any = None
-    choices: Sequence[str] = ()
+    choices: Collection[str] = ()
     flags: int = 0
 
 

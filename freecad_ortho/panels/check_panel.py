@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 from freecad_ortho import convert
 from freecad_ortho.commands import context
 from freecad_ortho.objects import places
+from freecad_ortho.objects.net import COLOUR_MAPS
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import reason_words, short_word
@@ -19,7 +20,7 @@ from freecad_ortho.resources import icon
 from freecad_ortho.view.place_marks import PlaceMarks
 from freecad_ortho.view.screen import views
 from solver.analysis.check import check
-from solver.analysis.fields import RESIDUALS
+from solver.nets import all_measures
 
 translate = FreeCAD.Qt.translate
 
@@ -104,8 +105,8 @@ class CheckPanel:
             self.marks = None
 
     def _show(self, row: int, _: int) -> None:
-        name = list(self.result["measures"])[row].capitalize()
-        if name in RESIDUALS and self._document in FreeCAD.listDocuments():
+        name = all_measures()[list(self.result["measures"])[row]].title
+        if name in COLOUR_MAPS and self._document in FreeCAD.listDocuments():
             net = FreeCAD.getDocument(self._document).getObject(self._name)
             if net is not None:
                 context.run("show_net", net, colour_map=name)
@@ -137,9 +138,8 @@ def _measures(result: dict[str, Any]) -> list[list[str]]:
     rows = []
     for name, entry in result["measures"].items():
         place = "" if entry["worst"] is None else f"{places[entry['where']]} {entry['worst']}"
-        title = name.capitalize()
-        known = translate("Ortho", title) if title in RESIDUALS else name.upper()
-        rows.append([known, f"{entry['max']:.1e}", place])
+        title = translate("Ortho", all_measures()[name].title)
+        rows.append([title, f"{entry['max']:.1e}", place])
     return rows
 
 

@@ -13,7 +13,7 @@ from freecad_ortho.objects.net import COLOUR_MAPS, colour_field
 from freecad_ortho.panels.fields import ChoiceField, NumberField, elided, form_rows, hint
 from freecad_ortho.resources import icon
 from freecad_ortho.view import look
-from solver.analysis.fields import RESIDUALS
+from solver.analysis.fields import residuals
 from solver.errors import InputError
 
 translate = FreeCAD.Qt.translate
@@ -121,7 +121,7 @@ class DisplayPanel:
 
     def _explain_range(self, *_: Any) -> None:
         """Say in which units the range is given; a range of another quantity means nothing."""
-        residual = colour_field(self.net, self.colour_map.word) in RESIDUALS
+        residual = colour_field(self.net, self.colour_map.word) in residuals()
         tip = (
             translate("Ortho", "The range goes by powers of ten, such as -6.")
             if residual

@@ -10,7 +10,6 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import context, messages
-from freecad_ortho.objects.net_settings import NETS
 from freecad_ortho.objects.source_net import is_outdated
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.editing import Editing
@@ -162,7 +161,7 @@ class EditPanel:
         column.addWidget(_hints())
 
     def _net_box(self, net: FreeCAD.DocumentObject) -> QtGui.QGroupBox:
-        self.net_type = ChoiceField({name: net_words()[name] for name in NETS}, net.NetType)
+        self.net_type = ChoiceField(net_words(), net.NetType)
         self.net_type.widget.currentIndexChanged.connect(lambda _: self._retarget())
         self.isometric = QtGui.QCheckBox(translate("Ortho", "Isometric (no stretching)"))
         self.isometric.setToolTip(

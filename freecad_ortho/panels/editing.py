@@ -24,7 +24,6 @@ from freecad_ortho.view.screen import Ray, redraw
 from solver.errors import OrthoError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray
-from solver.nets.settings import fixed_vertices
 
 translate = FreeCAD.Qt.translate
 
@@ -233,8 +232,7 @@ class Editing:
         self.chosen = [vertex for vertex in self.chosen if vertex in self.handles]
 
     def _fixed_mask(self) -> Any:
-        fix = net_settings.for_solver(self._net, self._mesh)["fix"]
-        return fixed_vertices(self._mesh, fix)
+        return net_settings.held(self._net, self._mesh)
 
     def _refused(self, vertex: int) -> bool:
         if self._fixed[vertex]:

@@ -9,12 +9,12 @@ from PySide import QtGui
 
 from freecad_ortho import convert
 from freecad_ortho.objects.net import is_net
-from freecad_ortho.objects.net_settings import FORCES, NETS
 from freecad_ortho.panels.fields import (
     NARROW,
     ChoiceField,
     LengthField,
     NumberField,
+    SwitchField,
     form_rows,
     leave_room,
     sentence,
@@ -22,11 +22,10 @@ from freecad_ortho.panels.fields import (
 from freecad_ortho.panels.net_words import explain, net_words, reason_words
 from freecad_ortho.panels.quantity import QuantityField
 from solver.analysis.advisor import Advice, advise
+from solver.nets import NETS
+from solver.nets.options import OPTIONS, NetOption
 
 translate = FreeCAD.Qt.translate
-
-_STAR_NETS = ("geodesic", "dog", "asymptotic", "cmc", "snet")
-_CHEBYSHEV = ("chebyshev", "geodesic-chebyshev")
 
 
 class NetChoice:
@@ -39,19 +38,21 @@ class NetChoice:
     Attributes:
         box: to be put into the form.
         net_type: the choice.
+        fields: what only some nets ask for, by the name of the option; ``rows`` hold them.
     """
 
     def __init__(self, net: FreeCAD.DocumentObject, stored: dict[str, Any]) -> None:
         self._net = net
         self._advice = advise(convert.quad_mesh(net))
-        self.net_type = ChoiceField({name: net_words()[name] for name in NETS}, stored["net"])
+        self.net_type = ChoiceField(net_words(), stored["net"])
         self.recommendation = _wrapped()
         self.use = QtGui.QPushButton(translate("Ortho", "Use"))
         self.use.setToolTip(translate("Ortho", "Choose the recommended net"))
         self.use.clicked.connect(self._use_best)
         self.explanation = _wrapped()
         self.explanation.setEnabled(False)
-        self._build_options(stored)
+        self._meshes = [None, *_twins(net)]
+        self.fields = {name: self._field(option, stored[name]) for name, option in OPTIONS.items()}
         self.box = QtGui.QGroupBox(translate("Ortho", "Net"))
         column = QtGui.QVBoxLayout(self.box)
         advised = QtGui.QHBoxLayout()
@@ -61,76 +62,74 @@ class NetChoice:
         column.addWidget(self.net_type.widget)
         column.addWidget(self.explanation)
         # Rows of a form would leave gaps where they are hidden.
-        self._shown_for = [(_row(label, widget), nets) for label, widget, nets in self._rows]
-        for row, _ in self._shown_for:
+        self.rows = {
+            name: _row(translate("Ortho", option.label), self.fields[name].widget)
+            for name, option in OPTIONS.items()
+        }
+        for row in self.rows.values():
             column.addWidget(row)
-        self.net_type.widget.currentIndexChanged.connect(lambda _: self._show())
+        self.net_type.widget.currentIndexChanged.connect(lambda _: self._change())
         self._show()
 
     @property
     def words(self) -> dict[str, Any]:
         """The choices as keywords of ``optimise_net``; those of other nets keep their values."""
-        return {
-            "net": self.net_type.word,
-            "diagonal": self.diagonal.isChecked(),
-            "angle": self.angle.value,
-            "radius": self.radius.millimetres or None,
-            "length": self.length.millimetres or None,
-            "per_family": self.per_family.isChecked(),
-            "reference": self._references[self.reference.currentIndex()],
-            "load": self.load.number or 0.0,
-            "load_area": self.area_load.number or 0.0,
-            "load_length": self.length_load.number or 0.0,
-            "forces": self.forces.word,
-        }
+        options = {name: self._value(option) for name, option in OPTIONS.items()}
+        return {"net": self.net_type.word, **options}
 
-    def _build_options(self, stored: dict[str, Any]) -> None:
-        self.diagonal = QtGui.QCheckBox(translate("Ortho", "on the face diagonals"))
-        self.diagonal.setChecked(stored["diagonal"])
-        self.per_family = QtGui.QCheckBox(translate("Ortho", "a length for each direction"))
-        self.per_family.setChecked(stored["per_family"])
-        automatic = translate("Ortho", "automatic")
-        self.radius = LengthField(stored["radius"] or 0.0, absent=automatic)
-        self.length = LengthField(stored["length"] or 0.0, absent=automatic)
-        for field in (self.radius, self.length):
+    @property
+    def _diagonal(self) -> bool:
+        """Whether the net that is chosen is asked of the diagonals."""
+        asked = self.fields["diagonal"].checked
+        return asked and True in NETS[self.net_type.word].variants
+
+    def _value(self, option: NetOption) -> Any:
+        field = self.fields[option.name]
+        if option.kind == "flag":
+            return field.checked
+        if option.kind == "length":
+            return field.millimetres or None
+        if option.kind == "number":
+            return field.number or 0.0
+        if option.kind == "mesh":
+            return self._meshes[field.widget.currentIndex()]
+        return field.value if option.kind == "angle" else field.word
+
+    def _field(self, option: NetOption, value: Any) -> Any:
+        """A field for an option of nets."""
+        words = {word: translate("Ortho", shown) for word, shown in option.shown.items()}
+        field: Any
+        if option.kind == "flag":
+            field = SwitchField(value)
+            field.widget.setText(words["yes"])
+        elif option.kind == "length":
+            field = LengthField(value or 0.0, absent=translate("Ortho", "automatic"))
             field.widget.setToolTip(translate("Ortho", "Without a number the solver finds it."))
-        self.angle = QuantityField("deg", stored["angle"])
-        self.angle.widget.setMinimumWidth(NARROW)
-        self._references = [None, *_twins(self._net)]
-        self.reference = QtGui.QComboBox()
-        self.reference.addItem(translate("Ortho", "as it starts"))
-        self.reference.addItems([twin.Label for twin in self._references[1:]])
-        leave_room(self.reference)
-        if stored["reference"] in self._references:
-            self.reference.setCurrentIndex(self._references.index(stored["reference"]))
-        self.load = NumberField("load", stored["load"])
-        self.area_load = NumberField("area load", stored["load_area"])
-        self.length_load = NumberField("edge weight", stored["load_length"])
-        words = {
-            "free": translate("Ortho", "compression and tension"),
-            "compression": translate("Ortho", "compression only"),
-            "tension": translate("Ortho", "tension only"),
-        }
-        self.forces = ChoiceField({word: words[word] for word in FORCES}, stored["forces"])
-        named = translate
-        self._rows: list[tuple[str, QtGui.QWidget, tuple[str, ...]]] = [
-            (named("Ortho", "Asked"), self.diagonal, _STAR_NETS),
-            (named("Ortho", "Angle"), self.angle.widget, ("orthogonal",)),
-            (named("Ortho", "Radius"), self.radius.widget, ("cmc",)),
-            (named("Ortho", "Edge length"), self.length.widget, _CHEBYSHEV),
-            (named("Ortho", "Edges"), self.per_family, _CHEBYSHEV),
-            (named("Ortho", "Own shape"), self.reference, ("isometric",)),
-            (named("Ortho", "Load at a vertex"), self.load.widget, ("stress",)),
-            (named("Ortho", "Load of 1 mm2"), self.area_load.widget, ("stress",)),
-            (named("Ortho", "Weight of 1 mm edge"), self.length_load.widget, ("stress",)),
-            (named("Ortho", "Forces"), self.forces.widget, ("stress",)),
-        ]
+        elif option.kind == "angle":
+            field = QuantityField("deg", value)
+            field.widget.setMinimumWidth(NARROW)
+        elif option.kind == "number":
+            field = NumberField(translate("Ortho", option.label), value)
+        elif option.kind == "choice":
+            field = ChoiceField(words, value)
+        else:
+            field = ChoiceField({"": words["none"]}, "")
+            field.widget.addItems([mesh.Label for mesh in self._meshes[1:]])
+            leave_room(field.widget)
+            if value in self._meshes:
+                field.widget.setCurrentIndex(self._meshes.index(value))
+        return field
+
+    def _change(self) -> None:
+        """Begin with another net, on the edges."""
+        self.fields["diagonal"].widget.setChecked(False)
+        self._show()
 
     def _show(self) -> None:
         """Show what belongs to the net that is chosen."""
         chosen = self.net_type.word
-        for row, nets in self._shown_for:
-            row.setVisible(chosen in nets)
+        for name, row in self.rows.items():
+            row.setVisible(name in NETS[chosen].options)
         best = self._best()
         if best is None:
             self.recommendation.setText(translate("Ortho", "No recommendation for this mesh."))
@@ -143,7 +142,7 @@ class NetChoice:
             self.recommendation.setToolTip(
                 translate("Ortho", "The mesh is {:.1e} from it on average").format(best.distance)
             )
-            self.use.setVisible((best.net, best.diagonal) != (chosen, self.diagonal.isChecked()))
+            self.use.setVisible((best.net, best.diagonal) != (chosen, self._diagonal))
         self.explanation.setText(" ".join(filter(None, (explain(chosen), self._doubt(chosen)))))
 
     def _best(self) -> Advice | None:
@@ -151,15 +150,15 @@ class NetChoice:
 
     def _doubt(self, chosen: str) -> str:
         for advice in self._advice:
-            if advice.net == chosen and advice.diagonal == self.diagonal.isChecked():
+            if advice.net == chosen and advice.diagonal == self._diagonal:
                 return sentence(reason_words(advice.cause))
         return ""
 
     def _use_best(self) -> None:
         best = self._best()
         if best is not None:
-            self.diagonal.setChecked(best.diagonal)
-            self.net_type.widget.setCurrentText(net_words()[best.net])
+            self.net_type.choose(best.net)
+            self.fields["diagonal"].widget.setChecked(best.diagonal)
             self._show()
 
 

@@ -5,59 +5,33 @@ from __future__ import annotations
 import FreeCAD
 
 from freecad_ortho import convert
+from freecad_ortho.objects.net import asked_of_diagonals
 from solver.analysis.advisor import advise
 from solver.analysis.start import Remark
+from solver.nets import NETS
 
 translate = FreeCAD.Qt.translate
 
 
 def net_words() -> dict[str, str]:
-    """What each net is called, by recipe."""
-    return {
-        "principal": translate("Ortho", "principal: flat panels"),
-        "orthogonal": translate("Ortho", "orthogonal"),
-        "circular": translate("Ortho", "circular"),
-        "conical": translate("Ortho", "conical"),
-        "geodesic": translate("Ortho", "geodesic: developable"),
-        "dog": translate("Ortho", "geodesic, four equal angles"),
-        "chebyshev": translate("Ortho", "Chebyshev: equal edges"),
-        "geodesic-chebyshev": translate("Ortho", "geodesic and Chebyshev"),
-        "asymptotic": translate("Ortho", "asymptotic: minimal"),
-        "cmc": translate("Ortho", "constant mean curvature"),
-        "snet": translate("Ortho", "spherical stars"),
-        "stress": translate("Ortho", "principal stress: equilibrium"),
-        "isometric": translate("Ortho", "isometric: faces keep shape"),
-    }
+    """What each net is called, by its name."""
+    return {name: translate("Ortho", net.title) for name, net in NETS.items()}
 
 
 def short_word(net: str) -> str:
     """What a net is called where there is little room."""
-    return "CMC" if net == "cmc" else net_words()[net].split(":")[0].strip()
+    return NETS[net].abbreviation or net_words()[net].split(":")[0].strip()
 
 
 def explain(net: str) -> str:
     """One sentence on what a net gives its builder."""
-    return {
-        "principal": translate("Ortho", "Flat faces with right angles; torsion-free beams."),
-        "orthogonal": translate("Ortho", "Lines that cross at right angles, faces not flat."),
-        "circular": translate("Ortho", "Flat faces, each with a circle through its corners."),
-        "conical": translate("Ortho", "Flat faces with an exact offset at constant thickness."),
-        "geodesic": translate("Ortho", "A developable surface: it is bent from flat sheet."),
-        "dog": translate("Ortho", "A developable surface, by the stricter definition."),
-        "chebyshev": translate("Ortho", "A developable surface of squares, all edges equal."),
-        "geodesic-chebyshev": translate("Ortho", "A developable surface of geodesic squares."),
-        "asymptotic": translate("Ortho", "A minimal surface with straight upright lamellas."),
-        "cmc": translate("Ortho", "Constant mean curvature; lamellas unroll to equal arcs."),
-        "snet": translate("Ortho", "Each vertex lies on one sphere with its neighbours."),
-        "stress": translate("Ortho", "Edges along the principal stresses, in equilibrium."),
-        "isometric": translate("Ortho", "Faces keep the shape they have: paper that is bent."),
-    }[net]
+    return translate("Ortho", NETS[net].gives)
 
 
 def outlook(net: FreeCAD.DocumentObject, kind: str) -> str:
     """One sentence on how the net's shape suits a kind of net; empty where all is well."""
     for advice in advise(convert.quad_mesh(net)):
-        if advice.net == kind and advice.diagonal == net.DiagonalNet:
+        if advice.net == kind and advice.diagonal == asked_of_diagonals(net):
             reason = reason_words(advice.cause)
             if not advice.possible:
                 return translate("Ortho", "Hardly possible: {}").format(reason)

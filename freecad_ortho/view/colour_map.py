@@ -73,7 +73,7 @@ def painting(
 
     Args:
         mesh: in mm.
-        name: one of ``solver.analysis.fields.FIELDS``.
+        name: one of :func:`solver.analysis.fields.fields`.
         chosen: range of values.
         colour: RGB of faces whose edges carry the values.
         reference: what the gap is measured to.

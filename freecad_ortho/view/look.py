@@ -9,7 +9,7 @@ import FreeCAD
 
 from freecad_ortho.objects.net import colour_field
 from freecad_ortho.view.net_properties import OVERLAY_NAMES
-from solver.analysis.fields import RESIDUALS
+from solver.analysis.fields import residuals
 
 _RANGE = ("AutomaticRange", "LowestValue", "HighestValue", "LowestDecade", "HighestDecade")
 
@@ -34,7 +34,7 @@ def wanted(
     if value_range is None:
         return look | {"AutomaticRange": True}
     low, high = value_range
-    if colour_field(net, colour_map) in RESIDUALS:
+    if colour_field(net, colour_map) in residuals():
         return look | {"LowestDecade": round(low), "HighestDecade": round(high)}
     return look | {"AutomaticRange": False, "LowestValue": low, "HighestValue": high}
 

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from functools import partial
 from typing import Any
 
-from solver.analysis import measures
 from solver.analysis.curvature import angle_defects, inner_vertices
-from solver.analysis.start import CURVATURE_LINES, STAR_NETS, twisted_lines
+from solver.analysis.start import twisted_lines
 from solver.mesh.local_origin import LocalOrigin, resolution
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.nets import NETS, Measure, Net
 from solver.report import with_article
 
 # A mesh that is less than this from a net on average is that net.
@@ -58,7 +57,7 @@ def advise(
     """Compare a mesh with every net and diagonal net, the nearest possible one first.
 
     Nets that it is already come before all others, those that would bend it after those that would
-    not.
+    not, and those of which others are special cases at the end.
 
     Args:
         mesh: the mesh.
@@ -68,40 +67,60 @@ def advise(
     """
     zero = _zero(mesh, coarse)
     mesh = LocalOrigin.of_mesh(mesh).near_mesh(mesh)
-    taken = dict(known or {})
-
-    def value(name: str, measure: Callable[[QuadMesh], FloatArray]) -> FloatArray:
-        return taken[name] if name in taken else measure(mesh)
-
-    orthogonal = float(value("orthogonality", measures.orthogonality).mean())
-    flat = float(value("planarity", measures.planarity).mean())
-    positive, negative = _curved_shares(mesh)
-    twisted = twisted_lines(mesh)
-
-    def advice(net: str, diagonal: bool, values: FloatArray) -> Advice:
-        planar = net in ("circular", "conical")
-        beyond = max(float(values.mean()), flat if planar else 0.0)
-        distance = beyond if planar else max(beyond, orthogonal)
-        possible, cause, reason = True, "", ""
-        if net == "asymptotic" and positive > _MOST:
-            possible, cause, reason = False, "bulges", _bulges(positive)
-        elif net in ("geodesic", "chebyshev") and positive + negative > _MOST:
-            cause, reason = "bends", _BENDS
-        elif net in CURVATURE_LINES and twisted is not None:
-            possible, cause, reason = False, twisted.cause, str(twisted)
-        return Advice(net, diagonal, distance, beyond, possible, cause, reason)
-
+    shape = _Shape(mesh, known or {})
     found = [
-        advice("principal", False, value("planarity", measures.planarity)),
-        advice("circular", False, value("circular", measures.circular)),
-        advice("chebyshev", False, value("chebyshev", measures.chebyshev)),
+        shape.advice(net, diagonal)
+        for net in NETS.values()
+        if shape.tells(net)
+        for diagonal in net.variants
     ]
-    if len(mesh.connectivity.stars):
-        found.append(advice("conical", False, value("conical", measures.conical)))
-        for net, measure in STAR_NETS.items():
-            found.append(advice(net, False, value(net, partial(measure, diagonal=False))))
-            found.append(advice(net, True, measure(mesh, diagonal=True)))
     return sorted(found, key=lambda one: _order(one, zero))
+
+
+class _Shape:
+    """What is to be known of a mesh to compare it with nets."""
+
+    def __init__(self, mesh: QuadMesh, known: Mapping[str, FloatArray]) -> None:
+        self._mesh = mesh
+        self._known = known
+        self._means: dict[tuple[str, bool], float] = {}
+        self._positive, self._negative = _curved_shares(mesh)
+        self._twisted = twisted_lines(mesh)
+
+    def tells(self, net: Net) -> bool:
+        """Whether the mesh alone says how far it is from a net."""
+        stars = len(self._mesh.connectivity.stars)
+        needed = any(measure.place == "vertex" for measure in net.measures)
+        return bool(net.measures) and (bool(stars) or not needed)
+
+    def advice(self, net: Net, diagonal: bool) -> Advice:
+        """How the mesh relates to a net."""
+        means = {
+            measure.name: self._mean(measure, diagonal and measure.place == "vertex")
+            for measure in net.measures
+        }
+        distance = max(means.values())
+        own = [mean for name, mean in means.items() if name != "orthogonality"]
+        doubt = self._doubt(net)
+        return Advice(net.name, diagonal, distance, max(own, default=distance), *doubt)
+
+    def _mean(self, measure: Measure, diagonal: bool) -> float:
+        key = measure.name, diagonal
+        if key not in self._means:
+            values = None if diagonal else self._known.get(measure.name)
+            values = measure.on(self._mesh, diagonal) if values is None else values
+            self._means[key] = float(values.mean())
+        return self._means[key]
+
+    def _doubt(self, net: Net) -> tuple[bool, str, str]:
+        """Whether the mesh can be near a net, and the cause and reason where it may not."""
+        if net.shape == "minimal" and self._positive > _MOST:
+            return False, "bulges", _bulges(self._positive)
+        if net.shape == "developable" and self._positive + self._negative > _MOST:
+            return True, "bends", _BENDS
+        if net.along_curvature and self._twisted is not None:
+            return False, self._twisted.cause, str(self._twisted)
+        return True, "", ""
 
 
 def _zero(mesh: QuadMesh, coarse: float | None) -> float:
@@ -109,9 +128,10 @@ def _zero(mesh: QuadMesh, coarse: float | None) -> float:
     return max(_IS, resolution(mesh) if coarse is None else coarse)
 
 
-def _order(advice: Advice, zero: float) -> tuple[bool, bool, bool, float, float]:
-    there = advice.distance < zero
-    return not there, not advice.possible, bool(advice.cause), advice.beyond, advice.distance
+def _order(advice: Advice, zero: float) -> tuple[bool, bool, bool, bool, float, float]:
+    there, doubtful = advice.distance < zero, bool(advice.cause)
+    general = NETS[advice.net].general
+    return general, not there, not advice.possible, doubtful, advice.beyond, advice.distance
 
 
 def advice_as_dict(

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from solver.analysis import measures
 from solver.analysis.advisor import advice_as_dict
-from solver.analysis.spheres import cmc
 from solver.candidate import spread_of
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
@@ -18,18 +16,7 @@ from solver.mesh.local_origin import LocalOrigin, resolution
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import seams
 from solver.multinet.inverse import multi_net_residual_of
-
-# Name, function, and what one value belongs to.
-MEASURES: tuple[tuple[str, Callable[[QuadMesh], FloatArray], str], ...] = (
-    ("orthogonality", measures.orthogonality, "face"),
-    ("planarity", measures.planarity, "face"),
-    ("circular", measures.circular, "face"),
-    ("conical", measures.conical, "vertex"),
-    ("asymptotic", measures.asymptotic, "vertex"),
-    ("cmc", cmc, "vertex"),
-    ("geodesic", measures.geodesic, "vertex"),
-    ("chebyshev", measures.chebyshev, "edge"),
-)
+from solver.nets import all_measures
 
 # Violations of Eq. 1 up to this part of size^2 count as zero.
 MULTI_NET = 1e-10
@@ -52,7 +39,8 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
     mesh = LocalOrigin.of_mesh(mesh).near_mesh(mesh)
     net = mesh.connectivity
     used = mesh.vertices[net.referenced]
-    values = {name: measure(mesh) for name, measure, _ in MEASURES}
+    asked = all_measures()
+    values = {name: measure.on(mesh) for name, measure in asked.items()}
     return {
         "vertices": len(mesh.vertices),
         "faces": len(mesh.faces),
@@ -67,7 +55,7 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         "edge_ratio": measures.edge_ratio(mesh),
         "flipped_faces": int(measures.flipped(mesh).sum()),
         "advice": advice_as_dict(mesh, values, coarse),
-        "measures": {name: _entry(mesh, values[name], where) for name, _, where in MEASURES},
+        "measures": {name: _entry(mesh, values[name], asked[name].place) for name in asked},
         "multi_net": _multi_net(mesh, max(MULTI_NET, coarse)),
         "remarks": seams(mesh).remarks(),
     }

@@ -8,12 +8,12 @@ from functools import partial
 
 import numpy as np
 
-from solver.analysis import measures
 from solver.analysis.curvature import gauss_curvature, mean_curvature
 from solver.analysis.forces import edge_forces
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.nets import NETS, Measure, all_measures
 from solver.offset.axes import torsion_free_axes
 
 FACES, VERTICES, EDGES = "faces", "vertices", "edges"
@@ -48,15 +48,33 @@ def field(mesh: QuadMesh, name: str, reference: TriangleSurface | None = None) -
 
     Args:
         mesh: the mesh.
-        name: one of ``FIELDS``.
+        name: one of :func:`fields`.
         reference: surface that the gap is measured to.
 
     Raises:
         InputError: unknown name, or a gap without a reference.
     """
-    if name not in FIELDS:
-        raise InputError(f"field: expected one of {', '.join(FIELDS)}, got '{name}'")
-    return FIELDS[name](mesh, reference)
+    known = fields()
+    if name not in known:
+        raise InputError(f"field: expected one of {', '.join(known)}, got '{name}'")
+    return known[name](mesh, reference)
+
+
+def residuals() -> dict[str, Compute]:
+    """Every measure of every net, then those that a diagonal net has of its own."""
+    found: dict[str, Compute] = {
+        measure.title: partial(_residual, measure, False) for measure in all_measures().values()
+    }
+    for net in NETS.values():
+        for measure in net.measures if True in net.variants else ():
+            if measure.place == "vertex":
+                found[f"{measure.title} diagonals"] = partial(_residual, measure, True)
+    return found
+
+
+def fields() -> dict[str, Compute]:
+    """Everything that :func:`field` computes, by name."""
+    return residuals() | _OTHERS
 
 
 def turning_radii(mesh: QuadMesh) -> FloatArray:
@@ -77,18 +95,16 @@ def turning_radii(mesh: QuadMesh) -> FloatArray:
     return result
 
 
-def _residual(place: str, measure: Callable[[QuadMesh], FloatArray]) -> Compute:
-    return lambda mesh, reference: Field(place, measure(mesh), decades=True)
-
-
-def _star_residual(measure: Callable[[QuadMesh], FloatArray], diagonal: bool = False) -> Compute:
-    def compute(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
-        net = mesh.connectivity
-        values = np.full(len(mesh.vertices), np.nan)
-        values[(net.diagonal_stars if diagonal else net.stars)[:, 0]] = measure(mesh)
-        return Field(VERTICES, values, decades=True)
-
-    return compute
+def _residual(
+    measure: Measure, diagonal: bool, mesh: QuadMesh, reference: TriangleSurface | None
+) -> Field:
+    found = measure.on(mesh, diagonal)
+    if measure.place != "vertex":
+        return Field(FACES if measure.place == "face" else EDGES, found, decades=True)
+    net = mesh.connectivity
+    values = np.full(len(mesh.vertices), np.nan)
+    values[(net.diagonal_stars if diagonal else net.stars)[:, 0]] = found
+    return Field(VERTICES, values, decades=True)
 
 
 def _gap(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
@@ -103,19 +119,7 @@ def _twist(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
     return Field(EDGES, np.degrees(np.arcsin(np.clip(twist, 0, 1))), unit="degrees")
 
 
-RESIDUALS: dict[str, Compute] = {
-    "Planarity": _residual(FACES, measures.planarity),
-    "Orthogonality": _residual(FACES, measures.orthogonality),
-    "Circular": _residual(FACES, measures.circular),
-    "Conical": _star_residual(measures.conical),
-    "Geodesic": _star_residual(measures.geodesic),
-    "Asymptotic": _star_residual(measures.asymptotic),
-    "Chebyshev": _residual(EDGES, measures.chebyshev),
-    "Geodesic diagonals": _star_residual(partial(measures.geodesic, diagonal=True), True),
-    "Asymptotic diagonals": _star_residual(partial(measures.asymptotic, diagonal=True), True),
-}
-FIELDS: dict[str, Compute] = {
-    **RESIDUALS,
+_OTHERS: dict[str, Compute] = {
     "Gauss curvature": lambda mesh, reference: Field(
         VERTICES, gauss_curvature(mesh), dimension=-2, signed=True
     ),

@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
-from solver.analysis import measures
 from solver.analysis.directions import directions
-from solver.analysis.spheres import cmc
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.nets import NETS
 
-STAR_NETS: dict[str, Callable[..., FloatArray]] = {
-    "geodesic": measures.geodesic,
-    "asymptotic": measures.asymptotic,
-    "cmc": cmc,
-}
-# Nets whose lines follow the principal directions. Where more than this part of the bending is
-# twist along the lines they flatten the shape or stall; where the diagonals have less than that of
-# it, the diagonal mesh is a start for them.
-CURVATURE_LINES = ("principal", "circular", "conical")
+# Where more than this part of the bending is twist along the lines, nets whose lines follow the
+# principal directions flatten the shape or stall; where the diagonals have less than that of it,
+# the diagonal mesh is a start for them.
 _TWISTED, _FOLLOWING = 0.45, 0.2
 # Degrees that the normal may turn about a border that is held: more were not made up for.
 _TURN = 1.0
@@ -67,7 +60,7 @@ def start_remarks(
         held: (V,) true for vertices that are fixed or glide along a curve; none by default.
     """
     found = [closer_variant(mesh, net, diagonal)]
-    if net in CURVATURE_LINES:
+    if NETS[net].along_curvature:
         found.append(twisted_lines(mesh))
         if held is not None:
             found.append(_turned_border(mesh, held))
@@ -90,10 +83,11 @@ def twisted_lines(mesh: QuadMesh) -> Remark | None:
 
 def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> Remark | None:
     """Say where the other variant of a net starts ten times closer."""
-    if net not in STAR_NETS or not len(mesh.connectivity.stars):
+    if len(NETS[net].variants) == 1 or not len(mesh.connectivity.stars):
         return None
-    asked = float(STAR_NETS[net](mesh, diagonal=diagonal).mean())
-    other = float(STAR_NETS[net](mesh, diagonal=not diagonal).mean())
+    stars = next(measure for measure in NETS[net].measures if measure.place == "vertex")
+    asked = float(stars.on(mesh, diagonal).mean())
+    other = float(stars.on(mesh, not diagonal).mean())
     if asked <= _CLOSER * other:
         return None
     fact = f"{net}: the start is {asked:.1e} from this net but {other:.1e} from the other variant"

@@ -6,7 +6,9 @@ import numpy as np
 
 from solver.analysis import measures, spheres
 from solver.errors import InputError
+from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
+from solver.nets.orthogonal import ORTHOGONALITY
 from solver.problem import Problem, of_mesh
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.spherical_star import SphericalStar
@@ -68,3 +70,46 @@ def snet(problem: Problem, options: NetOptions) -> Problem:
         SphericalStar(stars, name="snet"),
         of_mesh(spheres.snet, diagonal=options.diagonal),
     )
+
+
+NETS = (
+    Net(
+        "asymptotic",
+        asymptotic,
+        place=9,
+        title="asymptotic: minimal",
+        condition="equal diagonals, flat stars",
+        purpose="minimal surfaces; straight lamellas upright on the surface",
+        gives="A minimal surface with straight upright lamellas.",
+        measures=(ORTHOGONALITY, Measure("asymptotic", measures.asymptotic, "vertex")),
+        options=("diagonal",),
+        shape="minimal",
+        way=Way(evenness=(3.0, 30.0)),
+    ),
+    Net(
+        "cmc",
+        cmc,
+        place=10,
+        title="constant mean curvature",
+        condition="equal diagonals, stars on spheres of one radius",
+        purpose="pneumatic shapes; lamellas that are arcs of one radius",
+        gives="Constant mean curvature; lamellas unroll to equal arcs.",
+        abbreviation="CMC",
+        colours="Mean curvature",
+        measures=(ORTHOGONALITY, Measure("cmc", spheres.cmc, "vertex", shown="CMC")),
+        options=("diagonal", "radius"),
+        way=Way(evenness=(3.0, 30.0)),
+    ),
+    Net(
+        "snet",
+        snet,
+        place=11,
+        title="spherical stars",
+        condition="equal diagonals, stars on spheres",
+        purpose="lamellas that are arcs",
+        gives="Each vertex lies on one sphere with its neighbours.",
+        measures=(ORTHOGONALITY, Measure("snet", spheres.snet, "vertex", shown="Spherical stars")),
+        options=("diagonal",),
+        general=True,
+    ),
+)

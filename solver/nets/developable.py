@@ -6,7 +6,9 @@ import numpy as np
 
 from solver.analysis import measures
 from solver.errors import InputError
+from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
+from solver.nets.orthogonal import ORTHOGONALITY
 from solver.problem import Problem, of_mesh
 from solver.terms.chebyshev import EqualEdges
 from solver.terms.isometry import Isometry
@@ -86,3 +88,78 @@ def _equal_edges(problem: Problem, options: NetOptions) -> Problem:
             term = EqualEdges(net.edges[chosen], shared=shared, name=name)
         problem.require(term, of_mesh(measures.equal_edges, chosen=chosen, length=options.length))
     return problem
+
+
+GEODESIC = Measure("geodesic", measures.geodesic, "vertex")
+EQUAL_ANGLES = Measure("equal angles", measures.equal_angles, "vertex")
+CHEBYSHEV = Measure("chebyshev", measures.chebyshev, "edge")
+
+NETS = (
+    Net(
+        "geodesic",
+        geodesic,
+        place=5,
+        title="geodesic: developable",
+        condition="equal diagonals, equal opposite angles in every star",
+        purpose="sheet bent from flat, ribs that unroll straight",
+        gives="A developable surface: it is bent from flat sheet.",
+        measures=(ORTHOGONALITY, GEODESIC),
+        options=("diagonal",),
+        shape="developable",
+        flat=True,
+        way=Way(bent=True),
+    ),
+    Net(
+        "dog",
+        dog,
+        place=6,
+        title="geodesic, four equal angles",
+        condition="four equal angles in every star",
+        purpose="the same, stricter",
+        gives="A developable surface, by the stricter definition.",
+        measures=(EQUAL_ANGLES,),
+        options=("diagonal",),
+        shape="developable",
+        flat=True,
+        way=Way(bent=True),
+    ),
+    Net(
+        "chebyshev",
+        chebyshev,
+        place=7,
+        title="Chebyshev: equal edges",
+        condition="equal diagonals, all edges equally long",
+        purpose="rods or fabric of one mesh width",
+        gives="A developable surface of squares, all edges equal.",
+        measures=(ORTHOGONALITY, CHEBYSHEV),
+        options=("length", "per_family"),
+        shape="developable",
+        flat=True,
+        way=Way(bent=True),
+    ),
+    Net(
+        "geodesic-chebyshev",
+        geodesic_chebyshev,
+        place=8,
+        title="geodesic and Chebyshev",
+        condition="both",
+        purpose="sheet with a regular grid on it",
+        gives="A developable surface of geodesic squares.",
+        measures=(ORTHOGONALITY, GEODESIC, CHEBYSHEV),
+        options=("diagonal", "length", "per_family"),
+        shape="developable",
+        flat=True,
+        way=Way(bent=True, rigid=True),
+    ),
+    Net(
+        "isometric",
+        isometric,
+        place=13,
+        title="isometric: faces keep shape",
+        condition="every face keeps its shape",
+        purpose="bending a developed sheet",
+        gives="Faces keep the shape they have: paper that is bent.",
+        options=("reference",),
+        flat=True,
+    ),
+)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from solver.analysis import measures
+from solver.nets.net import Measure, Net
 from solver.nets.options import NetOptions
 from solver.problem import Problem, of_mesh
 from solver.terms.medial_angle import MedialAngle
@@ -22,3 +23,21 @@ def orthogonal(problem: Problem, options: NetOptions) -> Problem:
         return problem.require(Orthogonality(faces), of_mesh(measures.orthogonality))
     angle = math.radians(options.angle)
     return problem.require(MedialAngle(faces, angle), of_mesh(measures.medial_angle, angle=angle))
+
+
+ORTHOGONALITY = Measure("orthogonality", measures.orthogonality, "face")
+
+NETS = (
+    Net(
+        "orthogonal",
+        orthogonal,
+        place=2,
+        title="orthogonal",
+        condition="equal diagonals in every face",
+        purpose="layouts that look square, cladding that bends",
+        gives="Lines that cross at right angles, faces not flat.",
+        measures=(ORTHOGONALITY,),
+        options=("angle",),
+        general=True,
+    ),
+)

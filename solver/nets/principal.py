@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from solver.analysis import measures
+from solver.nets.net import Easier, Measure, Net, Way
 from solver.nets.options import NetOptions, stars_of
+from solver.nets.orthogonal import ORTHOGONALITY
 from solver.problem import Problem, of_mesh
 from solver.terms.face_angles import CircularFace
 from solver.terms.orthogonality import Orthogonality
@@ -39,3 +41,44 @@ def conical(problem: Problem, options: NetOptions) -> Problem:
     stars = stars_of(problem)
     problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
     return problem.require(ConicalStar(stars), of_mesh(measures.conical))
+
+
+PLANARITY = Measure("planarity", measures.planarity, "face")
+
+NETS = (
+    Net(
+        "principal",
+        principal,
+        place=1,
+        title="principal: flat panels",
+        condition="equal diagonals, flat faces",
+        purpose="flat panels on beams without twist",
+        gives="Flat faces with right angles; torsion-free beams.",
+        measures=(ORTHOGONALITY, PLANARITY),
+        along_curvature=True,
+    ),
+    Net(
+        "circular",
+        circular,
+        place=3,
+        title="circular",
+        condition="flat faces with a circle through their corners",
+        purpose="flat panels, second layer at equal distance from the vertices",
+        gives="Flat faces, each with a circle through its corners.",
+        measures=(PLANARITY, Measure("circular", measures.circular, "face")),
+        along_curvature=True,
+        way=Way(easier=(Easier("principal"),)),
+    ),
+    Net(
+        "conical",
+        conical,
+        place=4,
+        title="conical",
+        condition="flat faces that touch a cone at every vertex",
+        purpose="flat panels, layers of constant thickness",
+        gives="Flat faces with an exact offset at constant thickness.",
+        measures=(PLANARITY, Measure("conical", measures.conical, "vertex")),
+        along_curvature=True,
+        way=Way(easier=(Easier("principal"),)),
+    ),
+)

@@ -10,6 +10,7 @@ import numpy as np
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
+from solver.nets.net import Net
 from solver.problem import Problem
 from solver.terms.closeness import Closeness
 from solver.terms.edge_guard import EdgeGuard
@@ -103,33 +104,36 @@ def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
     )
 
 
-def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
+def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int], net: Net | None = None) -> BoolArray:
     """(V,) mask of the vertices that ``none``, ``corners``, ``boundary`` or numbers name.
 
     Corners are boundary vertices where no parameter line runs along the boundary; on a boundary
-    that is one smooth loop there are none.
+    that is one smooth loop there are none. Of a ``net`` that needs supports its own are meant where
+    nothing is named.
 
     Raises:
         InputError: an unknown word or a number out of range.
     """
-    net = mesh.connectivity
+    around = mesh.connectivity
     if isinstance(fix, str):
         word = fix.strip().lower()
+        if word == "none" and net is not None:
+            word = net.supports
         if word == "none":
-            return np.zeros(net.vertex_count, dtype=bool)
+            return np.zeros(around.vertex_count, dtype=bool)
         if word == "corners":
-            return _some(net.corners, "corners")
+            return _some(around.corners, "corners")
         if word == "boundary":
-            return _some(net.boundary_vertices, "boundary")
+            return _some(around.boundary_vertices, "boundary")
         fix = _numbers(fix)
     chosen = np.asarray(list(fix), dtype=np.int64)
-    wrong = chosen[(chosen < 0) | (chosen >= net.vertex_count)]
+    wrong = chosen[(chosen < 0) | (chosen >= around.vertex_count)]
     if len(wrong):
         raise InputError(
             f"fix: vertex {wrong[0]} does not exist; vertices are numbered 0 to "
-            f"{net.vertex_count - 1}"
+            f"{around.vertex_count - 1}"
         )
-    mask = np.zeros(net.vertex_count, dtype=bool)
+    mask = np.zeros(around.vertex_count, dtype=bool)
     mask[chosen] = True
     return mask
 

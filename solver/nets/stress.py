@@ -10,6 +10,7 @@ from solver.analysis import measures
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.nets.net import Easier, Net, Way
 from solver.nets.options import NetOptions
 from solver.problem import Problem, of_mesh
 from solver.statics import Loads, refuse_mechanisms, start_densities, unbalanced
@@ -120,3 +121,27 @@ def _by_valence(problem: Problem, free: IntArray) -> list[tuple[IntArray, IntArr
         places = order[begins[centres][:, None] + np.arange(valence)]
         groups.append((centres, others[places], edges[places]))
     return groups
+
+
+NETS = (
+    Net(
+        "stress",
+        stress,
+        place=12,
+        title="principal stress: equilibrium",
+        condition="equal diagonals, forces in balance at every free vertex",
+        purpose="grid shells whose members carry the load without bending",
+        gives="Edges along the principal stresses, in equilibrium.",
+        options=("load", "load_area", "load_length", "forces"),
+        supports="boundary",
+        held="supports",
+        way=Way(
+            easier=(
+                Easier("orthogonal", 10.0, evenness=1.0),
+                Easier("orthogonal", 100.0),
+                Easier("orthogonal"),
+            ),
+            guarded=True,
+        ),
+    ),
+)

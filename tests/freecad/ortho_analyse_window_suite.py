@@ -18,6 +18,7 @@ from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import reason_words
 from solver.analysis.fields import field
 from solver.errors import InputError
+from solver.nets import all_measures
 
 
 class AnalyseCase(WindowCase):
@@ -229,7 +230,7 @@ class TestCheck(AnalyseCase):
     def test_measures_and_advice_are_listed(self):
         panel = self.opened("Ortho_Check", check_panel, "CheckPanel")
         names = [panel.measures.item(row, 0).text() for row in range(panel.measures.rowCount())]
-        self.assertEqual([name.lower() for name in names], list(panel.result["measures"]))
+        self.assertEqual(names, [measure.title for measure in all_measures().values()])
         self.assertGreater(panel.nets.rowCount(), 5)
         best = panel.result["advice"]["nets"][0]
         self.assertIn(f"{best['distance']:.1e}", panel.recommendation.text())

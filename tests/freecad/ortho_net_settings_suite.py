@@ -9,15 +9,26 @@ from ortho_suite_tools import vertices
 
 from freecad_ortho import api, convert, sources
 from freecad_ortho.documents import net_settings
-from freecad_ortho.objects import net_settings as table
 from freecad_ortho.objects.net import NET_PROPERTIES
 from solver.errors import InputError
-from solver.nets import RECIPES
+from solver.nets import NETS
 
 
 class TestTable(DocumentCase):
-    def test_every_recipe_can_be_chosen(self):
-        self.assertEqual(set(table.NETS), set(RECIPES))
+    def test_every_net_can_be_chosen(self):
+        net = self.imported()
+        self.assertEqual(net.getEnumerationsOfProperty("NetType"), list(NETS))
+
+    def test_options_of_other_nets_wait_for_theirs(self):
+        net = self.imported()
+        api.set_net(net, net="asymptotic", diagonal=True, radius=2000.0)
+        mesh = convert.quad_mesh(net)
+        self.assertTrue(net_settings.for_solver(net, mesh)["options"].diagonal)
+        self.assertIsNone(net_settings.for_solver(net, mesh)["options"].radius)
+        api.set_net(net, net="conical")
+        self.assertFalse(net_settings.for_solver(net, mesh)["options"].diagonal)
+        api.set_net(net, net="cmc")
+        self.assertEqual(net_settings.for_solver(net, mesh)["options"].radius, 2000.0)
 
     def test_no_source_has_a_property_of_that_name(self):
         names = {item.name for item in NET_PROPERTIES}

@@ -18,6 +18,8 @@ from freecad_ortho.panels.fields import LengthField
 from freecad_ortho.panels.net_words import net_words
 from freecad_ortho.panels.optimise_panel import OptimisePanel
 from solver.analysis.advisor import advise
+from solver.nets import NETS, register, unregister
+from tests.own_net import FLAT
 
 
 class OptimiseCase(WindowCase):
@@ -83,17 +85,44 @@ class TestChoices(OptimiseCase):
 
     def test_every_net_shows_what_belongs_to_it(self):
         panel = self.opened(self.net())
-        panel.choice.radius.millimetres = 5000
+        panel.choice.fields["radius"].millimetres = 5000
         seen = {}
-        for name in net_settings.NETS:
+        for name in NETS:
             panel.net_type.choose(name)
-            rows = panel.choice._shown_for
-            seen[name] = [k for k, (row, _) in enumerate(rows) if not row.isHidden()]
+            rows = panel.choice.rows
+            seen[name] = [option for option, row in rows.items() if not row.isHidden()]
             self.assertTrue(panel.choice.explanation.text())
         self.assertEqual(seen["principal"], [])
         self.assertEqual(len(seen["stress"]), 4)
         self.assertNotEqual(seen["cmc"], seen["chebyshev"])
         self.assertEqual(panel.settings()["radius"], 5000)
+
+    def test_a_diagonal_that_was_ticked_for_one_net_is_not_for_the_next(self):
+        net = self.net()
+        panel = self.opened(net)
+        ticked = panel.choice.fields["diagonal"].widget
+        for name in ("asymptotic", "geodesic-chebyshev"):
+            panel.net_type.choose(name)
+            self.assertFalse(panel.choice.rows["diagonal"].isHidden())
+            self.assertFalse(ticked.isChecked())
+            ticked.setChecked(True)
+        panel.net_type.choose("conical")
+        self.assertFalse(panel.settings().get("diagonal", False))
+
+    def test_a_net_of_ones_own_is_found(self):
+        register(FLAT)
+        self.addCleanup(unregister, FLAT.name)
+        net = self.net()
+        panel = self.opened(net)
+        panel.net_type.choose("flat")
+        self.assertEqual(panel.net_type.widget.currentText(), FLAT.title)
+        self.assertIn(FLAT.gives, panel.choice.explanation.text())
+        shown = [name for name, row in panel.choice.rows.items() if not row.isHidden()]
+        self.assertEqual(shown, ["length"])
+        self.finished()
+        press("Ok")
+        self.assertEqual(panel.run.optimisation.status, "converged")
+        self.assertEqual((net.NetType, net.TargetEdge.Value), ("flat", 0.0))
 
     def test_settings_are_kept_and_found_again(self):
         net = self.net()

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from solver.candidate import FLATTENED, THICK, judge
-from solver.nets import RECIPES
 from solver.nets.options import NetOptions
+from solver.nets.principal import principal
 from solver.problem import Problem
 from tests.meshes import grid, parameters
 
@@ -20,7 +20,7 @@ def candidate():
     x, y = parameters(6, 5, 5.0, 4.0)
     mesh = grid(x, y, 0.1 * x**2)
     fixed = np.zeros(len(mesh.vertices), dtype=bool)
-    problem = RECIPES["principal"](Problem("principal", mesh, fixed), NetOptions())
+    problem = principal(Problem("principal", mesh, fixed), NetOptions())
     return judge(problem, problem.start, 1e-9)
 
 
@@ -63,7 +63,7 @@ def test_a_folded_shape_is_no_solution_even_where_the_net_is_met(candidate):
     folded = grid(x, y, 0 * x)
     fixed = np.zeros(len(folded.vertices), dtype=bool)
     flat = grid(*parameters(6, 5, 5.0, 4.0), 0 * x)
-    problem = RECIPES["principal"](Problem("principal", flat, fixed), NetOptions())
+    problem = principal(Problem("principal", flat, fixed), NetOptions())
     at = ((folded.vertices - problem.centre) / problem.scale).ravel()
     found = judge(problem, at, 1e-9)
     assert found.met and found.flipped and not found.sound and not found.valid

@@ -8,6 +8,7 @@ import pytest
 from solver import Constraints, InputError, NetOptions, Session, optimise
 from solver.analysis import measures
 from solver.mesh.closest import Polyline, TriangleSurface
+from solver.nets import NETS
 from solver.nets.constraints import (
     BoundaryGlide,
     CurveGlide,
@@ -64,7 +65,7 @@ def test_the_boundary_glides_on_its_own_curve():
 def test_a_net_reached_through_an_easier_one_glides_on_the_start_curve():
     start, fixed = wavy_grid(7, 6), np.zeros(42, dtype=bool)
     wanted = settled(start, fixed, Constraints(glide=(BoundaryGlide(), PlaneGlide(1, 5.0))))
-    plan = Plan("conical", fixed, NetOptions(), wanted, Weights())
+    plan = Plan(NETS["conical"], fixed, NetOptions(), wanted, Weights())
     way_round = next(problem for problem in plan.problems(start) if problem.easier)
     later = way_round.easier(noisy(start, 0.3, seed=1))
     assert later.measures["glide"](start, np.zeros(0)).max() <= 1e-14

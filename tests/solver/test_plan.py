@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from solver import Constraints, NetOptions
-from solver.nets import RECIPES
+from solver.nets import NETS
 from solver.nets.settings import Weights
 from solver.plan import Plan
 from tests.conftest import wavy_grid
@@ -17,7 +17,7 @@ def planner(net, mesh, weights):
     fixed = np.zeros(len(mesh.vertices), dtype=bool)
     if net == "stress":
         fixed = mesh.connectivity.boundary_vertices
-    return Plan(net, fixed, NetOptions(), Constraints(), weights)
+    return Plan(NETS[net], fixed, NetOptions(), Constraints(), weights)
 
 
 def planned(net, mesh):
@@ -32,7 +32,7 @@ def attempts(problem):
 
 
 @pytest.mark.parametrize("build", [lambda: wavy_grid(7, 6), bent_sheet], ids=["wave", "sheet"])
-@pytest.mark.parametrize("net", RECIPES)
+@pytest.mark.parametrize("net", NETS)
 def test_no_attempt_is_made_twice(net, build):
     mesh = build()
     straight, ways_round = {}, []
@@ -46,7 +46,7 @@ def test_no_attempt_is_made_twice(net, build):
 
 
 @pytest.mark.parametrize("build", [lambda: wavy_grid(7, 6), bent_sheet], ids=["wave", "sheet"])
-@pytest.mark.parametrize("net", RECIPES)
+@pytest.mark.parametrize("net", NETS)
 def test_a_given_fairness_changes_no_other_guide(net, build):
     mesh = build()
     own = next(problem for problem in planned(net, mesh) if problem.mesh is mesh)
@@ -57,7 +57,7 @@ def test_a_given_fairness_changes_no_other_guide(net, build):
 
 def test_the_start_itself_is_tried_before_it_is_bent():
     mesh = bent_sheet()
-    for net in RECIPES:
+    for net in NETS:
         assert planned(net, mesh)[0].mesh is mesh
     first, *bent, last = planned("geodesic", mesh)
     assert first.mesh is last.mesh is mesh

@@ -10,7 +10,7 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from solver import NetOptions, start_optimisation
-from solver.nets import RECIPES
+from solver.nets import NETS
 from tests.conftest import wavy_grid
 
 STEPS, REPEATS = 8, 4
@@ -40,7 +40,7 @@ def times(monkeypatch, mesh, net, steps=STEPS, repeats=REPEATS):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("net", RECIPES)
+@pytest.mark.parametrize("net", NETS)
 def test_a_step_costs_little_more_than_its_solve(monkeypatch, net):
     step, solve, setup = times(monkeypatch, wavy_grid(48, 48), net)
     assert step <= 1.5 * solve

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from solver import InputError, NetOptions, QuadMesh, optimise
+from solver import InputError, NetOptions, QuadMesh, optimise, start_optimisation
 from solver.analysis import measures
 from solver.statics import Loads, start_densities, unbalanced
 from tests.conftest import grid_faces, shared_mesh
@@ -134,7 +134,7 @@ def test_forces_scale_with_the_load_and_the_unit():
 @pytest.mark.parametrize(
     ("fix", "options", "words"),
     [
-        ("none", {}, "component 0 has 0 supported vertices"),
+        ((), {}, "component 0 has 0 supported vertices"),
         ([0, 1], {}, "component 0 has 2 supported vertices"),
         (range(33), {}, "every vertex is supported"),
         ("boundary", {"load": float("nan")}, "load: expected a number"),
@@ -162,3 +162,12 @@ def test_supports_on_one_line_are_a_mechanism():
     assert len(edge) > 3
     with pytest.raises(InputError, match="lie on one line and it would be a mechanism"):
         optimise(mesh, "stress", fix=edge, options=NetOptions(load=1.0))
+
+
+def test_the_boundary_is_supported_where_nothing_is_said():
+    start = hanging_net()
+    said = start_optimisation(start, "stress", fix="boundary")
+    unsaid = start_optimisation(start, "stress")
+    assert (unsaid.original.fixed == said.original.fixed).all()
+    assert unsaid.held == ("supports",)
+    assert not start_optimisation(start, "principal").original.fixed.any()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from solver.analysis.fields import FIELDS, field, turning_radii
+from solver.analysis.fields import field, fields, turning_radii
 from solver.analysis.forces import edge_forces, force_densities
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
@@ -22,7 +22,7 @@ def cylinder(radius, rows=12, columns=9):
     return QuadMesh.from_arrays(points, faces.reshape(-1, 4))
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("name", fields())
 def test_every_field_has_one_value_a_place(name):
     mesh = wavy_grid(7, 6)
     reference = TriangleSurface.from_quads(mesh)
@@ -32,7 +32,7 @@ def test_every_field_has_one_value_a_place(name):
     assert np.isfinite(result.values).any()
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("name", fields())
 def test_dimension_is_the_power_of_the_length(name):
     mesh = wavy_grid(7, 6)
     one = field(mesh, name, TriangleSurface.from_quads(mesh.scaled(1.001)))
@@ -65,7 +65,7 @@ def test_gap_is_the_distance_to_the_reference():
 
 
 def test_unknown_field_is_named():
-    with pytest.raises(InputError, match=r"expected one of Planarity.*got 'Colour'"):
+    with pytest.raises(InputError, match=r"expected one of Orthogonality.*got 'Colour'"):
         field(wavy_grid(3, 3), "Colour")
 
 

@@ -1,0 +1,134 @@
+"""What a net is: one entry of the table from which all that offers nets is made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.nets.options import NetOptions
+from solver.problem import Problem
+
+Recipe = Callable[[Problem, NetOptions], Problem]
+
+
+@dataclass(frozen=True)
+class Measure:
+    """How far a bare mesh is from a property that nets ask for.
+
+    Attributes:
+        name: word of reports and of the command line.
+        of: gives one dimensionless value each; of stars with the keyword ``diagonal``.
+        place: what a value belongs to; at a vertex it is a star's, and has a diagonal variant.
+        shown: what fields and tables call it where that is more than its name in capitals.
+    """
+
+    name: str
+    of: Callable[..., FloatArray]
+    place: Literal["face", "edge", "vertex"]
+    shown: str = ""
+
+    @property
+    def title(self) -> str:
+        """Name of the field that shows it."""
+        return self.shown or self.name.capitalize()
+
+    def on(self, mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
+        """(n,) values, of stars those of the diagonal net where that is asked for."""
+        stars = diagonal and self.place == "vertex"
+        return self.of(mesh, diagonal=True) if stars else self.of(mesh)
+
+
+class Easier(NamedTuple):
+    """An easier net that is made first.
+
+    Attributes:
+        net: its name.
+        fairness: factor on the fairness of the attempts at it.
+        evenness: weight of evenness, on the way to the wanted net too; zero for none.
+    """
+
+    net: str
+    fairness: float = 1.0
+    evenness: float = 0.0
+
+
+@dataclass(frozen=True)
+class Way:
+    """What ``solver.plan`` does where the start itself leads nowhere.
+
+    Attributes:
+        easier: nets that are made first, tried one after the other.
+        bent: starts bent in one direction only are tried.
+        rigid: of these the one that a doubly curved start does not reach.
+        guarded: the net is reached as easily with faces crossed over as without: guards stand by
+            from the start.
+        evenness: weights of evenness in the attempts after the first.
+    """
+
+    easier: tuple[Easier, ...] = ()
+    bent: bool = False
+    rigid: bool = False
+    guarded: bool = False
+    evenness: tuple[float, ...] = (1.0,)
+
+
+@dataclass(frozen=True)
+class Net:
+    """A net: what is asked, what can be said about it, and the words for it.
+
+    Attributes:
+        name: of the command line and of macros.
+        recipe: adds the terms that must vanish to a problem.
+        place: where it stands in lists, from 1.
+        title: what a list of nets shows: a name and, after a colon, what it is known by.
+        condition: what is asked, in the words of the table in docs/nets.md.
+        purpose: what for in a building, likewise.
+        gives: one sentence on what it gives its builder.
+        abbreviation: name where there is little room, by default that of the title.
+        colours: field that shows best what is asked, by default the last measure.
+        measures: by which a bare mesh is judged; none where that takes more than a mesh.
+        options: names of those fields of ``NetOptions`` that it heeds.
+        supports: what is held where nothing is said, as for ``fix``.
+        held: what fixed vertices are called.
+        shape: surfaces that carry it: any, developable ones only, or minimal ones only.
+        along_curvature: its lines follow the principal directions.
+        flat: a plane is a shape as good as any other, as it is of sheets.
+        general: others are special cases of it, and are advised before it.
+        way: how it is reached where the start leads nowhere.
+    """
+
+    name: str
+    recipe: Recipe
+    place: int
+    title: str
+    condition: str
+    purpose: str
+    gives: str
+    abbreviation: str = ""
+    colours: str = ""
+    measures: tuple[Measure, ...] = ()
+    options: tuple[str, ...] = ()
+    supports: str = "none"
+    held: str = "fixed vertices"
+    shape: Literal["any", "developable", "minimal"] = "any"
+    along_curvature: bool = False
+    flat: bool = False
+    general: bool = False
+    way: Way = Way()
+
+    @property
+    def short(self) -> str:
+        """Name where there is little room."""
+        return self.abbreviation or self.title.split(":")[0].strip()
+
+    @property
+    def field(self) -> str:
+        """Name of the field that shows where a mesh is this net."""
+        return self.colours or (self.measures[-1].title if self.measures else "Orthogonality")
+
+    @property
+    def variants(self) -> tuple[bool, ...]:
+        """Whether stars may be those of the diagonal net: values of the option ``diagonal``."""
+        return (False, True) if "diagonal" in self.options else (False,)

@@ -1,0 +1,68 @@
+"""The table of nets: a net is known everywhere by its entry here.
+
+Every module of this folder that has ``NETS`` adds its own, :func:`register` one from elsewhere.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Iterator
+from pathlib import Path
+
+from solver.errors import InputError
+from solver.nets.net import Measure, Net
+
+NETS: dict[str, Net] = {}
+
+
+def register(net: Net) -> Net:
+    """Add a net: to the command line, the measures, the advisor, documents and panels.
+
+    Raises:
+        InputError: there is one of that name already.
+    """
+    if net.name in NETS:
+        raise InputError(f"net: there is a net '{net.name}' already; choose another name")
+    NETS[net.name] = net
+    ordered = sorted(NETS.values(), key=lambda one: one.place)
+    NETS.clear()
+    NETS.update((one.name, one) for one in ordered)
+    return net
+
+
+def unregister(name: str) -> None:
+    """Take a net out again."""
+    del NETS[name]
+
+
+def net_named(name: str) -> Net:
+    """The net of that name.
+
+    Raises:
+        InputError: there is none.
+    """
+    if name not in NETS:
+        raise InputError(f"net: expected one of {', '.join(NETS)}, got '{name}'")
+    return NETS[name]
+
+
+def nets_with(option: str) -> tuple[str, ...]:
+    """Names of the nets that heed an option."""
+    return tuple(name for name, net in NETS.items() if option in net.options)
+
+
+def all_measures() -> dict[str, Measure]:
+    """Every measure of every net, by name, each once."""
+    return {measure.name: measure for net in NETS.values() for measure in net.measures}
+
+
+def _found() -> Iterator[Net]:
+    """Nets of the modules beside this one."""
+    for module in pkgutil.iter_modules([str(Path(__file__).parent)], "solver.nets."):
+        if module.name != __name__:
+            yield from getattr(importlib.import_module(module.name), "NETS", ())
+
+
+for _net in _found():
+    register(_net)
