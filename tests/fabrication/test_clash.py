@@ -1,5 +1,7 @@
 """Shared volumes of convex pieces against other geometry, and the kernel kept out of the check."""
 
+import pickle
+from concurrent.futures import Executor, Future
 from dataclasses import replace
 
 import numpy as np
@@ -25,6 +27,29 @@ def drilled_hubs():
     structure = build(plane, [Beams(200, 12, ends="hub"), Nodes("hub", bore=60)])
     inner = [5, 6]
     return [structure.results["nodes"].parts[vertex] for vertex in inner]
+
+
+class Elsewhere(Executor):
+    """Does the work here, on what would arrive in another process."""
+
+    def __init__(self):
+        self.works = 0
+
+    def submit(self, function, /, *arguments):
+        self.works += 1
+        future = Future()
+        travelled = pickle.loads(pickle.dumps((function, arguments)))
+        future.set_result(travelled[0](*travelled[1]))
+        return future
+
+
+def stacked(hubs):
+    """Five hubs that stand in each other: no pair of them is told apart without the kernel."""
+    one, other = hubs
+    return [
+        replace(other, name=f"N{k}", origin=one.origin + np.array([0.0, 0.0, 30.0 * k]))
+        for k in range(5)
+    ]
 
 
 def hull(points):
@@ -137,11 +162,7 @@ def test_the_kernel_does_not_overrule_half_spaces(drilled_hubs, monkeypatch):
 
 def test_a_check_can_be_stopped_between_any_two_cuts(drilled_hubs, monkeypatch):
     """Progress is told before every cut, and what it raises ends the check."""
-    one, other = drilled_hubs
-    parts = [
-        replace(other, name=f"N{k}", origin=one.origin + np.array([0.0, 0.0, 30.0 * k]))
-        for k in range(5)
-    ]
+    parts = stacked(drilled_hubs)
     cuts = []
 
     class Stop(Exception):
@@ -160,3 +181,14 @@ def test_a_check_can_be_stopped_between_any_two_cuts(drilled_hubs, monkeypatch):
     with pytest.raises(Stop):
         check_clashes(parts, progress=progress)
     assert len(cuts) == 3
+
+
+def test_every_cut_of_the_kernel_is_work_of_its_own_for_the_workers(drilled_hubs):
+    """They find what is found without them, from what arrives in another process."""
+    parts, elsewhere = stacked(drilled_hubs), Elsewhere()
+    check = check_clashes(parts, elsewhere)
+    assert elsewhere.works == check.cut == 10
+    assert check == check_clashes(parts)
+    shares = sorted(clash.volume / parts[0].volume for clash in check.clashes)
+    apart = sorted(1 - 30 * (i - j) / 200 for i in range(5) for j in range(i))
+    assert shares == pytest.approx(apart, rel=1e-9)
