@@ -88,9 +88,10 @@ def lean(material: Material, thickness: float, length: float) -> float:
 
 
 def insertion(ways: Sequence[SlotWay]) -> FloatArray:
-    """(D,) unit direction that misses what the slots allow by least, for at least one slot.
+    """(D,) unit direction of insertion: one that all slots allow, else one that is missed least.
 
-    The centre of the smallest ball about the directions, less what each allows.
+    The first found that misses nothing, else the centre of the smallest ball about the directions,
+    less what each allows.
 
     Source: Badoiu, Clarkson (2003), Smaller core-sets for balls.
     """
@@ -103,6 +104,8 @@ def insertion(ways: Sequence[SlotWay]) -> FloatArray:
         missed = angle_between(here, directions) - allowed
         if missed.max() < least:
             least, best = float(missed.max()), here
+        if least <= 0:
+            break
         towards = directions[int(missed.argmax())]
         here = unit_rows((here + (towards - here) / (step + 1))[None])[0]
     return best

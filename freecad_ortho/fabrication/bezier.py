@@ -7,22 +7,25 @@ from math import comb
 
 import numpy as np
 
+from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
 
 def bernstein(count: int, t: FloatArray) -> tuple[FloatArray, FloatArray]:
     """(Q, count) Bernstein polynomials of ``count`` control points and their derivatives."""
-    degree = count - 1
-    powers = np.arange(count)
-    binomial = np.array([comb(degree, k) for k in powers], dtype=float)
-    values = binomial * t[:, None] ** powers * (1 - t[:, None]) ** (degree - powers)
-    if degree == 0:
-        return values, np.zeros_like(values)
-    lower, _ = bernstein(degree, t)
+    values, degree = blend(count, t), count - 1
     slopes = np.zeros_like(values)
-    slopes[:, 1:] += degree * lower
-    slopes[:, :-1] -= degree * lower
+    if degree:
+        lower = blend(degree, t)
+        slopes[:, 1:] += degree * lower
+        slopes[:, :-1] -= degree * lower
     return values, slopes
+
+
+def blend(count: int, t: FloatArray) -> FloatArray:
+    """(Q, count) Bernstein polynomials of ``count`` control points."""
+    powers, binomial = _powers(count)
+    return np.asarray(binomial * t[:, None] ** powers * (1 - t[:, None]) ** powers[::-1])
 
 
 def raised(poles: FloatArray, count: int) -> FloatArray:
@@ -41,8 +44,13 @@ def through(points: FloatArray) -> FloatArray:
 
 @cache
 def _fit(count: int) -> FloatArray:
-    values, _ = bernstein(count, np.linspace(0.0, 1.0, count))
-    return np.asarray(np.linalg.inv(values))
+    return np.asarray(np.linalg.inv(blend(count, np.linspace(0.0, 1.0, count))))
+
+
+@cache
+def _powers(count: int) -> tuple[IntArray, FloatArray]:
+    """Powers of t in the polynomials, and their factors."""
+    return np.arange(count), np.array([comb(count - 1, k) for k in range(count)], dtype=float)
 
 
 @cache

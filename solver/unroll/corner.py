@@ -110,14 +110,21 @@ class Corners:
         volume = np.einsum("ck,ck->c", np.cross(self.tangent, self.inward), self.normal)
         return np.where(volume < 0, -1.0, 1.0)
 
+    @cached_property
+    def levels(self) -> tuple[FloatArray, FloatArray]:
+        """(C, 3) twice: for the edge before and after, what leans are measured towards."""
+        before, after = (
+            self.side[:, None] * np.cross(self.normal, edge) for edge in (self.before, self.after)
+        )
+        return before, after
+
     def leans(self, before: FloatArray, after: FloatArray) -> tuple[FloatArray, FloatArray]:
         """(C,) angles alpha and beta, from n towards b, of planes through the edges.
 
         ``before`` and ``after`` (C, 3) are unit vectors in these planes, normal to the edges.
         """
         angles = []
-        for edge, upright in ((self.before, before), (self.after, after)):
-            level = self.side[:, None] * np.cross(self.normal, edge)
+        for level, upright in zip(self.levels, (before, after), strict=True):
             angles.append(
                 np.arctan2(
                     np.einsum("ck,ck->c", upright, level),

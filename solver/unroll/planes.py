@@ -15,6 +15,7 @@ Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, sections 4.3
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.linalg import solveh_banded
@@ -100,14 +101,23 @@ class _Planes:
     toward: FloatArray
     turns: FloatArray
 
+    @cached_property
+    def along(self) -> FloatArray:
+        """(K - 1, 3) unit directions of the edges."""
+        return unit_rows(np.diff(self.points, axis=0))
+
+    @cached_property
+    def corners(self) -> Corners:
+        """The inner points."""
+        return Corners(self.along[:-1], self.along[1:], self.normals[1:-1])
+
     def angles(self, target: FloatArray) -> FloatArray | None:
         """(K - 1,) angles nearest to ``target`` that solve the equations, None where none do."""
-        along = unit_rows(np.diff(self.points, axis=0))
-        corners = Corners(along[:-1], along[1:], self.normals[1:-1])
+        corners = self.corners
         ratio, straight = corners.turn_ratio(self.turns), corners.straight
         theta, value = target.copy(), np.zeros(0)
         for _ in range(_STEPS):
-            up = turned_about_edges(along, self.toward, theta)
+            up = turned_about_edges(self.along, self.toward, theta)
             alpha, beta = corners.leans(up[:-1], up[1:])
             half_sum, half_gap = (alpha + beta) / 2, (alpha - beta) / 2
             slant = ratio * np.sin(half_gap)

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from freecad_ortho.fabrication.bezier import bernstein, through
+from freecad_ortho.fabrication.bezier import blend, through
 from freecad_ortho.fabrication.ruled import RuledBody, Sheet, Side
 from freecad_ortho.fabrication.systems.lamellas.cells import Rails, slot_side
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot
@@ -124,8 +124,7 @@ class _Solid:
     def _at(self, face: int, places: FloatArray) -> FloatArray:
         """(2, N, 3) points on both sides at (N, 2) u and v."""
         rails = self.rails[face]
-        values, _ = bernstein(rails.shape[2], places[:, 0])
-        points = np.einsum("np,sepk->senk", values, rails)
+        points = blend(rails.shape[2], places[:, 0]) @ rails
         v = places[:, 1][:, None]
         return np.asarray((1 - v) * points[:, 0] + v * points[:, 1])
 
@@ -166,7 +165,7 @@ class _Solid:
             np.array([at, self.share((level + side * radius) / self.ribbon.stretch[station])])
             for side in (-1, 1)
         )
-        middle = self._place(face, hole.centre + radius * ahead, hole)
+        (middle,) = self._places(face, (hole.centre + radius * ahead)[None], hole)
         first = self._quarter(face, (low, middle), (radius * ahead, radius * up))
         second = self._quarter(face, (middle, high), (radius * up, -radius * ahead))
         return [
@@ -180,7 +179,7 @@ class _Solid:
         """Curves in u and v around a hole in a face, clockwise."""
         radius = hole.diameter / 2
         arms = radius * np.array([[1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [0.0, 1.0]])
-        places = [self._place(face, hole.centre + arm, hole) for arm in arms]
+        places = self._places(face, hole.centre + arms, hole)
         order = [(k, (k + 1) % 4) for k in range(4)]
         return [
             self._quarter(face, (places[here], places[after]), (arms[after], -arms[here]))
@@ -194,36 +193,40 @@ class _Solid:
         tangents: tuple[FloatArray, FloatArray],
     ) -> FloatArray:
         """(4, 2) curve in u and v of a quarter of a circle, its tangents as long as its radius."""
-        inner = [
-            place + sign * QUARTER * np.linalg.solve(self._slopes(face, place), tangent)
-            for place, tangent, sign in zip(ends, tangents, (1, -1), strict=True)
-        ]
-        return np.stack([ends[0], *inner, ends[1]])
+        places = np.array(ends)
+        handles = QUARTER * np.array([[1], [-1]]) * self._step(face, places, np.array(tangents))
+        return np.stack([ends[0], *(places + handles), ends[1]])
 
-    def _slopes(self, face: int, place: FloatArray) -> FloatArray:
-        """(2, 2) derivatives of the place in the pattern by u and v, one a column."""
+    def _step(self, face: int, places: FloatArray, moves: FloatArray) -> FloatArray:
+        """(N, 2) by how much u and v change at places (N, 2) for moves (N, 2) in the pattern."""
         (a, b), (c, d) = self.flat[face], self.flat[face + 1]
-        u, v = place
-        return np.stack([(1 - v) * (c - a) + v * (d - b), (1 - u) * (b - a) + u * (d - c)], axis=1)
+        u, v = places[:, :1], places[:, 1:]
+        by_u, by_v = (1 - v) * (c - a) + v * (d - b), (1 - u) * (b - a) + u * (d - c)
 
-    def _place(self, face: int, point: FloatArray, hole: Drilled) -> FloatArray:
-        """(2,) u and v of a point of the pattern, by Newton's method.
+        def area(one: FloatArray, two: FloatArray) -> FloatArray:
+            return np.asarray(one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0])
+
+        steps = np.stack([area(moves, by_v), area(by_u, moves)], axis=1)
+        return np.asarray(steps / area(by_u, by_v)[:, None])
+
+    def _places(self, face: int, points: FloatArray, hole: Drilled) -> FloatArray:
+        """(N, 2) u and v of points (N, 2) of the pattern, by Newton's method.
 
         Raises:
-            InputError: it lies outside of the face.
+            InputError: one lies outside of the face.
         """
         (a, b), (c, d) = self.flat[face], self.flat[face + 1]
-        place = np.array([0.5, 0.5])
+        places = np.full((len(points), 2), 0.5)
         for _ in range(_STEPS):
-            u, v = place
+            u, v = places[:, :1], places[:, 1:]
             found = (1 - u) * ((1 - v) * a + v * b) + u * ((1 - v) * c + v * d)
-            place = place + np.linalg.solve(self._slopes(face, place), point - found)
-        if place.min() <= 0 or place.max() >= 1:
+            places = places + self._step(face, places, points - found)
+        if places.min() <= 0 or places.max() >= 1:
             raise InputError(
                 f"hole: {hole.diameter:g} mm is wider than an edge or the width of {self.name}; "
                 "take smaller holes or leave out parameter lines"
             )
-        return place
+        return places
 
     def add(self, face: int, loops: list[list[FloatArray]]) -> None:
         """Add both sides of a face and the walls along its loops."""
@@ -266,8 +269,8 @@ class _Solid:
         count = degree + 1 if np.ptp(curve[:, 1]) == 0 else (degree + 1) * (len(curve) - 1) + 1
         if count == 2:
             return
-        values, _ = bernstein(len(curve), np.linspace(0, 1, count))
-        for side, points in enumerate(self._at(face, values @ curve)):
+        places = blend(len(curve), np.linspace(0, 1, count)) @ curve
+        for side, points in enumerate(self._at(face, places)):
             ends, inner = (2 * start + side, 2 * end + side), through(points)[1:-1]
             self.handles[min(ends), max(ends)] = inner if ends[0] < ends[1] else inner[::-1]
 
