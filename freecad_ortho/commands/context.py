@@ -9,6 +9,7 @@ import FreeCADGui
 
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.objects.net import is_net
+from freecad_ortho.objects.places import is_link
 from freecad_ortho.objects.structure import is_structure
 
 
@@ -17,9 +18,14 @@ def nothing_open() -> bool:
     return not FreeCADGui.Control.activeDialog()
 
 
+def _link_selected() -> bool:
+    """Tell whether a link is selected: then what it shows is not meant, nor anything else."""
+    return any(map(is_link, FreeCADGui.Selection.getSelection()))
+
+
 def current_net() -> FreeCAD.DocumentObject | None:
     """Give the net that is meant: the selected one, the selected structure's, or the only one."""
-    if FreeCAD.ActiveDocument is None:
+    if FreeCAD.ActiveDocument is None or _link_selected():
         return None
     selected = FreeCADGui.Selection.getSelection()
     nets = {item.Name: item for item in map(_net_of, selected) if item is not None}
@@ -30,7 +36,7 @@ def current_net() -> FreeCAD.DocumentObject | None:
 
 def current_structures() -> list[FreeCAD.DocumentObject]:
     """Give the structures that are meant: the selected ones, or all of the active document."""
-    if FreeCAD.ActiveDocument is None:
+    if FreeCAD.ActiveDocument is None or _link_selected():
         return []
     selected = [item for item in FreeCADGui.Selection.getSelection() if is_structure(item)]
     return selected or all_structures()
@@ -45,7 +51,7 @@ def all_structures() -> list[FreeCAD.DocumentObject]:
 
 def current_flat_patterns() -> FreeCAD.DocumentObject | None:
     """Give the flat patterns that are meant: the selected ones, or the only ones."""
-    if FreeCAD.ActiveDocument is None:
+    if FreeCAD.ActiveDocument is None or _link_selected():
         return None
     for items in (FreeCADGui.Selection.getSelection(), FreeCAD.ActiveDocument.Objects):
         found = [item for item in items if is_flat_patterns(item)]

@@ -45,6 +45,7 @@ def bake(
 
 
 def _refuse_unfit(feature: FreeCAD.DocumentObject) -> None:
+    places.refuse_link(feature)
     if is_net(feature):
         convert.quad_mesh(feature)
     elif not structure_object.is_structure(feature):

@@ -9,6 +9,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_ortho.objects import net as net_object
+from freecad_ortho.objects import places
 from solver.errors import InputError
 
 
@@ -45,6 +46,7 @@ def removed_on_failure(feature: FreeCAD.DocumentObject) -> Iterator[None]:
 
 def require_net(feature: Any) -> None:
     """Raise InputError unless a document object is a Net."""
+    places.refuse_link(feature)
     if not net_object.is_net(feature):
         name = getattr(feature, "Label", feature)
         raise InputError(f"net: expected a Net, got {name}; import a quad mesh first")

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD
 
 from freecad_ortho.documents.common import transaction
-from freecad_ortho.objects import drawings, flat_patterns
+from freecad_ortho.objects import drawings, flat_patterns, places
 from solver.errors import InputError
 
 # FreeCAD's own page by its names in versions 0.20, 1.0 and 1.1.
@@ -68,6 +68,7 @@ def add_drawing_page(feature: FreeCAD.DocumentObject, sheet: int = 0) -> FreeCAD
 
 
 def _refuse_unfit(feature: FreeCAD.DocumentObject) -> None:
+    places.refuse_link(feature)
     if not flat_patterns.is_flat_patterns(feature):
         name = getattr(feature, "Label", feature)
         raise InputError(f"drawing: {name} is no flat patterns; select flat patterns first")

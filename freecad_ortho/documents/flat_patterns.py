@@ -9,7 +9,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.documents.common import removed_on_failure, transaction
-from freecad_ortho.objects import flat_patterns
+from freecad_ortho.objects import flat_patterns, places
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
 
@@ -41,6 +41,8 @@ def add_flat_patterns(
         InputError: nothing to lay out, or no part that fits on a sheet; the document is unchanged.
     """
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
+    for item in chosen:
+        places.refuse_link(item)
     if not chosen or not all(is_structure(item) for item in chosen):
         raise InputError("flat patterns: expected structures; select some first")
     for name, word, words in (

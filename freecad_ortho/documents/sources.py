@@ -11,7 +11,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.documents.common import document_or_new, progress, require_net, transaction
-from freecad_ortho.objects import cad_faces, source_net
+from freecad_ortho.objects import cad_faces, places, source_net
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.sources import source
 from solver.errors import InputError
@@ -81,6 +81,7 @@ def change_source(
     Raises:
         InputError: values that make no net; the document is unchanged.
     """
+    places.refuse_link(net)
     if not source_net.is_source_net(net):
         label = getattr(net, "Label", net)
         raise InputError(f"net: {label} follows no source; add a primitive, for one")

@@ -140,6 +140,7 @@ def _unmarked_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
 
 
 def _document_of(target: FreeCAD.DocumentObject) -> FreeCAD.Document:
+    places.refuse_link(target)
     if not structure_object.is_structure(target):
         label = getattr(target, "Label", target)
         raise InputError(f"structure: {label} is none; add beams or panels to a net, for one")

@@ -207,6 +207,7 @@ def _common_net(features: Sequence[FreeCAD.DocumentObject]) -> FreeCAD.DocumentO
     if not features:
         raise InputError(f"structures: none given; {_REMEDY}")
     for feature in features:
+        places.refuse_link(feature)
         if not structure_object.is_structure(feature):
             raise InputError(f"structures: {feature.Label} is not a structure; {_REMEDY}")
         if feature.Net is None:
@@ -230,6 +231,7 @@ def _check_carrier(carrier: FreeCAD.DocumentObject | None, net: FreeCAD.Document
     """Refuse panels on something other than beams on the same net."""
     if carrier is None:
         return
+    places.refuse_link(carrier)
     beams = structure_object.is_structure(carrier) and carrier.System == structure_object.BEAMS
     if not beams or carrier.Net is not net:
         raise InputError(

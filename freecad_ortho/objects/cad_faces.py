@@ -110,10 +110,10 @@ def surface_patch(feature: FreeCAD.DocumentObject, name: str) -> SurfacePatch:
 def _face(feature: FreeCAD.DocumentObject, name: str) -> Part.Face:
     """A face where it stands in the document, whatever parts and bodies it is in."""
     shape = feature.Shape
-    place = feature.getGlobalPlacement()
-    if place != feature.Placement:
+    around = places.container(feature)
+    if not around.isIdentity():
         shape = shape.copy()
-        shape.Placement = place
+        shape.Placement = around.multiply(shape.Placement)
     return shape.getElement(name)
 
 
@@ -144,6 +144,7 @@ def triangles_of(given: Any, unit: str | None = None) -> tuple[FloatArray, IntAr
     if isinstance(given, (str, os.PathLike)):
         points, triangles, named = read_triangles(given)
         return points * millimetres_per(unit or named or "mm"), triangles
+    places.refuse_link(given)
     mesh = getattr(given, "Mesh", None)
     if mesh is None or not mesh.CountFacets:
         label = getattr(given, "Label", given)

@@ -200,6 +200,8 @@ def _geometry(feature: FreeCAD.DocumentObject, part: str, size: float) -> Polyli
     if net_object.is_net(feature):
         surface = TriangleSurface.from_quads(convert.quad_mesh(feature))
         return surface.vertices, surface.triangles
+    if not hasattr(feature, "Shape"):
+        places.refuse_link(feature)
     if hasattr(feature, "Mesh"):
         points, triangles = feature.Mesh.Topology
         return convert.array(points), np.array(triangles, dtype=np.int64)

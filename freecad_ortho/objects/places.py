@@ -13,6 +13,7 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import convert
+from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
 
 if TYPE_CHECKING:
@@ -28,6 +29,22 @@ def container(feature: FreeCAD.DocumentObject) -> FreeCAD.Placement:
         place = part.Placement.multiply(place)
         part = part.getParentGeoFeatureGroup()
     return place
+
+
+def is_link(feature: object) -> bool:
+    """Tell whether an object is a link: it shows another one, where it stands itself."""
+    linked = getattr(feature, "getLinkedObject", None)
+    return linked is not None and linked() is not feature
+
+
+def refuse_link(feature: object) -> None:
+    """Raise InputError where an object is a link: what is made of one would stand elsewhere."""
+    if is_link(feature):
+        name, linked = feature.Label, feature.getLinkedObject().Label
+        raise InputError(
+            f"{name}: is a link to {linked}, and nothing is made of links; take {linked}, or for a "
+            "second place a copy of it"
+        )
 
 
 def between(feature: FreeCAD.DocumentObject, other: FreeCAD.DocumentObject) -> FreeCAD.Placement:

@@ -213,6 +213,83 @@ class TestMovedByHand(PlaceCase):
         self.assertNotIn("ReadOnly", net.getPropertyStatus("Placement"))
 
 
+class TestLinks(PlaceCase):
+    def link(self, feature, part=None):
+        make = self.document.addObject if part is None else part.newObject
+        link = make("App::Link", "Link")
+        link.LinkedObject = feature
+        link.Placement = TURNED
+        self.document.recompute()
+        return link
+
+    def assertRefused(self, action, link, linked):
+        words = f"Link.*: is a link to {linked.Label}, .*take {linked.Label}"
+        count, undo = len(self.document.Objects), self.document.UndoCount
+        with self.assertRaisesRegex(InputError, words):
+            action(link)
+        self.assertEqual((len(self.document.Objects), self.document.UndoCount), (count, undo))
+
+    def test_nothing_is_made_of_a_link_to_a_net_or_a_structure(self):
+        import Mesh
+
+        net = self.imported(**SMALL)
+        beams = api.add_structure(net, "beams")
+        flat = api.add_flat_patterns(beams)
+        mesh = self.document.addObject("Mesh::Feature", "Mesh")
+        mesh.Mesh = Mesh.createSphere(1000.0, 10)
+        for part in (None, self.part()):
+            for shown, actions in (
+                (
+                    net,
+                    (
+                        lambda link: api.add_structure(link, "panels"),
+                        api.optimise_net,
+                        lambda link: api.change_net(link, "subdivide"),
+                        lambda link: api.export_net(link, tools.SCRATCH / "link.obj"),
+                        lambda link: api.weld_nets([net, link]),
+                        lambda link: api.optimise_net(net, close_to=[(link, "")]),
+                        api.bake,
+                    ),
+                ),
+                (
+                    beams,
+                    (
+                        lambda link: api.change_structure(link, height=300),
+                        lambda link: api.add_structure(net, "panels", beams=link),
+                        api.add_flat_patterns,
+                        lambda link: api.export_fabrication([link], tools.SCRATCH / "link"),
+                        lambda link: api.bake([beams, link]),
+                    ),
+                ),
+                (flat, (api.add_drawing_page,)),
+                (
+                    mesh,
+                    (
+                        api.quads_from_mesh,
+                        lambda link: api.optimise_net(net, close_to=[(link, "")]),
+                    ),
+                ),
+            ):
+                link = self.link(shown, part)
+                for action in actions:
+                    self.assertRefused(action, link, shown)
+        # What the links show is as it was, and not taken along.
+        self.assertIsNone(net.getParentGeoFeatureGroup())
+        self.assertSamePlaces(self.written(beams)[0], self.seen(beams))
+
+    def test_faces_of_a_link_are_where_it_is_seen(self):
+        plate = self.shape(Part.makePlane(8000, 6000), "Plate")
+        raised = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7000), FreeCAD.Rotation())
+        for part, placements in (
+            (None, (TURNED,)),
+            (self.part(placement=raised), (raised, TURNED)),
+        ):
+            net = api.net_from_faces((self.link(plate, part), "Face1"), sampling=(5, 4))
+            for corner in placed([[0, 0, 0], [8000, 6000, 0]], *placements):
+                nearest = np.linalg.norm(tools.vertices(net) - corner, axis=1).min()
+                self.assertLess(nearest, 1e-6)
+
+
 class TestInParts(PlaceCase):
     def setUp(self):
         super().setUp()
