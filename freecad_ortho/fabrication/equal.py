@@ -8,6 +8,7 @@ group's first member, so groups do not creep.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -16,15 +17,55 @@ from scipy.spatial import cKDTree
 from freecad_ortho.fabrication.part import Part
 from solver.mesh.quadmesh import FloatArray
 
-# Distance, mm, within which all corners, holes and lines of equal parts lie.
+# Distance, mm, within which all corners, holes and lines of parts lie that lists call equal.
 TOLERANCE_MM = 0.5
 # Half turns about the axes of a part's own coordinates, and none.
 _HALF_TURNS = [np.diag(signs) for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))]
 
 
-def equal_groups(parts: Sequence[Part]) -> list[list[int]]:
-    """Groups of numbers of equal parts, each with the first of them at its head."""
-    forms = [_Form(part) for part in parts]
+@dataclass(frozen=True, eq=False)
+class Copy:
+    """How a part comes of another one that is equal to it.
+
+    Attributes:
+        first: number of that part, the first of its group; the first is a copy of itself.
+        turn: (3, 3) rotation of rows, from the first one's own coordinates to the part's.
+        shift: (3,) what they move by then, mm.
+    """
+
+    first: int
+    turn: FloatArray
+    shift: FloatArray
+
+
+def copies(parts: Sequence[Part], tolerance: float) -> list[Copy]:
+    """For each part the first one that it is equal to, and the motion that lays that one on it.
+
+    Args:
+        parts: in any order.
+        tolerance: mm; 0 makes no part the copy of another.
+    """
+    found = [Copy(number, np.eye(3), np.zeros(3)) for number in range(len(parts))]
+    if tolerance <= 0:
+        return found
+    for first, *others in equal_groups(parts, tolerance):
+        form = _Form(parts[first], tolerance) if others else None
+        for number in others:
+            other = _Form(parts[number], tolerance)
+            turn = None if form is None else form.turn_onto(other)
+            if form is not None and turn is not None:
+                found[number] = Copy(first, turn, other.middle - form.middle @ turn)
+    return found
+
+
+def equal_groups(parts: Sequence[Part], tolerance: float = TOLERANCE_MM) -> list[list[int]]:
+    """Groups of numbers of equal parts, each with the first of them at its head.
+
+    Args:
+        parts: in any order.
+        tolerance: distance within which all corners, holes and lines of equal ones lie, mm.
+    """
+    forms = [_Form(part, tolerance) for part in parts]
     kinds: dict[tuple[str, str], int] = {}
     rows = [
         # The distances move by at most twice as far as corners do.
@@ -34,8 +75,8 @@ def equal_groups(parts: Sequence[Part]) -> list[list[int]]:
     ]
     return grouped(
         np.array(rows, dtype=float).reshape(-1, 6),
-        2 * TOLERANCE_MM,
-        lambda i, j: forms[i].coincides(forms[j]),
+        2 * tolerance,
+        lambda i, j: forms[i].turn_onto(forms[j]) is not None,
     )
 
 
@@ -67,9 +108,12 @@ class _Form:
             in the last column, so that only its like is near.
         ring: (M,) corners of the flat pattern as complex numbers, None without one.
         body: (K, 3) corners of the body.
+        middle: (3,) that they are measured from, in the part's own coordinates.
+        volume: of the solid, mm3.
     """
 
-    def __init__(self, part: Part) -> None:
+    def __init__(self, part: Part, tolerance: float) -> None:
+        self.tolerance, self.volume = tolerance, part.volume
         pattern, body = part.pattern, part.body.points
         rows = [np.column_stack([body, np.zeros(len(body))])]
         middle, self.ring = body.mean(axis=0), None
@@ -85,7 +129,7 @@ class _Form:
                 marked = np.array([0.0, 1e3 * what])
                 rows.append(np.column_stack([points, np.tile(marked, (len(points), 1))]))
         self.points = np.concatenate(rows) - [*middle, 0.0]
-        self.body = body - middle
+        self.body, self.middle = body - middle, middle
 
     @property
     def distances(self) -> tuple[float, float, float]:
@@ -97,21 +141,33 @@ class _Form:
     def _tree(self) -> cKDTree:
         return cKDTree(self.points)
 
-    def coincides(self, other: _Form) -> bool:
-        """Tell whether this form can be laid on another of as many points."""
-        return any(self._lies_on(other, turn) for turn in self._turns(other))
+    def turn_onto(self, other: _Form) -> FloatArray | None:
+        """The rotation (3, 3) of rows that lays this form on another of as many points, if any."""
+        if abs(self.volume - other.volume) > self.tolerance * self._box_area:
+            return None
+        fitting = (turn for turn in self._turns(other) if self._lies_on(other, turn))
+        return next(fitting, None)
+
+    @property
+    def _box_area(self) -> float:
+        """Area of the body's box, mm2: what its volume may change by for 1 mm."""
+        a, b, c = np.ptp(self.body, axis=0).tolist()
+        return float(2 * (a * b + b * c + c * a))
 
     def _lies_on(self, other: _Form, turn: FloatArray) -> bool:
         """Tell whether it does, turned by this rotation (3, 3) that takes rows."""
-        moved = np.column_stack([self.points[:, :3] @ turn, self.points[:, 3]])
-        if other._tree.query(moved, distance_upper_bound=TOLERANCE_MM)[0].max() > TOLERANCE_MM:
+        moved, within = (
+            np.column_stack([self.points[:, :3] @ turn, self.points[:, 3]]),
+            self.tolerance,
+        )
+        if other._tree.query(moved, distance_upper_bound=within)[0].max() > within:
             return False
-        return bool(cKDTree(moved).query(other.points)[0].max() <= TOLERANCE_MM)
+        return bool(cKDTree(moved).query(other.points)[0].max() <= within)
 
     def _turns(self, other: _Form) -> Iterator[FloatArray]:
         """Rotations that may lay it on the other."""
         if self.ring is not None and other.ring is not None:
-            yield from _plane_turns(self.ring, other.ring)
+            yield from _plane_turns(self.ring, other.ring, self.tolerance)
         elif self.ring is other.ring:
             yield from _HALF_TURNS
             yield from self._turns_about_axis(other)
@@ -120,8 +176,8 @@ class _Form:
         """Turns about z that bring its outermost corner near to one of the other's."""
         mine, others = (form.body[:, :2] @ np.array([1, 1j]) for form in (self, other))
         far = int(np.abs(mine).argmax())
-        near = np.abs(np.abs(others) - np.abs(mine[far])) <= 2 * TOLERANCE_MM
-        near &= np.abs(other.body[:, 2] - self.body[far, 2]) <= 2 * TOLERANCE_MM
+        near = np.abs(np.abs(others) - np.abs(mine[far])) <= 2 * self.tolerance
+        near &= np.abs(other.body[:, 2] - self.body[far, 2]) <= 2 * self.tolerance
         for place in others[near]:
             turn = _about_z(np.angle(place / mine[far]))
             # The nearest corners say more exactly how far it is to be turned.
@@ -131,7 +187,7 @@ class _Form:
             yield turn @ _about_z(rest)
 
 
-def _plane_turns(one: FloatArray, other: FloatArray) -> Iterator[FloatArray]:
+def _plane_turns(one: FloatArray, other: FloatArray, tolerance: float) -> Iterator[FloatArray]:
     """Turns that lay the corners of an outline on those of another, in their order."""
     count = len(one)
     if count != len(other):
@@ -140,7 +196,7 @@ def _plane_turns(one: FloatArray, other: FloatArray) -> Iterator[FloatArray]:
     turn = shifted @ one.conj()
     turn /= np.maximum(np.abs(turn), np.finfo(float).tiny)
     miss = np.abs(shifted - turn[:, None] * one).max(axis=1)
-    for fitting in turn[miss <= TOLERANCE_MM]:
+    for fitting in turn[miss <= tolerance]:
         yield _about_z(float(np.angle(fitting)))
 
 

@@ -14,6 +14,8 @@ from tempfile import TemporaryDirectory
 
 from freecad_ortho.fabrication.different import different_patterns
 from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
+from freecad_ortho.fabrication.nesting.sheet import file_words
+from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production, produce
 from freecad_ortho.fabrication.report import overview, report_page
 from freecad_ortho.fabrication.step import write_step
@@ -35,8 +37,9 @@ from solver.mesh.quadmesh import QuadMesh
 
 _REPORT = "report.json"
 _FLAT = "flat.dxf"
+_STEP = "structure.step"
 FILES = (
-    "structure.step",
+    _STEP,
     _FLAT,
     "parts.csv",
     "nodes.csv",
@@ -51,7 +54,8 @@ JOINTS = "joints"
 PARTS = "parts"
 # What an earlier report may name for removal: nothing but such names is ever written beside FILES.
 _REMOVABLE = re.compile(
-    rf"{re.escape(_FLAT)}|[^/\\]+\.csv|({SHEETS}|{JOINTS}|{PARTS})/[^/\\]+\.(dxf|svg|stl)"
+    rf"{re.escape(_FLAT)}|structure(-[^/\\]+)?\.step|[^/\\]+\.csv"
+    rf"|({SHEETS}|{JOINTS}|{PARTS})/[^/\\]+\.(dxf|svg|stl)"
 )
 
 
@@ -77,8 +81,9 @@ def write(
 
     Returns:
         The files, in the order of ``FILES`` (``flat.dxf`` only where a part has a flat pattern and
-        not in files of single parts), then the list of bends where there are some, the lists that
-        systems add, the files of the sheets, of the joints to be printed and of parts.
+        not in files of single parts, ``structure.step`` only where it holds all), then the list of
+        bends where there are some, the lists and solids of single systems, the files of the sheets,
+        of the joints to be printed and of parts.
 
     Raises:
         InputError: sheets or stock on which no part fits, a kerf that closes a slot.
@@ -87,13 +92,16 @@ def write(
     """
     say = progress or (lambda fraction, words: None)
     target = Path(folder)
-    for name in (*FILES, f"{SHEETS}/*", f"{JOINTS}/*", f"{PARTS}/*"):
+    solids = _step_files(structure, workshop or Workshop())
+    for name in (*FILES, *solids, f"{SHEETS}/*", f"{JOINTS}/*", f"{PARTS}/*"):
         refuse_in_the_way(target, name)
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
     with _no_new_folders_on_failure(target), staged_folder(target, _earlier(target)) as staging:
         structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
-        say(0.4, "structure.step")
-        write_step(staging / "structure.step", structure.parts, structure.place)
+        for number, (name, parts) in enumerate(solids.items()):
+            say(0.4 + 0.4 * number / len(solids), name)
+            tolerance = production.workshop.step_tolerance
+            write_step(staging / name, parts, structure.place, tolerance)
         if production.named_patterns:
             say(0.8, "flat patterns")
             _write_patterns(staging, production)
@@ -107,10 +115,21 @@ def write(
     return [target / name for name in names]
 
 
+def _step_files(structure: Structure, workshop: Workshop) -> dict[str, Sequence[Part]]:
+    """The parts of each file of solids, by its name."""
+    if workshop.step == "one":
+        return {_STEP: structure.parts}
+    return {
+        f"{file_words('structure', system, result.parts[0].material.name)}.step": result.parts
+        for system, result in structure.results.items()
+    }
+
+
 def _beside(folder: Path, structure: Structure) -> list[str]:
     """Names of the files beside those that every structure has."""
     tables = [table.name for result in structure.results.values() for table in result.tables]
     lists = [name for name in (BENDS, *tables) if (folder / name).exists()]
+    lists += sorted(path.name for path in folder.glob("structure-*.step"))
     return lists + [
         f"{folder_name}/{path.name}"
         for folder_name in (SHEETS, JOINTS, PARTS)
@@ -156,7 +175,7 @@ def write_lists(folder: Path, production: Production, project: str = "") -> list
         for table in result.tables:
             write_table(folder / table.name, table.columns, table.rows)
     (folder / "report.html").write_text(report_page(production, project), encoding="utf-8")
-    usual = [name for name in FILES if name != _FLAT or (folder / _FLAT).exists()]
+    usual = [name for name in FILES if name not in (_FLAT, _STEP) or (folder / name).exists()]
     names = [*usual, *_beside(folder, production.structure)]
     write_report(folder / _REPORT, {**production.report(), "files": names})
     return names

@@ -1,4 +1,4 @@
-"""STEP: an assembly with one named product a part, in mm."""
+"""STEP: an assembly with a named component for each part, in mm; equal parts share a product."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.solids import location
@@ -25,9 +26,16 @@ SITE_NAME = "site"
 # The same structure gives the same file: no clock, no user name.
 _OCCURRENCE = re.compile(rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+")
 _TIME_STAMP = "2000-01-01T00:00:00"
+# Distance, mm, within which solids agree that share a product: less than any machine cuts.
+SHARED_WITHIN = 0.001
 
 
-def write_step(path: Path, parts: Sequence[Part], place: Place | None = None) -> None:
+def write_step(
+    path: Path,
+    parts: Sequence[Part],
+    place: Place | None = None,
+    shared_within: float = SHARED_WITHIN,
+) -> None:
     """Write the parts as components of one assembly, in their order.
 
     Each product lies flat in its own coordinates, the component puts it in its place. A structure
@@ -36,15 +44,17 @@ def write_step(path: Path, parts: Sequence[Part], place: Place | None = None) ->
 
     Args:
         path: file to write.
-        parts: each becomes a product and a component, both with the part's name.
+        parts: each becomes a component with its name, of a product with the name of the first of
+            the parts whose solids agree with it.
         place: where the structure stands.
+        shared_within: distance within which they do, mm; 0 gives each part a product of its own.
 
     Raises:
         OrthoError: the kernel could not translate the solids.
         OSError: the file cannot be written.
     """
     document = _document()
-    _fill(document, parts, place or Place())
+    _fill(document, parts, place or Place(), shared_within)
     path.write_bytes(_step_bytes(document))
 
 
@@ -92,7 +102,7 @@ def _components(assembly: Any, place: Any) -> list[tuple[str, Any]]:
         if XCAFDoc_ShapeTool.IsAssembly_s(product):
             result += _components(product, place.Multiplied(shape.Location()))
         else:
-            result.append((_name_of(product), shape.Moved(place, False)))
+            result.append((_name_of(component), shape.Moved(place, False)))
     return result
 
 
@@ -106,7 +116,7 @@ def _document() -> Any:
     return document
 
 
-def _fill(document: Any, parts: Sequence[Part], place: Place) -> None:
+def _fill(document: Any, parts: Sequence[Part], place: Place, shared_within: float) -> None:
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
     from OCP.TopLoc import TopLoc_Location
@@ -116,12 +126,16 @@ def _fill(document: Any, parts: Sequence[Part], place: Place) -> None:
     shapes.SetAutoNaming_s(False)
     assembly = shapes.NewShape()
     TDataStd_Name.Set_s(assembly, TCollection_ExtendedString(ASSEMBLY_NAME))
-    for part in parts:
+    products: dict[int, Any] = {}
+    for number, (part, copy) in enumerate(zip(parts, copies(parts, shared_within), strict=True)):
         name = TCollection_ExtendedString(part.name)
-        solid = part.solid().wrapped
-        product = shapes.AddShape(solid.Located(TopLoc_Location()), False)
-        TDataStd_Name.Set_s(product, name)
-        TDataStd_Name.Set_s(shapes.AddComponent(assembly, product, solid.Location()), name)
+        if copy.first == number:
+            solid = part.solid().wrapped.Located(TopLoc_Location())
+            products[number] = shapes.AddShape(solid, False)
+            TDataStd_Name.Set_s(products[number], name)
+        stands = location(part.origin + copy.shift @ part.frame, copy.turn @ part.frame)
+        component = shapes.AddComponent(assembly, products[copy.first], stands)
+        TDataStd_Name.Set_s(component, name)
     if not place.is_here:
         site = shapes.NewShape()
         TDataStd_Name.Set_s(site, TCollection_ExtendedString(SITE_NAME))

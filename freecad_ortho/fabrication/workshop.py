@@ -8,12 +8,15 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
+from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
+from freecad_ortho.fabrication.step import SHARED_WITHIN
 from freecad_ortho.option import Option
 from solver.errors import InputError
 
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
+STEP_FILES = ("one", "systems")
 # Tubes that differ by more percent are not one section by any standard.
 _WIDEST = 20.0
 
@@ -39,6 +42,9 @@ class Workshop:
         dxf: drawings with "blocks", "flat" without, or one file for each of the different "parts".
         dxf_version: "r2010", or "r12" for old readers.
         dxf_text: names and marks as "text", as single "strokes", or "none".
+        step: solids in "one" file, or in one for each of the "systems".
+        step_tolerance: distance within which solids agree that are written once and placed several
+            times; 0 writes each by itself.
 
     Raises:
         InputError: a size that cannot be used, an unknown word.
@@ -58,6 +64,8 @@ class Workshop:
     dxf: str = "blocks"
     dxf_version: str = "r2010"
     dxf_text: str = "text"
+    step: str = "one"
+    step_tolerance: float = SHARED_WITHIN
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -78,6 +86,11 @@ class Workshop:
         Option("dxf", "blocks", "choice", "parts are blocks, plain lines or files", LAYOUTS),
         Option("dxf_version", "r2010", "choice", "drawings are of this version", tuple(VERSIONS)),
         Option("dxf_text", "text", "choice", "names and marks are written so", TEXTS),
+        Option("step", "one", "choice", "solids share a file or have one a system", STEP_FILES),
+        Option(
+            *("step_tolerance", SHARED_WITHIN, "length"),
+            "solids that agree within this are one product of the file with several places",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -92,7 +105,12 @@ class Workshop:
                 f"section tolerance: expected 0 to {_WIDEST:g} %, got {self.section_tolerance}"
             )
         one_of("grain", self.grain, GRAINS)
+        if not 0 <= self.step_tolerance <= TOLERANCE_MM:
+            raise InputError(
+                f"step tolerance: expected 0 to {TOLERANCE_MM:g} mm, got {self.step_tolerance}"
+            )
         one_of("nesting", self.nesting, NESTINGS)
+        one_of("step", self.step, STEP_FILES)
         _ = self.dxf_form
 
     @property

@@ -8,12 +8,15 @@ import pytest
 from freecad_ortho.fabrication import (
     FILES,
     Beams,
+    Panels,
     Workshop,
     build,
     write,
 )
+from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.systems import Nodes
-from solver.errors import OutputError
+from solver.errors import InputError, OutputError
 
 
 @pytest.fixture(scope="module")
@@ -46,6 +49,28 @@ def test_files_that_only_an_earlier_run_wrote_go_and_others_stay(lapped, small, 
     assert everything_in(tmp_path) == sorted([*FILES, "mine.csv", "sheets/mine.dxf"])
     assert (tmp_path / "sheets" / "mine.dxf").read_text() == "kept"
     assert not (tmp_path / "joints").exists()
+
+
+def test_solids_in_a_file_for_each_system_and_back(dodecahedron, tmp_path):
+    materials = {"beams": MATERIALS["steel"], "panels": MATERIALS["toughened-glass"]}
+    structure = build(dodecahedron, [Beams(200, 12), Panels(20, 15)], material=materials)
+    systems = ["structure-beams-steel.step", "structure-panels-toughened-glass.step"]
+    for workshop, there, gone in (
+        (Workshop(step="systems"), systems, ["structure.step"]),
+        (Workshop(), ["structure.step"], systems),
+        (Workshop(step="systems"), systems, ["structure.step"]),
+    ):
+        names = [
+            str(path.relative_to(tmp_path))
+            for path in write(structure, tmp_path, workshop=workshop)
+        ]
+        assert everything_in(tmp_path) == sorted(names)
+        assert set(there) <= set(names) and not set(gone) & set(names)
+    for result, file in zip(structure.results.values(), systems, strict=True):
+        read = [part for part, _ in read_step(tmp_path / file)]
+        assert read == [part.name for part in result.parts]
+    with pytest.raises(InputError, match="step: expected one or systems, got 'parts'"):
+        Workshop(step="parts")
 
 
 def test_files_of_an_earlier_run_stay_when_the_new_one_fails(lapped, small, tmp_path, monkeypatch):

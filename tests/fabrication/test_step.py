@@ -3,12 +3,30 @@
 import re
 from collections import Counter
 
+import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
-from freecad_ortho.fabrication import Beams, Lamellas, build
-from freecad_ortho.fabrication.step import read_step, write_step
+from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build
+from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
+from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.step import SHARED_WITHIN, read_step, write_step
 from freecad_ortho.fabrication.step_text import compacted
+from solver.errors import InputError
 from tests.meshes import helicoid
+
+
+def plate(ring, name):
+    """A plate of 10 mm of a plane outline (4, 3)."""
+    body = Polyhedron(np.concatenate([ring, ring + [0, 0, 10.0]]), BOX_SIDES)
+    pattern = FlatPattern(ring[:, :2], (), np.zeros(2), 1.0)
+    origin = np.array([10.0, 20.0, 30.0])
+    return Part(
+        *(name, "panel", body, origin, np.eye(3), pattern, 900.0, 400.0, 10.0, 1.0, body.volume),
+        MATERIALS["steel"],
+    )
 
 
 def entities(path):
@@ -24,7 +42,7 @@ def twisted_lamellas():
 def test_beams_take_a_third_of_what_the_kernel_writes(roof, tmp_path):
     """With curves in the parameters of planes they were 24 kB each, now less than 8 kB."""
     parts = build(roof, [Beams(200, 12)]).parts
-    write_step(tmp_path / "beams.step", parts)
+    write_step(tmp_path / "beams.step", parts, shared_within=0)
     assert (tmp_path / "beams.step").stat().st_size < 8000 * len(parts)
     kinds = Counter(
         re.match(rb"\(?\s*(\w+)", body)[1] for _, body in entities(tmp_path / "beams.step")
@@ -33,6 +51,45 @@ def test_beams_take_a_third_of_what_the_kernel_writes(roof, tmp_path):
     # Each solid has its own corners and edges.
     assert kinds[b"VERTEX_POINT"] == 12 * len(parts) and kinds[b"EDGE_CURVE"] == 18 * len(parts)
     assert kinds[b"CARTESIAN_POINT"] < 14 * len(parts)
+
+
+def corners(shape):
+    return np.array([vertex.toTuple() for vertex in shape.Vertices()])
+
+
+@pytest.mark.parametrize("within", [0.0, SHARED_WITHIN, 0.5])
+def test_equal_parts_are_one_product_in_several_places(roof, tmp_path, within):
+    """The roof has a plane of symmetry and rings of equal faces; each part is found by its name."""
+    parts = build(roof, [Beams(200, 12), Panels(20, 15)]).parts
+    write_step(tmp_path / "roof.step", parts, shared_within=within)
+    products = (tmp_path / "roof.step").read_bytes().count(b"=PRODUCT(") - 1
+    assert products == len(parts) if not within else products < 0.9 * len(parts)
+    read = read_step(tmp_path / "roof.step")
+    assert [name for name, _ in read] == [part.name for part in parts]
+    for (_, solid), part in zip(read, parts, strict=True):
+        one, other = corners(solid), part.points
+        assert cKDTree(one).query(other)[0].max() <= within + 1e-6
+        assert cKDTree(other).query(one)[0].max() <= within + 1e-6
+        assert solid.isValid() and solid.Volume() > 0
+
+
+def test_mirror_images_share_no_product(tmp_path):
+    """A placement turns and moves; what is mirrored is another solid."""
+    prism = np.array([[0, 0, 0], [900, 0, 0], [700, 300, 0], [0, 400, 0]], float)
+    one = plate(prism, "B0000")
+    turned = plate(prism @ np.array([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]), "B0001")
+    mirrored = plate((prism * [-1, 1, 1])[::-1], "B0002")
+    write_step(tmp_path / "three.step", [one, turned, mirrored])
+    assert (tmp_path / "three.step").read_bytes().count(b"=PRODUCT(") == 1 + 2
+    for (_, solid), part in zip(
+        read_step(tmp_path / "three.step"), [one, turned, mirrored], strict=True
+    ):
+        assert cKDTree(corners(solid)).query(part.points)[0].max() < 1e-6
+
+
+def test_a_tolerance_beyond_that_of_lists_is_refused():
+    with pytest.raises(InputError, match=r"step tolerance: expected 0 to 0\.5 mm, got 2"):
+        Workshop(step_tolerance=2.0)
 
 
 def test_no_geometry_is_written_twice_and_numbers_run_on(structure, tmp_path):

@@ -81,8 +81,12 @@ class Sheet:
 
 def drawing_name(name: str, material: str, thickness: float, *more: str) -> str:
     """Name of a file that says what its parts are cut from: ``sheet-001-steel-20mm.dxf``."""
-    words = (name, re.sub(r"[^\w.]+", "-", material), f"{thickness:g}mm", *more)
-    return "-".join(word for word in words if word) + ".dxf"
+    return file_words(name, material, f"{thickness:g}mm", *more) + ".dxf"
+
+
+def file_words(*words: str) -> str:
+    """Words joined to a name that every file system takes."""
+    return "-".join(re.sub(r"[^\w.]+", "-", word) for word in words if word)
 
 
 def turned(points: FloatArray, angle_deg: float) -> FloatArray:
