@@ -10,8 +10,9 @@ from freecad_ortho.fabrication import SYSTEMS, System
 from freecad_ortho.objects.properties import Property
 from freecad_ortho.option import Option
 
-# A structure of panels has a thickness of its own; the option is for panels beside beams.
-_ELSEWHERE = ("panel_thickness",)
+# A structure of panels has a thickness of its own; the option is for panels beside beams. Sheets
+# are said where files are written.
+_ELSEWHERE = ("panel_thickness", "sheet", "spacing", "grain", "kerf")
 _KINDS = {
     "length": "App::PropertyLength",
     "angle": "App::PropertyFloat",
@@ -54,9 +55,8 @@ def system_of(feature: FreeCAD.DocumentObject, system: str) -> System:
     Raises:
         InputError: a value that cannot be used.
     """
-    elsewhere = {name: None for name in _ELSEWHERE}
-    known = {option.name for option in SYSTEMS[system].options}
-    extra = {name: value for name, value in elsewhere.items() if name in known}
+    options = SYSTEMS[system].options
+    extra = {option.name: option.default for option in options if option.name in _ELSEWHERE}
     return SYSTEMS[system].of(values(feature, system) | extra)
 
 

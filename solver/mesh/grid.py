@@ -30,6 +30,13 @@ class Grid:
         return mesh.vertices[self.numbers]
 
     @property
+    def outline(self) -> IntArray:
+        """(N,) vertices around an open grid, counter-clockwise."""
+        number = self.numbers
+        sides = [number[:-1, 0], number[-1, :-1], number[:0:-1, -1], number[0, :0:-1]]
+        return np.concatenate(sides)
+
+    @property
     def faces(self) -> IntArray:
         """(F, 4) faces of the grid in its own vertex numbers."""
         m, n = self.numbers.shape

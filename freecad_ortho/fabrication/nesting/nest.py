@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_ortho.fabrication.nesting import library
+from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.nesting.sheet import Placement, Sheet, turned
 from freecad_ortho.fabrication.nesting.skyline import Skyline
 from freecad_ortho.fabrication.part import Part
@@ -181,20 +182,13 @@ def _as_placement(item: _Item) -> Placement:
 
 def _item(part: Part, pattern: FlatPattern, workshop: Workshop) -> _Item | None:
     """Turn a part so that it fits, in a box as small as can be; None where it does not fit."""
-    angles = [0.0]
-    if workshop.grain == "none":
-        side = np.roll(pattern.outline, -1, axis=0) - pattern.outline
-        turns = np.round(-np.degrees(np.arctan2(side[:, 1], side[:, 0])), 9) % 90
-        angles += np.unique(turns).tolist()
-    width, height = workshop.sheet or (0.0, 0.0)
-    room = np.array([width, height]) - 2 * workshop.spacing
+    room = Room.of(workshop)
+    assert room is not None, "the sheet was checked before"
     best: tuple[float, _Item] | None = None
-    for angle in angles:
+    for angle in room.angles(pattern.outline):
         box = np.ptp(turned(pattern.outline, angle), axis=0)
-        fits = (box <= room * (1 + 1e-9)).all()
-        fits |= workshop.grain == "none" and (box[::-1] <= room * (1 + 1e-9)).all()
         area = float(box.prod())
-        if fits and (best is None or area < best[0] * (1 - 1e-9)):
+        if room.takes(box) and (best is None or area < best[0] * (1 - 1e-9)):
             best = area, _Item(part, pattern, angle, float(box[0]), float(box[1]))
     return None if best is None else best[1]
 

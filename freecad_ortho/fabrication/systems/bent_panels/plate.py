@@ -30,14 +30,14 @@ class Plate:
     """A row of faces as a plate that is bent at its inner edges.
 
     Attributes:
-        name: of the part.
+        row: its faces; the part has its name.
         ribbon: its strip along the middles of the inner edges, which are its rulings.
         reach: (K + 1,) half the length of each inner edge.
         rails: (2, K + 1) where the plate ends along each ruling, right side then left.
         ends: (2, 2) by which share of its end face each side is shortened, at start and end.
     """
 
-    name: str
+    row: Row
     ribbon: Ribbon
     reach: FloatArray
     rails: FloatArray
@@ -54,6 +54,12 @@ class Plate:
         """(2, K + 1, 2) the same in the pattern."""
         strip = self.ribbon.strip
         return self._shortened(strip.flat_points + self.rails[..., None] * strip.flat_rulings)
+
+    @property
+    def outline(self) -> FloatArray:
+        """(N, 2) around the pattern."""
+        right, left = self.flat
+        return np.concatenate([right, left[::-1]])
 
     def refold_miss(self) -> float:
         """Largest distance of the plate folded from its pattern to the plate in space, mm."""
@@ -92,10 +98,9 @@ class Plate:
         Raises:
             InputError: it overlaps itself.
         """
-        right, left = self.flat
-        if overlaps_itself(np.concatenate([right, left[::-1]])):
+        if overlaps_itself(self.outline):
             raise InputError(
-                f"bent-panels: the flat pattern of {self.name} overlaps itself; take the other "
+                f"bent-panels: the flat pattern of {self.row.name} overlaps itself; take the other "
                 "family, or cut the mesh"
             )
         ends = self.flat.mean(axis=0)[[0, -1]]
@@ -116,7 +121,7 @@ class Plate:
         along = corner[:, 1] - corner[:, 0]
         wide = float(np.linalg.norm(corner[1].mean(axis=0) - corner[0].mean(axis=0)))
         long = float(np.linalg.norm(along, axis=1).min())
-        size = fitted_text_size(self.name, 0.8 * long, 0.4 * wide)
+        size = fitted_text_size(self.row.name, 0.8 * long, 0.4 * wide)
         return FlatPattern(
             outline=np.concatenate([right, left[::-1]]),
             marks=tuple(_names(corner, beside, long, wide)),
@@ -171,7 +176,7 @@ def plate_of(mesh: QuadMesh, row: Row, thickness: float, gap: float, insets: Flo
         ends[end] = back / np.abs(arms[:, 0] * ruling[1] - arms[:, 1] * ruling[0])
     _refuse(row, rails, ends, gap)
     ribbon = Ribbon(strip, -float(reach.max()), float(reach.max()), thickness)
-    return Plate(row.name, ribbon, reach, rails, ends)
+    return Plate(row, ribbon, reach, rails, ends)
 
 
 def _refuse(row: Row, rails: FloatArray, ends: FloatArray, gap: float) -> None:

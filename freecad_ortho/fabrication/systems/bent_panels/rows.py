@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.lines import FAMILIES, ParameterLines
+from solver.mesh.quadmesh import FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +32,27 @@ class Row:
     first_sides: IntArray
     rungs: IntArray
     closed: bool
+
+    def divided(self, lengths: FloatArray, count: int) -> list[Row]:
+        """Cut it at its rungs into about equally long pieces, ``R-U002-1``, ``R-U002-2`` ...
+
+        Args:
+            lengths: (K,) of the faces along the row.
+            count: of the pieces, at most K.
+        """
+        faces = len(self.faces)
+        ends = np.concatenate([[0.0], np.cumsum(lengths)])
+        places = [0]
+        for number in range(1, count):
+            nearest = int(np.abs(ends - ends[-1] * number / count).argmin())
+            places.append(min(max(nearest, places[-1] + 1), faces - count + number))
+        return [
+            Row(
+                *(f"{self.name}-{number}", self.faces[start:end], self.first_sides[start:end]),
+                *(self.rungs[start : end + 1], False),
+            )
+            for number, (start, end) in enumerate(pairwise([*places, faces]), start=1)
+        ]
 
 
 def rows_of(lines: ParameterLines, family: str) -> list[Row]:

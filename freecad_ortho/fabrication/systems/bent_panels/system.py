@@ -13,6 +13,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
@@ -22,7 +23,9 @@ from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
 from freecad_ortho.fabrication.systems.panels.geometry import (
     half_angle_tangents,
 )
+from freecad_ortho.fabrication.systems.sheets import SHEET_OPTIONS, room_on, split_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.option import Option
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
@@ -41,6 +44,10 @@ class BentPanels(System):
         thickness: of the plates, mm.
         gap: joint between neighbours, mm; each side shrinks by half of it, and by what plates that
             lean together need.
+        sheet: size of the sheets that rows are cut short enough for, mm; None leaves them whole.
+        spacing: from the rim of a sheet, mm.
+        grain: "none" lets panels turn on a sheet, "along" does not.
+        kerf: width of the cut, mm.
 
     Raises:
         InputError: a size that is not positive and finite.
@@ -48,6 +55,10 @@ class BentPanels(System):
 
     thickness: float = 3.0
     gap: float = 10.0
+    sheet: str | tuple[float, float] | None = None
+    spacing: float = Workshop.spacing
+    grain: str = Workshop.grain
+    kerf: float = Workshop.kerf
 
     name: ClassVar[str] = "bent-panels"
     excludes: ClassVar[Mapping[str, str]] = {
@@ -57,11 +68,17 @@ class BentPanels(System):
     options: ClassVar[tuple[Option, ...]] = (
         Option("thickness", 3.0, "length", "the plates are this thick"),
         Option("gap", 10.0, "length", "the joint between two panels is this wide"),
+        *SHEET_OPTIONS,
     )
 
     def __post_init__(self) -> None:
         check_size("panel thickness", self.thickness)
         check_size("gap", self.gap)
+        _ = self._room
+
+    @property
+    def _room(self) -> Room | None:
+        return room_on(self.sheet, self.spacing, self.grain, self.kerf)
 
     def build(self, site: Site) -> SystemParts:
         """Unroll the rows along the chosen family, those of u where both are chosen.
@@ -72,19 +89,38 @@ class BentPanels(System):
         """
         family = "u" if site.selection.family == "both" else site.selection.family
         rows = rows_of(site.lines, family)
-        row_of_face = {face: row.name for row in rows for face in row.faces.tolist()}
         gaps = self._gaps(site)
         corner = site.mesh.vertices[site.mesh.faces]
         side = np.roll(corner, -1, axis=1) - corner
         bend = half_angle_tangents(site.mesh.connectivity, site.mesh.face_normals, side)
         insets = self.thickness / 2 * np.abs(np.nan_to_num(bend))
         chosen = [row for row in rows if _beside_chosen_line(site, row)]
-        plates = [plate_of(site.mesh, row, self.thickness, self.gap, insets) for row in chosen]
+        plates = [plate for row in chosen for plate in self._plates(site, row, insets)]
+        others = [row for row in rows if row not in chosen]
+        cut = [*(plate.row for plate in plates), *others]
+        row_of_face = {face: row.name for row in cut for face in row.faces.tolist()}
         parts = tuple(
-            self._part(site, family, row, plate, gaps, row_of_face)
-            for row, plate in zip(chosen, plates, strict=True)
+            self._part(site, family, plate.row, plate, gaps, row_of_face) for plate in plates
         )
-        return SystemParts(parts, self._report(family, plates, parts), geometry=plates)
+        return SystemParts(
+            *(parts, self._report(family, plates, parts)),
+            split_words("row", chosen, parts, self.sheet),
+            geometry=plates,
+        )
+
+    def _plates(self, site: Site, row: Row, insets: FloatArray) -> list[Plate]:
+        """The plate of a row, or those of as few pieces as fit a sheet; whole where none do."""
+        room, whole = self._room, [plate_of(site.mesh, row, self.thickness, self.gap, insets)]
+        plates, count = whole, 1
+        while room is not None and not all(room.holds(plate.outline) for plate in plates):
+            count += 1
+            if count > len(row.faces):
+                return whole
+            pieces = row.divided(whole[0].ribbon.strip.lengths, count)
+            plates = [
+                plate_of(site.mesh, piece, self.thickness, self.gap, insets) for piece in pieces
+            ]
+        return plates
 
     def _gaps(self, site: Site) -> FloatArray:
         """(F,) distance of each face from plane, mm."""

@@ -33,7 +33,7 @@ def patch_pattern(
     """
     grid = grid_of(patch.flat)
     points = patch.flat.vertices[:, :2]
-    around = _around(grid)
+    around = grid.outline
     outline = points[around]
     if overlaps_itself(outline):
         raise InputError(
@@ -49,13 +49,6 @@ def patch_pattern(
     box = np.ptp(middle, axis=0)
     size = fitted_text_size(piece.name, *(0.9 * box).tolist())
     return FlatPattern(points[around], tuple(marks), middle.mean(axis=0), size)
-
-
-def _around(grid: Grid) -> IntArray:
-    """Vertices around an open grid, counter-clockwise."""
-    number = grid.numbers
-    sides = [number[:-1, 0], number[-1, :-1], number[:0:-1, -1], number[0, :0:-1]]
-    return np.concatenate(sides)
 
 
 class _Writer:

@@ -14,6 +14,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
@@ -26,10 +27,14 @@ from freecad_ortho.fabrication.systems.patches.sheet import (
     sheet_body,
     smallest_radius,
 )
+from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
+from freecad_ortho.fabrication.systems.sheets import SHEET_OPTIONS, room_on, split_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
+from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.option import Option
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray, unit_rows
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 from solver.unroll.patch import FlatPatch, flattened
 
 _COLUMNS = (
@@ -46,6 +51,10 @@ class Patches(System):
         thickness: of the plates, half to each side of the net, mm.
         gap: joint between pieces along a cut, mm; each ends half of it before the cut.
         distortion: largest change of an edge's length from the flat pattern that is built, percent.
+        sheet: size of the sheets that pieces are cut small enough for, mm; None leaves them whole.
+        spacing: from the rim of a sheet, mm.
+        grain: "none" lets pieces turn on a sheet, "along" does not.
+        kerf: width of the cut, mm.
 
     Raises:
         InputError: a size that is not positive and finite.
@@ -54,6 +63,10 @@ class Patches(System):
     thickness: float = 3.0
     gap: float = 10.0
     distortion: float = 1.0
+    sheet: str | tuple[float, float] | None = None
+    spacing: float = Workshop.spacing
+    grain: str = Workshop.grain
+    kerf: float = Workshop.kerf
 
     name: ClassVar[str] = "patches"
     excludes: ClassVar[Mapping[str, str]] = {
@@ -64,12 +77,18 @@ class Patches(System):
         Option("thickness", 3.0, "length", "the plates are this thick"),
         Option("gap", 10.0, "length", "the joint between two patches is this wide"),
         Option("distortion", 1.0, "percent", "a patch is built up to this distortion of an edge"),
+        *SHEET_OPTIONS,
     )
 
     def __post_init__(self) -> None:
         check_size("patch thickness", self.thickness)
         check_size("gap", self.gap)
         positive("distortion", self.distortion, "%")
+        _ = self._room
+
+    @property
+    def _room(self) -> Room | None:
+        return room_on(self.sheet, self.spacing, self.grain, self.kerf)
 
     def build(self, site: Site) -> SystemParts:
         """Lay the pieces flat.
@@ -81,8 +100,8 @@ class Patches(System):
         cuts = np.zeros(len(site.mesh.connectivity.edges), dtype=np.bool_)
         if not site.selection.everything:
             cuts |= site.chosen_edges
-        pieces = pieces_of(site.mesh, cuts)
-        laid = [self._laid_flat(piece) for piece in pieces]
+        whole = pieces_of(site.mesh, cuts)
+        pieces, laid = self._fitting(site.mesh, cuts)
         piece_of_face = {face: piece.name for piece in pieces for face in piece.faces.tolist()}
         half = half_thicknesses(site.mesh, self.thickness)
         parts = tuple(
@@ -90,7 +109,28 @@ class Patches(System):
             for piece, patch in zip(pieces, laid, strict=True)
         )
         table = Table("distortion.csv", _COLUMNS, _rows(pieces, laid))
-        return SystemParts(parts, self._report(laid, parts), geometry=laid, tables=(table,))
+        return SystemParts(
+            *(parts, self._report(laid, parts), split_words("patch", whole, parts, self.sheet)),
+            geometry=laid,
+            tables=(table,),
+        )
+
+    def _fitting(self, mesh: QuadMesh, cuts: BoolArray) -> tuple[list[Piece], list[FlatPatch]]:
+        """Pieces of the net and the same laid flat, cut along more lines until they fit a sheet."""
+        room, known = self._room, {}
+        while True:
+            pieces = pieces_of(mesh, cuts)
+            for piece in pieces:
+                faces = piece.faces.tobytes()
+                known[faces] = known.get(faces) or self._laid_flat(piece)
+            laid = [known[piece.faces.tobytes()] for piece in pieces]
+            more = np.zeros_like(cuts)
+            if room is not None:
+                for piece, patch in zip(pieces, laid, strict=True):
+                    more[cuts_to_fit(mesh, piece, patch, room)] = True
+            if not more.any():
+                return pieces, laid
+            cuts = cuts | more
 
     def _laid_flat(self, piece: Piece) -> FlatPatch:
         try:
