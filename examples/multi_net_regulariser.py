@@ -12,9 +12,9 @@ import numpy as np
 
 from examples.demo_roof import demo_roof
 from solver import NetOptions, QuadMesh
-from solver.gauss_newton import Optimisation
 from solver.nets import NETS
 from solver.problem import Problem
+from solver.run import Optimisation
 from solver.terms.fairness import Fairness
 from solver.terms.multi import multi_net
 

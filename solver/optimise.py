@@ -11,7 +11,6 @@ import numpy as np
 
 from solver.analysis.start import start_remarks
 from solver.errors import InputError
-from solver.gauss_newton import Optimisation
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import Net, net_named
@@ -21,6 +20,7 @@ from solver.nets.settings import Weights, fixed_vertices
 from solver.plan import Plan
 from solver.problem import Problem, place_of
 from solver.report import Outcome, StepRecord
+from solver.run import Optimisation
 
 # Residuals of what is fixed altogether up to this are taken for the rounding of a file.
 _CONTRADICTION = 1e-6
@@ -117,14 +117,13 @@ def start_optimisation(
     wanted = settled(mesh, fixed, wanted)
     remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
 
-    plan = Plan(asked, fixed, chosen, wanted, weights)
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
-    problems = plan.problems(mesh) if fairness is None else [plan.single(mesh)]
-    original = next(problem for problem in problems if problem.mesh is mesh)
-    _refuse_contradictions(original)
-    stay = fairness is None and not wanted.handles and wanted.close_to is None
+    once = fairness is not None
+    plan = Plan(asked, mesh, fixed, chosen, wanted, weights, once)
+    _refuse_contradictions(plan.original)
+    stay = not once and not wanted.handles and wanted.close_to is None
     return Optimisation(
-        problems, tolerance, max_steps, backend, stay, original, remarks, held, origin
+        plan.original, plan.way, tolerance, max_steps, backend, stay, remarks, held, origin
     )
 
 

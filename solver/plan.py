@@ -1,12 +1,18 @@
-"""Which problems are tried for a net, and in which order."""
+"""The way to a net: what is tried from which start, in which order, and what it is followed by.
+
+A way is read from above: each ``yield`` is an attempt, and gives back what that attempt reached.
+Whoever makes the attempts stops asking as soon as one of them is good enough.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
+from solver.candidate import Candidate
 from solver.mesh.bend import central_directions, doubly_curved, unbent
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
@@ -27,43 +33,133 @@ _SMOOTH = 0.05
 
 
 @dataclass(frozen=True)
+class Attempt:
+    """A problem, and how its guides lead.
+
+    Attributes:
+        problem: several attempts may share one, so that its equations are laid out once.
+        weights: of the guides; by default each has its own.
+        patient: the guides wait until handles have arrived and the mesh has come to rest.
+        easier: the net is not the wanted one but one on the way to it.
+        last: no other attempt at this problem follows.
+    """
+
+    problem: Problem
+    weights: Weights | None = None
+    patient: bool = True
+    easier: bool = False
+    last: bool = True
+
+    def weights_of_guides(self, fade: float) -> list[float]:
+        """Weight of each guide where those that fade have faded to ``fade``."""
+        return [
+            (self.weights.of(guide) if self.weights else guide.weight)
+            * (1.0 if guide.lasting else fade)
+            for guide in self.problem.guides
+        ]
+
+    def leads_on(self, reached: Candidate) -> bool:
+        """Whether what an easier net reached is a start for the wanted one."""
+        return self.easier and (reached.good or (reached.valid and self.last))
+
+
+# Yields attempts and is sent what each of them reached, judged as the net that it was at.
+Way = Generator[Attempt, Candidate, None]
+
+
+def alone(problem: Problem) -> Way:
+    """The way of a problem that somebody posed: one attempt."""
+    yield Attempt(problem)
+
+
+@dataclass(frozen=True, eq=False)
 class Plan:
-    """A net with all that was said about it, ready to be posed from any start.
+    """A net with all that was said about it.
 
     Attributes:
         net: what is wanted.
+        mesh: the start.
         fixed: (V,) true for vertices that must not move.
         weights: of the guides in the first attempt.
+        once: one attempt with these weights, and no other.
     """
 
     net: Net
+    mesh: QuadMesh
     fixed: BoolArray
     options: NetOptions
     constraints: Constraints
     weights: Weights
+    once: bool = False
 
-    def problems(self, mesh: QuadMesh) -> list[Problem]:
-        """Return the net from the mesh, then ways round where that leads nowhere, then the rest."""
+    def way(self) -> Way:
+        """From the start to the net."""
+        if self.once:
+            return self._first()
         if self.net.way.bent:
-            return self._sheets(mesh)
-        ladder = self._ladder()
-        if not self.net.way.easier:
-            return [self.pose(mesh, ladder)]
-        others = [self._easier(mesh, ladder, stage) for stage in self.net.way.easier]
-        return [self.pose(mesh, ladder[:1]), *others, self.pose(mesh, ladder[1:])]
+            return self._of_a_sheet()
+        return self._round_by_easier_nets() if self.net.way.easier else self._first()
 
-    def single(self, mesh: QuadMesh) -> Problem:
-        """Return the net from the mesh with the guides of its first attempt only."""
-        bent = self.net.way.bent
-        return self.pose(mesh, (self._of_sheet(mesh)[0] if bent else self._ladder())[:1])
+    @cached_property
+    def original(self) -> Problem:
+        """The net from the start as it is, against which results are judged."""
+        return self._pose(self.net, self.mesh, self._at_first)
 
-    def pose(self, mesh: QuadMesh, attempts: Sequence[Weights], net: Net | None = None) -> Problem:
-        """Pose this net, or another with the same options, from a start."""
-        net = net or self.net
+    def _first(self) -> Way:
+        """The wanted net from the start, with one set of guides after the other."""
+        yield from _attempts(self.original, self._at_first)
+
+    def _round_by_easier_nets(self) -> Way:
+        """The net itself; if that folds, an easier net and from it the net; then other guides."""
+        yield from self._first()
+        for easier in self.net.way.easier:
+            yield from self._by(easier)
+        yield from self._tries(self.mesh, self._ladder[1:])
+
+    def _by(self, easier: Easier) -> Way:
+        """The easier net, until it is reached; from what was reached the wanted one."""
+        ladder = self._ladder
+        smoother = [replace(one, fairness=easier.fairness * one.fairness) for one in ladder]
+        if easier.evenness:
+            ladder = smoother = [one.even(easier.evenness) for one in smoother[:2]]
+        problem = self._pose(NETS[easier.net], self.mesh, smoother)
+        for attempt in _attempts(problem, smoother, easier=True):
+            reached = yield attempt
+            if attempt.leads_on(reached):
+                yield from self._tries(reached.mesh, ladder)
+                return
+
+    def _of_a_sheet(self) -> Way:
+        """The sheet as it is, then bent in one direction only, then as it is with other guides.
+
+        A net that no doubly curved start reaches begins with the bent ones.
+        """
+        if self._double and self.net.way.rigid:
+            yield from self._from_bent_starts()
+            yield from self._first()
+        else:
+            yield from self._first()
+            yield from self._from_bent_starts()
+        yield from self._tries(self.mesh, self._ladder[len(self._at_first) :])
+
+    def _from_bent_starts(self) -> Way:
+        """The net from the sheet without its curvature in one direction, then in the other."""
+        if self.fixed.any() or self.constraints != Constraints():
+            return
+        ladder = [*self._even(_BENT), *self.weights.ladder()]
+        for direction in central_directions(self.mesh):
+            yield from self._tries(unbent(self.mesh, direction), ladder)
+
+    def _tries(self, mesh: QuadMesh, ladder: Sequence[Weights]) -> Way:
+        """The wanted net from a mesh, with one set of guides after the other."""
+        yield from _attempts(self._pose(self.net, mesh, ladder), ladder)
+
+    def _pose(self, net: Net, mesh: QuadMesh, ladder: Sequence[Weights]) -> Problem:
+        """Pose the wanted net, or another with the same options, for all attempts of a ladder."""
         empty = Problem(net.name, mesh, self.fixed, may_flatten=self._may_flatten)
         problem = net.recipe(empty, self.options)
-        add_constraints(problem, self.constraints, attempts[0].closeness)
-        return add_guides(problem, attempts)
+        add_constraints(problem, self.constraints, ladder[0].closeness)
+        return add_guides(problem, ladder)
 
     @property
     def _may_flatten(self) -> bool:
@@ -72,47 +168,47 @@ class Plan:
         surface = any(isinstance(glide, SurfaceGlide) for glide in wanted.glide)
         return bool(self.net.flat or wanted.handles or wanted.close_to is not None or surface)
 
+    @cached_property
+    def _double(self) -> bool:
+        """Whether the start is curved in both directions."""
+        return doubly_curved(self.mesh)
+
+    @cached_property
     def _ladder(self) -> list[Weights]:
-        """Weights of the attempts, the first ones as asked for."""
+        """Weights of all attempts from the start, the first ones as asked for."""
         first, *rest = self.weights.ladder()
         if self.net.way.guarded:
             guarded = [replace(one, edge_guard=_GUARD, face_guard=_GUARD) for one in (first, *rest)]
             # Some differ by their guards only.
             return list(dict.fromkeys(guarded))
-        return [first, *self._even(self.net.way.evenness), *rest]
+        if not self.net.way.bent:
+            return [first, *self._even(self.net.way.evenness), *rest]
+        even = self._even(_DOMES if self._double else _SHEETS)
+        return [first, *even, *rest] if self._smooth else [*even, first, *rest]
+
+    @cached_property
+    def _at_first(self) -> list[Weights]:
+        """Weights of the attempts that come before any way round."""
+        way = self.net.way
+        if way.bent:
+            count = 1 if self._smooth or self._double else len(_SHEETS)
+        else:
+            count = 1 if way.easier else len(self._ladder)
+        return self._ladder[: 1 if self.once else count]
+
+    @cached_property
+    def _smooth(self) -> bool:
+        """Whether a sheet is bent in one direction and has no noise: it needs no evenness."""
+        return not self._double and not self.net.way.rigid and _unevenness(self.mesh) < _SMOOTH
 
     def _even(self, weights: Sequence[float]) -> list[Weights]:
         return [self.weights.even(weight) for weight in weights]
 
-    def _sheets(self, mesh: QuadMesh) -> list[Problem]:
-        """The net from the mesh as it is and from the mesh bent in one direction only."""
-        own, first, double = self._of_sheet(mesh)
-        bent = []
-        if not self.fixed.any() and self.constraints == Constraints():
-            ladder = [*self._even(_BENT), *self.weights.ladder()]
-            bent = [self.pose(unbent(mesh, way), ladder) for way in central_directions(mesh)]
-        before, after = self.pose(mesh, own[:first]), self.pose(mesh, own[first:])
-        if double and self.net.way.rigid:
-            return [*bent, before, after]
-        return [before, *bent, after]
 
-    def _of_sheet(self, mesh: QuadMesh) -> tuple[list[Weights], int, bool]:
-        """Weights for a sheet as it is, how many come before bending it, whether it is a dome."""
-        double = doubly_curved(mesh)
-        rest = self.weights.ladder()
-        even = self._even(_DOMES if double else _SHEETS)
-        if not double and not self.net.way.rigid and _unevenness(mesh) < _SMOOTH:
-            return [rest[0], *even, *rest[1:]], 1, double
-        return [*even, *rest], 1 if double else len(_SHEETS), double
-
-    def _easier(self, mesh: QuadMesh, ladder: list[Weights], stage: Easier) -> Problem:
-        smoother = [replace(one, fairness=stage.fairness * one.fairness) for one in ladder]
-        if stage.evenness:
-            smoother = [one.even(stage.evenness) for one in smoother[:2]]
-            ladder = smoother
-        problem = self.pose(mesh, smoother, NETS[stage.net])
-        problem.easier = lambda found: self.pose(found, ladder)
-        return problem
+def _attempts(problem: Problem, ladder: Sequence[Weights], easier: bool = False) -> Way:
+    """One attempt for each set of guides, the first of them patient."""
+    for number, weights in enumerate(ladder, 1):
+        yield Attempt(problem, weights, number == 1, easier, number == len(ladder))
 
 
 def _unevenness(mesh: QuadMesh) -> float:

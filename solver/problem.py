@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -40,18 +40,13 @@ class Guide:
     """A term that shapes the path and fades to zero, so that it does not disturb the result.
 
     Attributes:
-        weights: factor of its energy at the start of each attempt; the last one holds for all
-            attempts that follow.
+        weight: factor of its energy at the start, where an attempt has no other.
         lasting: it does not fade; for one-sided terms that are silent on a sound result.
     """
 
     term: Term
-    weights: tuple[float, ...]
+    weight: float
     lasting: bool = False
-
-    def weight(self, attempt: int) -> float:
-        """Weight in an attempt, counted from 1."""
-        return self.weights[min(attempt, len(self.weights)) - 1]
 
 
 @dataclass
@@ -66,7 +61,6 @@ class Problem:
         mesh: the start, in model units.
         fixed: (V,) true for vertices that must not move; they are eliminated.
         may_flatten: whether a plane is a shape as good as any other.
-        easier: where this net is a step on the way only, makes the wanted problem from its result.
     """
 
     net: str
@@ -77,7 +71,6 @@ class Problem:
     measures: dict[str, Measure] = field(default_factory=dict)
     details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
     may_flatten: bool = False
-    easier: Callable[[QuadMesh], Problem] | None = None
     places: dict[str, Callable[[int], str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -137,22 +130,36 @@ class Problem:
 
         return measure
 
-    def guide(self, term: Term, *weights: float) -> Problem:
-        """Add a term that fades, with its weight in each attempt; weights of zero leave it out."""
-        if any(weight > 0 for weight in weights):
-            self.guides.append(Guide(term, weights))
+    def guide(self, term: Term, weight: float) -> Problem:
+        """Add a term that fades; a weight of zero leaves it out."""
+        if weight > 0:
+            self.guides.append(Guide(term, weight))
         return self
 
-    def guard(self, term: Term, *weights: float) -> Problem:
-        """Add a one-sided term that keeps its weight to the end."""
-        if any(weight > 0 for weight in weights):
-            self.guides.append(Guide(term, weights, lasting=True))
-        return self
+    def retarget(self, term: Term) -> int:
+        """Put a term in the place of the guide of that name; return the guide's number.
+
+        The stencil must be the same, so that the equations need not be laid out anew.
+
+        Raises:
+            KeyError: there is no such guide.
+        """
+        for k, guide in enumerate(self.guides):
+            if guide.term.name == term.name:
+                self.guides[k] = replace(guide, term=term)
+                return k
+        raise KeyError(term.name)
 
     @property
-    def attempts(self) -> int:
-        """How many different ways to guide the solver there are."""
-        return max((len(guide.weights) for guide in self.guides), default=1)
+    def terms(self) -> list[Term]:
+        """Constraints, then the terms of all guides."""
+        return [*self.constraints, *(guide.term for guide in self.guides)]
+
+    def at(self, mesh: QuadMesh) -> FloatArray:
+        """The flat vector of the vertices of a mesh and the scalars of the start."""
+        x = self.start.copy()
+        x[: 3 * len(mesh.vertices)] = ((mesh.vertices - self.centre) / self.scale).ravel()
+        return x
 
     def mesh_at(self, x: FloatArray) -> QuadMesh:
         """Mesh in model units at ``x``; vertices that are not free keep every bit."""

@@ -11,16 +11,14 @@ Source: Nocedal, Wright (2006), Numerical Optimization, algorithm 7.4.
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
 
 import numpy as np
 
-from solver.assembly import NormalEquations
-from solver.damped_step import Step, Stepper, energy_of, linearise
+from solver.damped_step import Step, Stepper
 from solver.errors import SingularSystemError
 from solver.linear.backends import SymmetricSolver
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Term
+from solver.point import Point
 
 # Steps that are remembered.
 _MEMORY = 10
@@ -35,55 +33,38 @@ class Relaxation:
     """Takes Gauss-Newton steps with memory for one system of terms.
 
     Args:
-        system: assembles the normal equations.
-        solver: solves them.
+        solver: solves the normal equations.
     """
 
-    def __init__(self, system: NormalEquations, solver: SymmetricSolver) -> None:
-        self._system = system
+    def __init__(self, solver: SymmetricSolver) -> None:
         self._solver = solver
-        self._damped = Stepper(system, solver)
+        self._damped = Stepper(solver)
         self._pairs: list[tuple[FloatArray, FloatArray]] = []
 
     def forget(self) -> None:
         """Drop the memory: the weights are others from now on."""
         self._pairs.clear()
 
-    def step(
-        self,
-        terms: Sequence[Term],
-        x: FloatArray,
-        linearisations: list[Linearisation],
-        weights: FloatArray,
-        damping: float,
-    ) -> Step:
-        """Move ``x`` by one step that lowers the energy; a damped step where memory misleads."""
-        system = self._system
-        gradient = system.gradient(linearisations, weights)
-        energy = energy_of(linearisations, weights)
+    def step(self, here: Point, damping: float) -> Step:
+        """Take one step that lowers the energy; a damped step where memory misleads."""
         begin = time.perf_counter()
-        move = self._direction(linearisations, weights, gradient)
+        move = self._direction(here)
         solve_seconds = time.perf_counter() - begin
-        slope, part = float(move @ gradient), 1.0
+        slope, part = float(move @ here.gradient), 1.0
         while slope < 0 and part >= _SHORTEST:
-            there = x.copy()
-            there[system.pattern.unknowns] += part * move
-            ahead = linearise(terms, there, linearisations, weights)
-            after = energy_of(ahead, weights)
-            if after <= energy * (1 + _ROUNDING) + _DECREASE * part * slope:
-                self._remember(part * move, system.gradient(ahead, weights) - gradient)
+            there = here.moved(part * move)
+            if there.energy <= here.energy * (1 + _ROUNDING) + _DECREASE * part * slope:
+                self._remember(part * move, there.gradient - here.gradient)
                 length = part * float(np.abs(move).max(initial=0.0))
-                return Step(there, ahead, after, length, damping, solve_seconds, False)
+                return Step(there, length, damping, solve_seconds)
             part *= 0.5
         self.forget()
-        return self._damped.step(terms, x, linearisations, weights, damping, bend=False)
+        return self._damped.step(here, damping)
 
-    def _direction(
-        self, linearisations: list[Linearisation], weights: FloatArray, gradient: FloatArray
-    ) -> FloatArray:
+    def _direction(self, here: Point) -> FloatArray:
         """Minus the gradient through the inverse of the matrix as memory corrects it."""
-        matrix = self._system.matrix(linearisations, weights)
-        matrix[self._system.pattern.indptr[:-1]] += _DAMPING
+        matrix, gradient = here.matrix, here.gradient
+        matrix[here.system.pattern.indptr[:-1]] += _DAMPING
         try:
             solve = self._solver.factor(matrix)
         except SingularSystemError:

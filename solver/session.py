@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.errors import InputError
+from solver.gauss_newton import Descent
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.constraints import Constraints
 from solver.optimise import start_optimisation
@@ -55,14 +56,16 @@ class Session:
                 )
         self.targets = {int(vertex): mesh.vertices[vertex].copy() for vertex in handles}
         self._begin = np.array(list(self.targets.values()))
+        # The plan reads these targets too: what it poses later is drawn to where they are then.
         wanted = replace(constraints or Constraints(), handles=self.targets)
         self._run = start_optimisation(mesh, net, constraints=wanted, **settings)
+        self._first = self._run.descent
+        self._frames = 0
 
     @property
     def vertices(self) -> FloatArray:
         """(V, 3) current positions in model units."""
-        run = self._run
-        return run.outcome().mesh.vertices if run.finished else run.vertices
+        return self._run.origin.back_mesh(self._run.shape).vertices
 
     def drag(self, targets: Mapping[int, ArrayLike], steps: int = 1) -> StepRecord:
         """Move handles and take a few steps from the last shape.
@@ -94,10 +97,10 @@ class Session:
         moved = any(not np.array_equal(self.targets[v], place) for v, place in wanted.items())
         self.targets.update(wanted)
         if moved or self._run.finished:
-            self._run.hold()
+            self._hold()
             self._aim(np.array(list(self.targets.values())))
         for _ in range(max(1, steps)):
-            record = self._run.advance(reuse=moved)
+            record = self._frame(follow=moved)
         return record
 
     def settle(self) -> Outcome:
@@ -116,26 +119,54 @@ class Session:
         Yields the record of each step; the outcome is the generator's return value. It may be left
         unfinished: the next drag goes on from the shape reached.
         """
-        run = self._run
-        if not run.finished:
-            run.resume()
-        while not run.finished:
-            yield run.step()
-        if run.restless:
+        if not self._run.finished and self._run.attempts == 1:
+            self._continue(self._run.descent)
+        yield from self._steps()
+        if self._run.descent.restless:
             # What was in sight had not come to rest and depends on the way: solve afresh.
-            run.restart()
+            self._continue(self._at_start())
             self._aim(self._begin)
-            while not run.finished:
-                yield run.step()
-        return run.outcome()
+            yield from self._steps()
+        return self._run.outcome()
+
+    def _steps(self) -> Generator[StepRecord, None, None]:
+        """All steps to the exact net."""
+        while not self._run.finished:
+            record = self._run.step()
+            self._frames = len(self._run.history)
+            yield record
+
+    def _frame(self, follow: bool) -> StepRecord:
+        """One step of the descent, without asking whether it was the last."""
+        left = self._run.max_steps - self._frames
+        self._frames += 1
+        return self._run.descent.step(self._frames, left, self._run.attempts, follow)
+
+    def _hold(self) -> None:
+        """Go on from the shape in sight, with handles that have moved."""
+        descent = self._run.descent
+        if self._run.finished or self._run.attempts > 1:
+            descent = self._at_start()
+            descent.stand_at(self._run.shape)
+        descent.hold()
+        self._continue(descent)
+
+    def _at_start(self) -> Descent:
+        """The first attempt from the start of the session; its equations are laid out already."""
+        return Descent(self._first.layout, self._first.attempt)
+
+    def _continue(self, descent: Descent) -> None:
+        """Count steps and look for the best shape from here on."""
+        descent.count_afresh()
+        self._run, self._frames = self._run.afresh(descent), 0
 
     def _aim(self, begin: FloatArray) -> None:
         """Draw the handles to their targets, from the (n, 3) points ``begin`` on."""
-        problem = self._run.problem
+        problem = self._first.problem
         goals = np.array(list(self.targets.values()))
         begin, goals = (
             (self._run.origin.near(places) - problem.centre) / problem.scale
             for places in (begin, goals)
         )
         vertices = np.array(list(self.targets), dtype=np.int64)
-        self._run.retarget("handles", Pull(vertices, begin, goals=goals))
+        self._run.descent.retarget(Pull(vertices, begin, goals=goals))

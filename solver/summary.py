@@ -12,7 +12,7 @@ from solver.mesh.seams import seams
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
 
 if TYPE_CHECKING:
-    from solver.gauss_newton import Optimisation
+    from solver.run import Optimisation
 
 
 # What was not joined and is now further apart than this many mean edges has come apart.
@@ -32,7 +32,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         net=problem.net,
         status=status,
         message=_message(run, best, status),
-        warnings=[*map(str, run.remarks), *filter(None, [run.solver.remark])],
+        warnings=[*map(str, run.remarks), *filter(None, [run.descent.layout.solver.remark])],
         vertices=len(start.vertices),
         faces=len(start.faces),
         variables=problem.variables,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,7 +11,8 @@ from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets.net import Net
-from solver.problem import Problem
+from solver.problem import Guide, Problem
+from solver.terms.base import Term
 from solver.terms.closeness import Closeness
 from solver.terms.edge_guard import EdgeGuard
 from solver.terms.edge_vectors import EdgeVectors
@@ -21,6 +22,8 @@ from solver.terms.fairness import Fairness
 from solver.terms.isometry import Isometry
 from solver.terms.multi import multi_net
 
+# Guides that do not fade.
+_LASTING = ("edge_guard", "face_guard")
 _GUARDED = 0.6
 # Cosine between opposite edges of a face below which they are turned back.
 _UPRIGHT = 0.3
@@ -28,7 +31,7 @@ _UPRIGHT = 0.3
 
 @dataclass(frozen=True)
 class Weights:
-    """Start weights of the guides; all fade to zero.
+    """Start weights of the guides of an attempt; all but the guards fade to zero.
 
     Attributes:
         fairness: straight parameter lines (w1 of the paper).
@@ -77,31 +80,37 @@ class Weights:
         guarded = replace(nearest, edge_guard=0.1)
         return [self, nearest, guarded, fairer, fairest]
 
+    def of(self, guide: Guide) -> float:
+        """Weight of a guide at the start; of one that is none of these its own."""
+        name = "multi" if guide.term.name == "multi-net" else guide.term.name.replace(" ", "_")
+        return float(vars(self).get(name, guide.weight))
+
     def even(self, evenness: float) -> Weights:
         """The same for nets that keep a start's noise as soon as they may: only smooth it."""
         return replace(self, evenness=evenness, smooth_motion=0.0, edge_vectors=0.0)
 
 
-def add_guides(problem: Problem, attempts: Sequence[Weights]) -> Problem:
-    """Add the guides that all recipes share, with their weights in each attempt."""
+def add_guides(problem: Problem, ladder: Sequence[Weights]) -> Problem:
+    """Add the guides that all recipes share and that lead some attempt of a ladder."""
     net, start = problem.mesh.connectivity, problem.start
-    used = np.flatnonzero(net.referenced)
-    shortest = problem.edge_ratio_start
     points = start[: 3 * net.vertex_count].reshape(-1, 3)
-    return (
-        problem.guide(Fairness(net.line_triples), *(w.fairness for w in attempts))
-        .guide(multi_net(net), *(w.multi for w in attempts))
-        .guide(Closeness(used, points[used]), *(w.closeness for w in attempts))
-        .guide(Evenness(net.line_quadruples), *(w.evenness for w in attempts))
-        .guide(
-            Fairness(net.line_triples, start, "smooth motion"),
-            *(w.smooth_motion for w in attempts),
-        )
-        .guide(EdgeVectors(net.edges, start), *(w.edge_vectors for w in attempts))
-        .guide(Isometry(net.faces, points), *(w.isometry for w in attempts))
-        .guard(EdgeGuard(net.edges, _GUARDED * shortest), *(w.edge_guard for w in attempts))
-        .guard(FaceGuard(net.faces, _UPRIGHT), *(w.face_guard for w in attempts))
-    )
+    used = np.flatnonzero(net.referenced)
+    guides: dict[str, Callable[[], Term]] = {
+        "fairness": lambda: Fairness(net.line_triples),
+        "multi": lambda: multi_net(net),
+        "closeness": lambda: Closeness(used, points[used]),
+        "evenness": lambda: Evenness(net.line_quadruples),
+        "smooth_motion": lambda: Fairness(net.line_triples, start, "smooth motion"),
+        "edge_vectors": lambda: EdgeVectors(net.edges, start),
+        "isometry": lambda: Isometry(net.faces, points),
+        "edge_guard": lambda: EdgeGuard(net.edges, _GUARDED * problem.edge_ratio_start),
+        "face_guard": lambda: FaceGuard(net.faces, _UPRIGHT),
+    }
+    for name, build in guides.items():
+        weights = [getattr(one, name) for one in ladder]
+        if any(weight > 0 for weight in weights):
+            problem.guides.append(Guide(build(), weights[0], lasting=name in _LASTING))
+    return problem
 
 
 def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int], net: Net | None = None) -> BoolArray:

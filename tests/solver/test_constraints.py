@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from solver import Constraints, InputError, NetOptions, Session, optimise
 from solver.analysis import measures
+from solver.candidate import judge
 from solver.mesh.closest import Polyline, TriangleSurface
 from solver.nets import NETS
 from solver.nets.constraints import (
@@ -65,9 +68,14 @@ def test_the_boundary_glides_on_its_own_curve():
 def test_a_net_reached_through_an_easier_one_glides_on_the_start_curve():
     start, fixed = wavy_grid(7, 6), np.zeros(42, dtype=bool)
     wanted = settled(start, fixed, Constraints(glide=(BoundaryGlide(), PlaneGlide(1, 5.0))))
-    plan = Plan(NETS["conical"], fixed, NetOptions(), wanted, Weights())
-    way_round = next(problem for problem in plan.problems(start) if problem.easier)
-    later = way_round.easier(noisy(start, 0.3, seed=1))
+    plan = Plan(NETS["conical"], start, fixed, NetOptions(), wanted, Weights())
+    way, failed = plan.way(), judge(plan.original, plan.original.start, 1e-10)
+    next(way)
+    way_round = way.send(failed)
+    assert way_round.easier
+    arrived = replace(failed, mesh=noisy(start, 0.3, seed=1), met=True)
+    later = way.send(arrived).problem
+    assert later.mesh is arrived.mesh
     assert later.measures["glide"](start, np.zeros(0)).max() <= 1e-14
     gliding = [term.vertices.tolist() for term in later.constraints if term.name == "glide"]
     assert gliding == [start.connectivity.boundary_loops[0].tolist(), list(range(5, 42, 6))]

@@ -10,6 +10,7 @@ import pytest
 from solver.assembly import NormalEquations
 from solver.damped_step import Stepper
 from solver.linear.backends import symmetric_solver
+from solver.point import Point
 from solver.terms.base import Linearisation, Size
 
 DAMPING = 1e-12
@@ -40,9 +41,8 @@ class Valley:
 def stepped(goal: float, bend: bool):
     terms, x = [Valley(goal)], np.zeros(3)
     system = NormalEquations(terms, np.ones(3, dtype=bool), np.zeros((1, 3)))
-    stepper = Stepper(system, symmetric_solver(system.pattern, "scipy"))
-    linearisations = [term.linearise(x) for term in terms]
-    return stepper.step(terms, x, linearisations, np.ones(1), DAMPING, bend=bend)
+    stepper = Stepper(symmetric_solver(system.pattern, "scipy"))
+    return stepper.step(Point.at(system, terms, x), DAMPING, bend=bend).point
 
 
 @pytest.mark.parametrize("goal", [0.3, -0.3])

@@ -1,0 +1,223 @@
+"""An optimisation: the attempts of a plan one by one, and the best of what they reached."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
+
+import numpy as np
+
+from solver.analysis.start import Remark
+from solver.best import Best
+from solver.candidate import Candidate, judge
+from solver.gauss_newton import Descent, Layout
+from solver.linear.backends import default_backend
+from solver.mesh.local_origin import LocalOrigin
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.plan import Attempt, Way, alone
+from solver.problem import Problem
+from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
+from solver.summary import summarise
+
+# Of so many attempts that reached the net, though with short edges or creases, the best is taken.
+_ENOUGH = 3
+
+
+class Optimisation:
+    """An optimisation that is advanced one step at a time.
+
+    No problem is changed. Between steps the current shape can be read from ``mesh``; after any
+    number of steps ``outcome`` gives the best mesh so far and its report.
+
+    Args:
+        original: the net from its start, against which results are judged.
+        way: begins the way to it, by default one attempt at the original.
+        tolerance: largest measure of the net, over all faces or stars, that counts as zero.
+        max_steps: steps of all attempts together.
+        backend: name of the sparse solver, by default the fastest installed.
+        accept_start: a start that already is the net is returned untouched.
+        remarks: what stands in the way of the net, for the report and its advice.
+        held: what keeps vertices from moving freely, such as "fixed vertices", for the advice.
+        origin: what the problems' coordinates are measured from; what comes out is in the model's.
+        descent: the first attempt where it is under way already.
+    """
+
+    def __init__(
+        self,
+        original: Problem,
+        way: Callable[[], Way] | None = None,
+        tolerance: float = 1e-10,
+        max_steps: int = 1000,
+        backend: str | None = None,
+        accept_start: bool = True,
+        remarks: Sequence[Remark] = (),
+        held: Sequence[str] = (),
+        origin: LocalOrigin | None = None,
+        descent: Descent | None = None,
+    ) -> None:
+        begin = time.perf_counter()
+        self.original = original
+        self._begin_way = way or partial(alone, original)
+        self.remarks, self.held = tuple(remarks), tuple(held)
+        self.origin = origin or LocalOrigin(np.zeros(3))
+        self.tolerance = tolerance
+        self.max_steps = max_steps
+        self.backend = backend or default_backend(int(original.free.sum()))
+        self.history: list[StepRecord] = []
+        self.status: str | None = None
+        self.attempts, self._solved, self._best = 1, 0, Best()
+        self._way = self._begin_way()
+        attempt = next(self._way)
+        self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
+        self.seconds_setup = time.perf_counter() - begin
+        if not original.free.any():
+            self._conclude(STALLED)
+        elif accept_start:
+            start = judge(original, original.start, tolerance)
+            if start.valid:
+                self._best.consider(start)
+                self.status = CONVERGED
+
+    def afresh(self, descent: Descent) -> Optimisation:
+        """The same from the beginning, with its first attempt under way already.
+
+        Args:
+            descent: of the first attempt.
+        """
+        return Optimisation(
+            self.original,
+            self._begin_way,
+            self.tolerance,
+            self.max_steps,
+            self.backend,
+            False,
+            self.remarks,
+            self.held,
+            self.origin,
+            descent,
+        )
+
+    @property
+    def problem(self) -> Problem:
+        """The problem that is being tried."""
+        return self.descent.problem
+
+    @property
+    def finished(self) -> bool:
+        """True when no further step will be taken."""
+        return self.status is not None
+
+    @property
+    def shape(self) -> QuadMesh:
+        """What is in sight, about the origin: the best where all is over, else where it stands."""
+        return self._found().mesh if self.finished else self.descent.mesh
+
+    @property
+    def mesh(self) -> QuadMesh:
+        """Current shape in model units."""
+        return self.origin.back_mesh(self.descent.mesh)
+
+    @property
+    def vertices(self) -> FloatArray:
+        """(V, 3) current positions in model units."""
+        return self.mesh.vertices
+
+    def step(self) -> StepRecord:
+        """Take one step and return its record; ``finished`` may turn true.
+
+        Raises:
+            RuntimeError: the optimisation has finished.
+        """
+        if self.finished:
+            raise RuntimeError("the optimisation has finished; start a new one")
+        done = len(self.history)
+        record = self.descent.step(done + 1, self.max_steps - done, self.attempts)
+        self.history.append(record)
+        steps_left = self.max_steps - len(self.history)
+        if not self.descent.holds(steps_left):
+            self._decide(record, steps_left)
+        return record
+
+    def stop(self) -> None:
+        """End here; the outcome is the best mesh so far."""
+        if not self.finished:
+            self._conclude(STOPPED)
+
+    def run(self, callback: Callable[[StepRecord], bool | None] | None = None) -> Outcome:
+        """Take all steps that are left and return the outcome.
+
+        ``callback`` is called after each step; returning True stops. So does a
+        ``KeyboardInterrupt``, in the same clean way.
+        """
+        try:
+            while not self.finished:
+                record = self.step()
+                if callback is not None and callback(record):
+                    self.stop()
+        except KeyboardInterrupt:
+            self.stop()
+        return self.outcome()
+
+    def outcome(self) -> Outcome:
+        """Best mesh so far and its report; the status is ``stopped`` while steps are left."""
+        return summarise(self, self._found())
+
+    def _found(self) -> Candidate:
+        return self._best.so_far() or self._judged()
+
+    def _decide(self, record: StepRecord, steps_left: int) -> None:
+        """End the attempt where it is over, or everything where the steps are used up."""
+        over = self.descent.is_over(record, self.tolerance)
+        attempt, x = self.descent.attempt, self.descent.point.x
+        self._best.note(record.worst, partial(self._judge, attempt, x))
+        if over:
+            self._end_attempt(steps_left)
+        elif steps_left <= 0:
+            self._conclude(STOPPED)
+
+    def _end_attempt(self, steps_left: int) -> None:
+        """Weigh what an attempt reached, and go on along the way unless that is enough."""
+        attempt, x = self.descent.attempt, self.descent.point.x
+        reached = judge(attempt.problem, x, self.tolerance, self.original)
+        if attempt.leads_on(reached) and steps_left > 0:
+            self._go_on(reached)
+            return
+        candidate = self._judge(attempt, x) if attempt.easier else reached
+        self._best.consider(candidate)
+        if candidate.valid and not candidate.flattened:
+            self._solved += 1
+        # Whoever drags a mesh may crease it.
+        good = candidate.valid if self.descent.pulled else candidate.good
+        enough = good or self._solved >= _ENOUGH or steps_left <= 0
+        if enough or not self._go_on(reached):
+            self._conclude(STALLED)
+
+    def _go_on(self, reached: Candidate) -> bool:
+        """Begin the next attempt of the way; return whether there is one."""
+        try:
+            attempt = self._way.send(reached)
+        except StopIteration:
+            return False
+        before = self.descent
+        shared = attempt.problem is before.problem
+        layout = before.layout if shared else Layout(attempt.problem, self.backend)
+        self.descent = Descent(layout, attempt, before.restless)
+        self.attempts += 1
+        return True
+
+    def _judge(self, attempt: Attempt, x: FloatArray) -> Candidate:
+        """Judge a shape as the wanted net."""
+        if attempt.easier:
+            # It counts by what was asked for; the easier net has no scalars in common.
+            mesh = attempt.problem.mesh_at(x)
+            return judge(self.original, self.original.at(mesh), self.tolerance)
+        return judge(attempt.problem, x, self.tolerance, self.original)
+
+    def _judged(self) -> Candidate:
+        """The shape where it stands."""
+        return self._judge(self.descent.attempt, self.descent.point.x)
+
+    def _conclude(self, status: str) -> None:
+        best = self._best.consider(self._judged())
+        self.status = (COLLAPSED if best.gone else CONVERGED) if best.valid else status
