@@ -125,6 +125,9 @@ class EditPanel:
         if self._filling:
             return
         wanted: dict[str, Any] = {"net": self.net_type.word}
+        if self.net.DiagonalNet and self.net_type.word != self.net.NetType:
+            # It was ticked for the net before, and is not shown here.
+            wanted["diagonal"] = False
         weight = _ISOMETRY if self.isometric.isChecked() else None
         if (self.net.IsometryWeight > 0) != self.isometric.isChecked():
             wanted["isometry"] = weight

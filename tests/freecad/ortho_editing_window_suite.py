@@ -352,6 +352,12 @@ class TestNets(EditingCase):
     def test_stress(self):
         self.dragged("quad_dome", 0.6, net="stress")
 
+    def test_another_net_begins_on_the_edges(self):
+        net = self.edited()
+        api.set_net(net, net="asymptotic", diagonal=True)
+        self.panel.net_type.choose("geodesic")
+        self.assertEqual((net.NetType, net.DiagonalNet), ("geodesic", False))
+
     def test_developable_hardly_stretches_when_isometric(self):
         stretched = {}
         for weight in (None, 10.0):
