@@ -50,6 +50,7 @@ class Job:
     unit: str
     height: float
     thickness: float
+    panel_thickness: float
     gap: float
 
 
@@ -97,6 +98,7 @@ def read_options() -> argparse.Namespace:
     parser.add_argument("--unit", choices=MILLIMETRES)
     parser.add_argument("--height", type=float)
     parser.add_argument("--thickness", type=float)
+    parser.add_argument("--panel-thickness", type=float)
     return parser.parse_args()
 
 
@@ -116,10 +118,14 @@ def plan(options: argparse.Namespace) -> tuple[Job, QuadMesh]:
     factor = 1.0 if 500 <= edge <= 3000 else edge / 1000
     height = options.height or two_digits(200 * factor)
     thickness = options.thickness or two_digits(20 * factor)
+    sheet = options.panel_thickness or two_digits(3 * factor)
     gap = two_digits(8 * factor)
     if factor != 1.0:
-        say(f"plates for a mean edge of {edge:,.3g} mm: {height:g} x {thickness:g} mm, gap {gap:g}")
-    return Job(options.mesh.resolve(), unit, height, thickness, gap), drawn
+        say(
+            f"plates for a mean edge of {edge:,.3g} mm: {height:g} x {thickness:g} mm, panels "
+            f"{sheet:g} mm, gap {gap:g}"
+        )
+    return Job(options.mesh.resolve(), unit, height, thickness, sheet, gap), drawn
 
 
 def load(path: Path) -> tuple[QuadMesh, str | None]:
@@ -157,6 +163,7 @@ def fabricate(job: Job, folder: Path) -> dict[str, Any]:
     """Write structure.step, flat.dxf and parts.csv."""
     arguments = ["--system", "beams+panels", "--height", f"{job.height:g}"]
     arguments += ["--thickness", f"{job.thickness:g}", "--gap", f"{job.gap:g}", "-o", str(folder)]
+    arguments += ["--panel-thickness", f"{job.panel_thickness:g}"]
     command_line("fabricate", str(folder / "principal.obj"), *arguments)
     result: dict[str, Any] = json.loads((folder / "report.json").read_text("utf-8"))
     return result
@@ -184,6 +191,7 @@ def build_model(job: Job, folder: Path) -> dict[str, Path]:
             "unit": job.unit,
             "height": job.height,
             "thickness": job.thickness,
+            "panel_thickness": job.panel_thickness,
             "gap": job.gap,
             "model": str(folder / "model.FCStd"),
             "decades": [demo_picture.LOWEST_DECADE, demo_picture.HIGHEST_DECADE],

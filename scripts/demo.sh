@@ -7,7 +7,7 @@ set -euo pipefail
 usage() {
   cat <<'TEXT'
 usage: bash scripts/demo.sh [OUT_DIR] [--mesh FILE.obj] [--unit mm|cm|m|in|ft]
-                            [--height MM] [--thickness MM]
+                            [--height MM] [--thickness MM] [--panel-thickness MM]
 
 Installs what is missing, then turns a quad mesh into a principal mesh, torsion-free beams and
 flat panels, and writes into OUT_DIR (default: ./out/demo):
@@ -22,7 +22,8 @@ flat panels, and writes into OUT_DIR (default: ./out/demo):
   --mesh       a quad mesh of your own (default: examples/data/demo_roof.obj)
   --unit       its unit (default: as its file says, else guessed from its edges and said)
   --height     height of the beams (default: 200, or a fifth of the mean edge of small quads)
-  --thickness  thickness of beams and panels (default: 12, or as the height)
+  --thickness  thickness of the beams (default: 20, or as the height)
+  --panel-thickness  thickness of the panels (default: 3, steel sheet, or as the height)
 TEXT
 }
 
@@ -37,7 +38,7 @@ options=()
 while [ $# -gt 0 ]; do
   case "$1" in
     -h | --help) usage; exit 0 ;;
-    --mesh | --unit | --height | --thickness)
+    --mesh | --unit | --height | --thickness | --panel-thickness)
       [ $# -ge 2 ] || wrong "$1 needs a value"
       case "$1" in
         --mesh) if [ ! -r "$2" ] || [ -d "$2" ]; then wrong "--mesh: no readable file '$2'"; fi ;;

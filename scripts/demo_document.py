@@ -36,7 +36,7 @@ def build(order: dict[str, Any]) -> dict[str, Any]:
     net = api.import_net(order["principal"], document, unit=order["unit"])
     net.Label = "Principal mesh"
     beams = api.add_beams(net, height=order["height"], thickness=order["thickness"])
-    panels = api.add_panels(net, thickness=order["thickness"], gap=order["gap"], beams=beams)
+    panels = api.add_panels(net, order["panel_thickness"], gap=order["gap"], beams=beams)
     document.recompute()
     for feature in (drawn, net):
         feature.ViewObject.Visibility = False

@@ -54,6 +54,7 @@ def test_help(tmp_path):
         (["--unit", "km"], "expected mm, cm, m, in or ft, got 'km'"),
         (["--height", "0"], "expected millimetres above 0, got '0'"),
         (["--height", "-200"], "expected millimetres above 0, got '-200'"),
+        (["--panel-thickness", "0"], "expected millimetres above 0, got '0'"),
         (["--thickness", "thick"], "expected millimetres above 0, got 'thick'"),
         (["one", "two"], "got 'one' and 'two'"),
         (["/proc/nowhere"], "cannot be written"),
@@ -129,7 +130,8 @@ def test_ends_with_ten_lines(run):
     assert len(table) == 10
     assert "480 quads" in table[0]
     assert f"{BEAMS} plates" in table[4]
-    assert f"{PANELS} plates" in table[7]
+    assert f"{PANELS} plates" in table[7] and table[7].endswith(" 3 mm thick")
+    assert float(re.search(r"([\d.]+) t of steel", table[8])[1]) < 60
     twist = float(re.search(r"worst (\S+) degrees", table[5])[1])
     assert twist < 1e-5
     low, high = map(float, re.findall(r"\d+\.\d+", table[6]))
