@@ -38,8 +38,8 @@ def raised(poles: FloatArray, count: int) -> FloatArray:
 
 
 def through(points: FloatArray) -> FloatArray:
-    """(P, D) control points of the curve through (P, D) points at equal steps of its parameter."""
-    return np.asarray(_fit(len(points)) @ points)
+    """(..., P, D) control points of curves through points at equal steps of their parameter."""
+    return np.asarray(_fit(points.shape[-2]) @ points)
 
 
 @cache

@@ -58,10 +58,6 @@ class Body(ABC):
     def solid(self) -> cadquery.Solid:
         """Build the closed solid."""
 
-    def filled(self) -> Body:
-        """The body without its drilled holes, which the CAD kernel cuts much faster."""
-        return self
-
     def pieces(self) -> tuple[Polyhedron, ...]:
         """Convex polyhedra that together contain the body; the closer, the faster the clash check.
 

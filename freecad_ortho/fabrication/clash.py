@@ -22,7 +22,6 @@ import numpy as np
 from freecad_ortho.fabrication.bodies import Body, Loops, Polyhedron
 from freecad_ortho.fabrication.convex import Piece, convex_pieces, shared_volume
 from freecad_ortho.fabrication.part import Part
-from freecad_ortho.fabrication.solids import placed
 from freecad_ortho.fabrication.workers import in_chunks
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
@@ -222,24 +221,8 @@ def _bound(one: Sequence[Piece], other: Sequence[Piece]) -> FloatArray:
 
 
 def _cut_by_kernel(pairs: Sequence[tuple[Part, Part]]) -> list[float | None]:
-    """Volumes that the solids of pairs share, mm3; None where the CAD kernel fails.
-
-    Parts that share nothing with their holes filled share nothing.
-    """
-    result = []
-    for one, other in pairs:
-        shared = _shared_volume(_filled(one), _filled(other))
-        drilled = any(part.body.filled() is not part.body for part in (one, other))
-        if drilled and (shared is None or shared > CONTACT * min(one.volume, other.volume)):
-            shared = _shared_volume(one.solid(), other.solid())
-        result.append(shared)
-    return result
-
-
-def _filled(part: Part) -> cadquery.Solid:
-    """The solid of a part, its holes filled, in its place."""
-    body = part.body.filled()
-    return part.solid() if body is part.body else placed(body.solid(), part.origin, part.frame)
+    """Volumes that the solids of pairs share, mm3; None where the CAD kernel fails."""
+    return [_shared_volume(one.solid(), other.solid()) for one, other in pairs]
 
 
 def _shared_volume(one: cadquery.Solid, other: cadquery.Solid) -> float | None:

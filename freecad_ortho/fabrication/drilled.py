@@ -53,10 +53,6 @@ class DrilledBody(Body):
         """Volume of the body with its holes."""
         return self.cut.volume
 
-    def filled(self) -> Body:
-        """The whole body."""
-        return self.whole
-
     def pieces(self) -> tuple[Polyhedron, ...]:
         """Those of the whole body."""
         return self.whole.pieces()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_ortho.fabrication.bezier import bernstein, gauss, raised
+from freecad_ortho.fabrication.bezier import bernstein, blend, gauss, raised, through
 from freecad_ortho.fabrication.bodies import Body, Loops, Polyhedron
 from solver.mesh.quadmesh import FloatArray
 
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 Side = tuple[int, ...]
 # Corners at one end of a block that has more points than its corners.
 _RING = {16: 4}
+# Parts of a block that two bodies are told apart by where whole blocks do not tell.
+_PARTS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +95,13 @@ class RuledBody(Body):
             loops: Loops = tuple([*ends, *sides][:: -1 if len(block) in _RING else 1])
             found.append(Polyhedron(block, loops))
         return tuple(found)
+
+    def filling(self) -> tuple[Polyhedron, ...]:
+        """The blocks, shorter where sides are no planes: so they hold the body more closely."""
+        if all(sheet.rails is None for sheet in self.sheets):
+            return self.pieces()
+        blocks = tuple(part for block in self.blocks for part in _shorter(block))
+        return replace(self, blocks=blocks).pieces()
 
     def seen_from(self, origin: FloatArray, frame: FloatArray) -> RuledBody:
         """The same body seen from an ``origin`` (3,), its axes the rows of ``frame`` (3, 3)."""
@@ -200,6 +209,31 @@ class RuledBody(Body):
         from freecad_ortho.fabrication.ruled_solid import ruled_solid
 
         return ruled_solid(self)
+
+
+def _shorter(block: FloatArray) -> list[FloatArray]:
+    """Parts of a block of 8 or 16 points along its rails, each with the points of one block."""
+    if len(block) not in (8, *_RING):
+        return [block]
+    ends = block[:8].reshape(2, 4, 3)
+    rails = [ends[:, [0, 1]], ends[:, [3, 2]]]
+    inner = block[8:].reshape(2, 2, -1, 3)
+    # (level, side, P, 3) control points of the four rails.
+    poles = np.stack(
+        [
+            np.concatenate([rail[:, :1], inner[:, k], rail[:, 1:]], axis=1)
+            for k, rail in enumerate(rails)
+        ],
+        axis=1,
+    )
+    count = poles.shape[2]
+    found = []
+    for start in range(_PARTS):
+        places = (start + np.linspace(0, 1, count)) / _PARTS
+        part = through(blend(count, places) @ poles)
+        around = np.concatenate([part[:, 0, [0, -1]], part[:, 1, [-1, 0]]], axis=1)
+        found.append(np.concatenate([around.reshape(8, 3), part[:, :, 1:-1].reshape(-1, 3)]))
+    return found
 
 
 def _volume_to_surface(rails: FloatArray, places: tuple[tuple[FloatArray, ...], ...]) -> float:

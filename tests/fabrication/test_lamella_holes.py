@@ -6,6 +6,7 @@ import cadquery
 import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+from scipy.spatial import ConvexHull
 
 from freecad_ortho.fabrication import Lamellas, Selection, build
 from freecad_ortho.fabrication.bezier import bernstein, raised, through
@@ -88,6 +89,18 @@ def test_a_face_between_two_stations_is_one_side():
         faces = len(part.pattern.axis) - 1
         slots = sum(1 for mark in part.pattern.marks if mark.text)
         assert len(part.solid().Faces()) == 4 * faces + 4 * slots + 2
+
+
+def test_shorter_blocks_hold_a_plate_more_closely(some):
+    for part in some.parts[::5]:
+        body = getattr(part.body, "whole", part.body)
+        close, loose = (
+            sum(ConvexHull(piece.corners).volume for piece in pieces) / body.volume - 1
+            for pieces in (body.filling(), body.pieces())
+        )
+        assert -1e-9 < close <= loose + 1e-9
+        if any(sheet.rails is not None for sheet in getattr(body, "sheets", ())):
+            assert close < 0.3 * loose, part.name
 
 
 def test_bezier_curves_stay_themselves():
