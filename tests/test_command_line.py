@@ -294,15 +294,16 @@ def test_unknown_ending_of_the_output_is_refused_first(mesh_file, tmp_path, caps
     assert [path.name for path in tmp_path.iterdir()] == [mesh_file.name]
 
 
-def test_size_that_no_chosen_system_has_is_said(mesh_file, tmp_path, capsys):
+def test_size_that_no_chosen_system_has_is_refused(mesh_file, tmp_path, capsys):
     words = ["fabricate", str(mesh_file), "--system", "panels", "-o", str(tmp_path / "files")]
-    assert main([*words, "--height", "60", "--stock", "6000", "--gap", "12"]) == 0
-    words = "note: --height is left out: panels has no such size; it is of beams, nodes"
-    first, *others = capsys.readouterr().err.splitlines()
-    assert first == words
-    # What the report says is out of the ordinary comes after it.
+    assert main([*words, "--height", "60", "--gap", "12"]) == 2
+    refusal = "error: height: panels has no such size, it is of beams, nodes; leave it out"
+    assert one_line(capsys) == refusal
+    assert not (tmp_path / "files").exists()
+    # Stock is the workshop's as well.
+    assert main([*words, "--stock", "6000", "--gap", "12"]) == 0
     messages = json.loads((tmp_path / "files" / "report.json").read_text())["messages"]
-    assert others == [f"note: {message}" for message in messages]
+    assert capsys.readouterr().err.splitlines() == [f"note: {message}" for message in messages]
 
 
 def test_help_and_errors_name_the_command_as_it_is_typed(capsys):

@@ -30,7 +30,7 @@ _KINDS: dict[str, tuple[type, str]] = {
     "choice": (str, ""),
     "text": (str, "TEXT"),
 }
-# A workshop's own as well, so never left out.
+# A workshop's own as well, so of use with every system.
 _SHARED = {option.name for option in Workshop.options}
 _LIMITS = {field.name: field.default for field in fields(Limits)}
 
@@ -40,7 +40,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--system", default="beams+panels", metavar="NAME[+NAME...]")
     parser.epilog = f"systems: {', '.join(SYSTEMS)}"
     group = parser.add_argument_group(
-        "sizes", "each begins with the systems that have it; others leave it out with a note"
+        "sizes", "each begins with the systems that have it; others refuse it"
     )
     for name, option in _options().items():
         if name not in _SHARED:
@@ -77,7 +77,6 @@ def run(options: argparse.Namespace) -> int:
     loaded = reporting.load(options)
     workshop = _given(options, [option.name for option in Workshop.options])
     Workshop.of(workshop)
-    sizes = _given(options, _options())
     scale = millimetres_per(loaded.unit)
     structure = api.fabricate(
         loaded.mesh,
@@ -88,9 +87,8 @@ def run(options: argparse.Namespace) -> int:
         density=options.density,
         unit=loaded.unit,
         limits=Limits(**_given(options, _LIMITS, "limit_")),
-        **sizes,
+        **_sizes(options),
     )
-    _tell_left_out(options.system, sizes)
     with kept_whole(), missing_package_named():
         import cadquery  # noqa: F401
         import ezdxf  # noqa: F401
@@ -108,15 +106,14 @@ def run(options: argparse.Namespace) -> int:
     return EXIT_OK
 
 
-def _tell_left_out(systems: str, sizes: Iterable[str]) -> None:
-    """Say which sizes none of the chosen systems has."""
-    for name, option in _options().items():
-        users = _users(option)
-        if name in sizes and name not in _SHARED and not set(systems.split("+")) & set(users):
-            sys.stderr.write(
-                f"note: --{name.replace('_', '-')} is left out: {systems} has no such size; "
-                f"it is of {', '.join(users)}\n"
-            )
+def _sizes(options: argparse.Namespace) -> dict[str, Any]:
+    """The sizes that the user gave; those that a workshop has too only where a system has them."""
+    chosen = options.system.split("+")
+    return {
+        name: value
+        for name, value in _given(options, _options()).items()
+        if name not in _SHARED or set(chosen) & set(_users(_options()[name]))
+    }
 
 
 def _given(options: argparse.Namespace, names: Iterable[str], prefix: str = "") -> dict[str, Any]:

@@ -37,7 +37,6 @@ def test_systems_come_in_the_order_of_building_with_their_defaults():
         Beams(200.0, 20.0, "above"),
         Panels(5.0, 8.0, "above"),
     ]
-    assert systems_of("beams", {"gap": 3.0}) == [Beams(200.0, 20.0)]
 
 
 @pytest.mark.parametrize(
@@ -47,6 +46,8 @@ def test_systems_come_in_the_order_of_building_with_their_defaults():
         ("beams+beams", {}, "system: expected one of"),
         ("walls", {}, "got 'walls'"),
         ("beams", {"colour": 1}, "colour: no system has such a size"),
+        ("panels", {"height": 999.0}, "height: panels has no such size, it is of beams, nodes"),
+        ("nodes+panels", {"tilt": 9.0}, r"tilt: nodes\+panels has no such size, it is of louvres"),
     ],
 )
 def test_bad_systems_are_one_line(names, values, words):

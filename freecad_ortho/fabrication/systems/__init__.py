@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from freecad_ortho.fabrication.material import Material
@@ -41,11 +41,12 @@ def systems_of(
 ) -> list[System]:
     """Make systems by their names, joined by "+", from the values of their options.
 
-    Options that are not given take their defaults; options of other systems are left out.
-    Panels of a build-up are as thick as it is unless told, and beams leave room for hubs.
+    Options that are not given take their defaults. Panels of a build-up are as thick as it is
+    unless told, and beams leave room for hubs.
 
     Raises:
-        InputError: an unknown system or one twice, an unknown option, a value that cannot be used.
+        InputError: an unknown system or one twice, an option that none of them has, a value that
+            cannot be used.
     """
     wanted = names.split("+")
     unknown = [name for name in wanted if name not in SYSTEMS]
@@ -53,10 +54,7 @@ def systems_of(
         raise InputError(
             f"system: expected one of {', '.join(SYSTEMS)}, or several joined by '+', got '{names}'"
         )
-    known = {option.name for system in SYSTEMS.values() for option in system.options}
-    for name in values:
-        if name not in known:
-            raise InputError(f"{name}: no system has such a size; there are {', '.join(known)}")
+    _refuse_unknown(wanted, values)
     if "nodes" in wanted and values.get("node", "hub") == "hub":
         values = {"ends": "hub", **values}
     chosen = [system for name, system in SYSTEMS.items() if name in wanted]
@@ -67,3 +65,22 @@ def systems_of(
             settings["panel_thickness"] = materials[system.name].thickness
         result.append(system.of(settings))
     return result
+
+
+def _refuse_unknown(wanted: Sequence[str], values: Mapping[str, Any]) -> None:
+    """Refuse values of options that none of the wanted systems has."""
+    users: dict[str, list[str]] = {}
+    for name, system in SYSTEMS.items():
+        for option in system.options:
+            users.setdefault(option.name, []).append(name)
+    for option_name in values:
+        found = users.get(option_name, [])
+        if not found:
+            raise InputError(
+                f"{option_name}: no system has such a size; there are {', '.join(users)}"
+            )
+        if not set(found) & set(wanted):
+            raise InputError(
+                f"{option_name}: {'+'.join(wanted)} has no such size, it is of {', '.join(found)}; "
+                "leave it out"
+            )
