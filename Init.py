@@ -13,6 +13,7 @@ freecad_ortho.use_own_packages(
 if freecad_ortho.shadowing_module():
     FreeCAD.Console.PrintError(freecad_ortho.shadowing_module() + "\n")
 # Behind FreeCAD's own readers of these files, which stay the first choice; it asks which to take.
-_FILES = "Quad mesh (*.obj *.ply *.off *.json)"
-FreeCAD.addImportType(_FILES, "freecad_ortho.commands.open_file")
-FreeCAD.addExportType(_FILES, "freecad_ortho.commands.open_file")
+_WRITTEN = "*.obj *.ply *.off *.json"
+_READ = f"{_WRITTEN} *.vtk *.vtp *.vtu *.vts"
+FreeCAD.addImportType(f"Quad mesh ({_READ})", "freecad_ortho.commands.open_file")
+FreeCAD.addExportType(f"Quad mesh ({_WRITTEN})", "freecad_ortho.commands.open_file")

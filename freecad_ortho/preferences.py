@@ -19,6 +19,7 @@ COLOURS = {
 }
 # In the order of the boxes on the page; the first choice leaves it to the file, to the solver.
 IMPORT_UNITS = (None, "mm", "cm", "m", "in", "ft")
+IMPORT_UPS = ("z", "y")
 SPARSE_SOLVERS = (None, "rslab", "scipy")
 
 
@@ -37,6 +38,17 @@ def colour(name: str) -> tuple[float, float, float]:
 def import_unit() -> str | None:
     """Give the unit that files are read in; None leaves it to the file."""
     return _choice("ImportUnit", IMPORT_UNITS)
+
+
+def import_up() -> str:
+    """Give the axis that points up in files."""
+    return _choice("ImportUp", IMPORT_UPS) or IMPORT_UPS[0]
+
+
+def import_settings() -> dict[str, str]:
+    """Give those settings of :func:`freecad_ortho.api.import_net` that are not the usual ones."""
+    unit, up = import_unit(), import_up()
+    return ({"unit": unit} if unit else {}) | ({"up": up} if up != IMPORT_UPS[0] else {})
 
 
 def solver_settings() -> dict[str, str]:

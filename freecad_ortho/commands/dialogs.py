@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
 from freecad_ortho import preferences
+from freecad_ortho.mesh_files import ENDINGS
 
 translate = FreeCAD.Qt.translate
 
@@ -19,7 +21,7 @@ def ask_mesh_file() -> str | None:
         FreeCADGui.getMainWindow(),
         translate("Ortho", "Import quad mesh"),
         _last_folder(),
-        translate("Ortho", "Quad mesh (*.obj *.ply *.off *.json)"),
+        _filter(translate("Ortho", "Quad mesh"), ENDINGS),
     )
     return _remember(path)
 
@@ -30,7 +32,7 @@ def ask_triangle_file() -> str | None:
         FreeCADGui.getMainWindow(),
         translate("Ortho", "Quads from triangles"),
         _last_folder(),
-        translate("Ortho", "Triangle mesh (*.stl *.obj *.ply *.off *.glb)"),
+        _filter(translate("Ortho", "Triangle mesh"), (".stl", ".glb", *ENDINGS)),
     )
     return _remember(path)
 
@@ -66,6 +68,10 @@ def ask_picture() -> tuple[str, int, int] | None:
         return None
     name = path if path.lower().endswith(".png") else f"{path}.png"
     return name, numbers[0], numbers[1]
+
+
+def _filter(title: str, endings: Sequence[str]) -> str:
+    return f"{title} ({' '.join(f'*{ending}' for ending in endings)})"
 
 
 def _last_folder() -> str:

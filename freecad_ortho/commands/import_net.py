@@ -19,7 +19,7 @@ class ImportNet(Command):
     shortcut = "O, I"
     text = QT_TRANSLATE_NOOP("Ortho_ImportNet", "Import quad mesh")
     tip = QT_TRANSLATE_NOOP(
-        "Ortho_ImportNet", "Read an OBJ, PLY, OFF or JSON file and keep its quads as a net"
+        "Ortho_ImportNet", "Read an OBJ, PLY, OFF, JSON or VTK file and keep its quads as a net"
     )
 
     def Activated(self) -> None:
@@ -28,6 +28,5 @@ class ImportNet(Command):
         if path is None:
             return
         with messages.errors_shown():
-            unit = preferences.import_unit()
-            context.run("import_net", path, **({"unit": unit} if unit else {}))
+            context.run("import_net", path, **preferences.import_settings())
             FreeCADGui.SendMsgToActiveView("ViewFit")

@@ -29,7 +29,7 @@ def insert(filename: str, document_name: str) -> bool:
     from freecad_ortho import documents, preferences
 
     try:
-        documents.import_net(filename, document_name, preferences.import_unit())
+        documents.import_net(filename, document_name, **preferences.import_settings())
     except OrthoError as error:
         _tell(str(error))
         return False

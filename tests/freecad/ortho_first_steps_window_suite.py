@@ -8,13 +8,14 @@ from unittest import mock
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 import ortho_suite_tools as tools
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
 from PySide import QtCore, QtGui
 
 from freecad_ortho import api, commands, packages, preferences, resources
-from freecad_ortho.commands import dialogs, requirements
+from freecad_ortho.commands import dialogs, open_file, requirements
 from freecad_ortho.documents.examples import EXAMPLES
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.panels import installer
@@ -98,6 +99,7 @@ class TestPreferences(FirstStepsCase):
         for name in (
             *preferences.LENGTHS,
             "ImportUnit",
+            "ImportUp",
             "SparseSolver",
             "Workers",
             "AtOnceSeconds",
@@ -126,6 +128,9 @@ class TestPreferences(FirstStepsCase):
             box = page.findChild(QtGui.QComboBox, name)
             shown = [box.itemText(k) for k in range(box.count())]
             self.assertEqual(shown[1:], list(choices[1:]))
+        ups = page.findChild(QtGui.QComboBox, "ImportUp")
+        shown = tuple(ups.itemText(k) for k in range(ups.count()))
+        self.assertEqual(shown, preferences.IMPORT_UPS)
         seconds = page.findChild(QtGui.QDoubleSpinBox, "AtOnceSeconds").value()
         self.assertEqual(seconds, preferences.at_once())
         page.deleteLater()
@@ -202,6 +207,19 @@ class TestPreferences(FirstStepsCase):
         ):
             for shown, wanted in zip(getattr(view, name), (0.2, 0.4, 0.6), strict=False):
                 self.assertAlmostEqual(shown, wanted, places=5)
+
+    def test_files_whose_y_points_up_are_turned_however_they_come_in(self):
+        lying = np.ptp(tools.vertices(api.import_net(tools.wavy_mesh())), axis=0)
+        preferences.group().SetInt("ImportUp", preferences.IMPORT_UPS.index("y"))
+        document = FreeCAD.ActiveDocument
+        with mock.patch.object(dialogs, "ask_mesh_file", lambda: tools.wavy_mesh()):
+            (line,) = self.recorded("Ortho_ImportNet")
+        self.assertIn("up='y'", line)
+        self.assertTrue(open_file.insert(tools.wavy_mesh(), document.Name))
+        for net in document.Objects[1:]:
+            turned = np.ptp(tools.vertices(net), axis=0)
+            np.testing.assert_allclose(turned, lying[[0, 2, 1]], rtol=1e-9)
+        self.assertEqual(len(document.Objects), 3)
 
 
 class TestLanguages(FirstStepsCase):
