@@ -1,7 +1,8 @@
 """What macros, toolbar commands and the command line call.
 
 The first half needs no FreeCAD. The functions on documents (``import_net`` and its kin) live in
-:mod:`freecad_ortho.documents` and are found here by name, so that a macro imports one module.
+:mod:`freecad_ortho.documents` and are found here too, so that a macro imports one module; without
+FreeCAD they can be looked up, and say that they need it where they are called.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freecad_ortho.mesh_files import read_mesh_file
+from freecad_ortho.stand_in import stand_in
 from freecad_ortho.step_faces import net_from_step
 from freecad_ortho.units import MILLIMETRES, millimetres_per
 from solver import QuadMesh, optimise, start_optimisation
@@ -33,6 +35,45 @@ from solver.offset.offset_mesh import offset_mesh
 from solver.unroll.patch import flattened
 
 if TYPE_CHECKING:
+    from freecad_ortho.documents import (
+        add_beams,
+        add_bent_panels,
+        add_drawing_page,
+        add_drawing_pages,
+        add_elliptic_net,
+        add_flat_patterns,
+        add_lamellas,
+        add_louvres,
+        add_multi_net,
+        add_nodes,
+        add_panels,
+        add_patches,
+        add_primitive,
+        add_source,
+        add_structure,
+        bake,
+        change_flat_patterns,
+        change_net,
+        change_source,
+        change_structure,
+        drag_net,
+        dragging,
+        export_fabrication,
+        export_net,
+        flip_net,
+        form_net,
+        import_net,
+        keep_outcome,
+        net_from_faces,
+        open_example,
+        optimise_net,
+        quads_from_mesh,
+        save_picture,
+        set_net,
+        show_net,
+        update_structures,
+        weld_nets,
+    )
     from freecad_ortho.fabrication import Limits, Structure
 
 DEFAULT_UNIT = "mm"
@@ -42,20 +83,57 @@ _SMALL = 100.0
 __all__ = [
     "LoadedMesh",
     "Quadric",
+    "add_beams",
+    "add_bent_panels",
+    "add_drawing_page",
+    "add_drawing_pages",
+    "add_elliptic_net",
+    "add_flat_patterns",
+    "add_lamellas",
+    "add_louvres",
+    "add_multi_net",
+    "add_nodes",
+    "add_panels",
+    "add_patches",
+    "add_primitive",
+    "add_source",
+    "add_structure",
+    "bake",
+    "change_flat_patterns",
+    "change_net",
+    "change_source",
+    "change_structure",
     "check",
     "diagonal_meshes",
+    "drag_net",
+    "dragging",
     "elliptic_net",
+    "export_fabrication",
+    "export_net",
     "fabricate",
     "find_form",
     "flattened",
+    "flip_net",
+    "form_net",
+    "import_net",
+    "keep_outcome",
     "multi_net",
+    "net_from_faces",
     "net_from_step",
     "offset_mesh",
+    "open_example",
     "optimise",
+    "optimise_net",
     "primitive",
+    "quads_from_mesh",
     "quads_from_triangles",
     "read_mesh",
+    "save_picture",
+    "set_net",
+    "show_net",
     "start_optimisation",
+    "update_structures",
+    "weld_nets",
     "write_fabrication",
     "write_mesh",
 ]
@@ -154,7 +232,7 @@ def fabricate(
         limits: what the parts are held against.
         progress: called with a fraction and words; may raise to stop.
         sizes: settings of the systems by name (``height=200, thickness=12, gap=10``), lengths in
-            mm; those that none of the systems asked for has are left out.
+            mm; each is of one of the systems at least.
 
     Raises:
         InputError: a parameter that cannot be used or does not fit the net.
@@ -223,8 +301,17 @@ def write_fabrication(
 
 def __getattr__(name: str) -> Any:
     """Find the functions on FreeCAD documents without importing FreeCAD before it is needed."""
-    from freecad_ortho import documents
-
-    if name.startswith("_") or not hasattr(documents, name):
+    if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    try:
+        from freecad_ortho import documents
+    except ModuleNotFoundError as error:
+        if error.name != "FreeCAD":
+            raise
+        return stand_in(name)
     return getattr(documents, name)
+
+
+def __dir__() -> list[str]:
+    """Names of all functions, those on documents too."""
+    return sorted({*globals(), *__all__})

@@ -14,7 +14,7 @@ CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
 ROOMS = (
     "solver", "option", "units", "packages", "preferences", "resources", "vtk_files", "mesh_files",
     "triangles", "step_faces", "sources", "fabrication", "convert", "objects", "view", "documents",
-    "api", "cli", "commands", "panels",
+    "stand_in", "api", "cli", "commands", "panels",
 )  # fmt: skip
 
 IMPORT_ALL = """

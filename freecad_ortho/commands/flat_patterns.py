@@ -7,6 +7,8 @@ import FreeCADGui
 
 from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command
+from freecad_ortho.objects.structure import is_structure
+from solver.errors import InputError
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -30,6 +32,22 @@ class FlatPatterns(Command):
         from freecad_ortho.panels.workshop_panels import FlatPatternsPanel
 
         FreeCADGui.Control.showDialog(FlatPatternsPanel(context.current_structures()))
+
+
+def edit_flat_patterns(feature: FreeCAD.DocumentObject) -> None:
+    """Open the panel with the settings of flat patterns."""
+    if FreeCADGui.Control.activeDialog():
+        messages.show_status(FreeCAD.Qt.translate("Ortho", "Close the open task panel first."))
+        return
+    from freecad_ortho.panels.workshop_panels import FlatPatternsPanel
+
+    with messages.errors_shown():
+        structures = [item for item in feature.Structures if is_structure(item)]
+        if not structures:
+            raise InputError(
+                f"{feature.Label}: shows no structures; set its property 'Structures' first"
+            )
+        FreeCADGui.Control.showDialog(FlatPatternsPanel(structures, feature))
 
 
 class DrawingPage(Command):

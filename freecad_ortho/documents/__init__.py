@@ -9,7 +9,7 @@ from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.drawing_pages import add_drawing_page, add_drawing_pages
 from freecad_ortho.documents.examples import open_example
-from freecad_ortho.documents.flat_patterns import add_flat_patterns
+from freecad_ortho.documents.flat_patterns import add_flat_patterns, change_flat_patterns
 from freecad_ortho.documents.nets import (
     drag_net,
     dragging,
@@ -34,26 +34,39 @@ from freecad_ortho.documents.sources import (
     weld_nets,
 )
 from freecad_ortho.documents.structures import (
-    add_beams,
-    add_panels,
     add_structure,
     change_structure,
     export_fabrication,
     update_structures,
 )
+from freecad_ortho.documents.systems import (
+    add_beams,
+    add_bent_panels,
+    add_lamellas,
+    add_louvres,
+    add_nodes,
+    add_panels,
+    add_patches,
+)
 
 __all__ = [
     "add_beams",
+    "add_bent_panels",
     "add_drawing_page",
     "add_drawing_pages",
     "add_elliptic_net",
     "add_flat_patterns",
+    "add_lamellas",
+    "add_louvres",
     "add_multi_net",
+    "add_nodes",
     "add_panels",
+    "add_patches",
     "add_primitive",
     "add_source",
     "add_structure",
     "bake",
+    "change_flat_patterns",
     "change_net",
     "change_source",
     "change_structure",

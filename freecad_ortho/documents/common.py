@@ -44,6 +44,18 @@ def removed_on_failure(feature: FreeCAD.DocumentObject) -> Iterator[None]:
         raise
 
 
+@contextmanager
+def unmarked_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
+    """Putting properties back marks an object as changed; that is no more than it was before."""
+    marked = target.State != ["Up-to-date"]
+    try:
+        yield
+    except BaseException:
+        if not marked:
+            target.purgeTouched()
+        raise
+
+
 def require_net(feature: Any) -> None:
     """Raise InputError unless a document object is a Net."""
     places.refuse_link(feature)

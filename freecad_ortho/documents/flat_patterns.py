@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.documents.common import removed_on_failure, transaction
+from freecad_ortho.documents.common import removed_on_failure, transaction, unmarked_on_failure
+from freecad_ortho.fabrication.workshop import GRAINS, NESTINGS
 from freecad_ortho.objects import flat_patterns, places
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
@@ -45,27 +46,89 @@ def add_flat_patterns(
         places.refuse_link(item)
     if not chosen or not all(is_structure(item) for item in chosen):
         raise InputError("flat patterns: expected structures; select some first")
-    for name, word, words in (
-        ("grain", grain, ("none", "along")),
-        ("nesting", nesting, ("boxes", "outlines")),
-    ):
-        if word not in words:
-            raise InputError(f"{name}: expected {' or '.join(words)}, got '{word}'")
-    width, height = (0.0, 0.0) if sheet is None else sheet
+    properties = _properties(sheet or (0.0, 0.0), spacing, grain, nesting, seed, kerf)
     document = chosen[0].Document
     with transaction(document, FreeCAD.Qt.translate("Ortho", "Flat patterns")):
-        feature = flat_patterns.create(
-            document,
-            chosen,
-            SheetWidth=convert.millimetres(width, "sheet width"),
-            SheetHeight=convert.millimetres(height, "sheet height"),
-            Spacing=convert.millimetres(spacing, "spacing"),
-            Grain=grain.capitalize(),
-            Nesting=nesting.capitalize(),
-            Seed=seed,
-            Kerf=convert.millimetres(kerf, "kerf"),
-        )
+        feature = flat_patterns.create(document, chosen, **properties)
         with removed_on_failure(feature):
             flat_patterns.rebuild(feature)
         feature.purgeTouched()
     return feature
+
+
+def change_flat_patterns(
+    target: FreeCAD.DocumentObject,
+    /,
+    *,
+    sheet: tuple[Length, Length] | None = None,
+    spacing: Length | None = None,
+    grain: str | None = None,
+    nesting: str | None = None,
+    seed: int | None = None,
+    kerf: Length | None = None,
+) -> None:
+    """Lay flat patterns out with other settings; pages follow.
+
+    Args:
+        target: the flat patterns.
+        sheet: as for :func:`add_flat_patterns`; ``(0, 0)`` for rows. What is not given stays.
+        spacing: as there.
+        grain: as there.
+        nesting: as there.
+        seed: as there.
+        kerf: as there.
+
+    Raises:
+        InputError: no flat patterns, or settings with which nothing can be laid out; they are
+            unchanged.
+    """
+    places.refuse_link(target)
+    if not flat_patterns.is_flat_patterns(target):
+        label = getattr(target, "Label", target)
+        raise InputError(f"flat patterns: {label} is none; select flat patterns first")
+    properties = _properties(sheet, spacing, grain, nesting, seed, kerf)
+    before = {name: getattr(target, name) for name in properties}
+    title = FreeCAD.Qt.translate("Ortho", "Change {}").format(target.Label)
+    with unmarked_on_failure(target), transaction(target.Document, title):
+        try:
+            _set(target, properties)
+            flat_patterns.rebuild(target)
+        except BaseException:
+            _set(target, before)
+            raise
+        target.purgeTouched()
+
+
+def _properties(
+    sheet: tuple[Length, Length] | None,
+    spacing: Length | None,
+    grain: str | None,
+    nesting: str | None,
+    seed: int | None,
+    kerf: Length | None,
+) -> dict[str, Any]:
+    """Values of the properties for those settings that are given."""
+    for name, word, words in (("grain", grain, GRAINS), ("nesting", nesting, NESTINGS)):
+        if word is not None and word not in words:
+            raise InputError(f"{name}: expected {' or '.join(words)}, got '{word}'")
+    width, height = (None, None) if sheet is None else sheet
+    lengths = (
+        ("SheetWidth", "sheet width", width),
+        ("SheetHeight", "sheet height", height),
+        ("Spacing", "spacing", spacing),
+        ("Kerf", "kerf", kerf),
+    )
+    found: dict[str, Any] = {
+        name: convert.millimetres(value, words)
+        for name, words, value in lengths
+        if value is not None
+    }
+    for name, word in (("Grain", grain), ("Nesting", nesting)):
+        if word is not None:
+            found[name] = word.capitalize()
+    return found if seed is None else {**found, "Seed": seed}
+
+
+def _set(target: FreeCAD.DocumentObject, properties: dict[str, Any]) -> None:
+    for name, value in properties.items():
+        setattr(target, name, value)

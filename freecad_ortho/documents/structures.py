@@ -17,6 +17,7 @@ from freecad_ortho.documents.common import (
     removed_on_failure,
     require_net,
     transaction,
+    unmarked_on_failure,
 )
 from freecad_ortho.fabrication import SYSTEMS, Selection, Workshop
 from freecad_ortho.fabrication import material as known_material
@@ -56,7 +57,8 @@ def add_structure(
     Args:
         net: the Net.
         system: name of the system, as on the command line: ``"beams"``, ``"panels"`` ...
-        beams: a Structure of beams on the same Net that panels lie on and nodes join.
+        beams: a Structure of beams on the same Net that panels lie on and nodes join; mitred ones
+            end before hubs from then on.
         family: parameter lines that are built on: ``"u"``, ``"v"`` or ``"both"``.
         lines: numbers of these lines; empty for all.
         material: of all parts, as on the command line; parts of a build-up, such as
@@ -79,7 +81,11 @@ def add_structure(
     with transaction(document, FreeCAD.Qt.translate("Ortho", title)):
         feature = structure_object.create(document, title, Net=net, **properties)
         places.join_container(feature, net)
-        with removed_on_failure(feature), progress(FreeCAD.Qt.translate("Ortho", title)) as say:
+        with (
+            _ends_kept_on_failure(beams),
+            removed_on_failure(feature),
+            progress(FreeCAD.Qt.translate("Ortho", title)) as say,
+        ):
             told = structure_object.acquaint(feature)
             structure_object.rebuild(feature, say)
         feature.purgeTouched()
@@ -88,6 +94,19 @@ def add_structure(
         # As Part does with what a shape is made of: otherwise both are drawn into each other.
         net.Visibility = False
     return feature
+
+
+@contextmanager
+def _ends_kept_on_failure(beams: Any) -> Iterator[None]:
+    """Give beams their ends back where what would have ended them before hubs fails."""
+    ends = getattr(beams, "Ends", None)
+    try:
+        yield
+    except BaseException:
+        if ends is not None and beams.Ends != ends:
+            beams.Ends = ends
+            beams.purgeTouched()
+        raise
 
 
 def change_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
@@ -104,7 +123,7 @@ def change_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None
         OrthoError: Esc was pressed; the structure is unchanged.
     """
     document = _document_of(target)
-    with _unmarked_on_failure(target), transaction(document, _change_title(target)):
+    with unmarked_on_failure(target), transaction(document, _change_title(target)):
         _change(target, settings)
 
 
@@ -118,25 +137,13 @@ def try_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
     before = document.HasPendingTransaction
     if not before:
         document.openTransaction(_change_title(target))
-    with _unmarked_on_failure(target):
+    with unmarked_on_failure(target):
         try:
             _change(target, settings)
         except BaseException:
             if not before:
                 document.abortTransaction()
             raise
-
-
-@contextmanager
-def _unmarked_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
-    """Putting properties back marks an object as changed; that is no more than it was before."""
-    marked = target.State != ["Up-to-date"]
-    try:
-        yield
-    except BaseException:
-        if not marked:
-            target.purgeTouched()
-        raise
 
 
 def _document_of(target: FreeCAD.DocumentObject) -> FreeCAD.Document:
@@ -168,35 +175,6 @@ def _change(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
     for item in target.InList:
         item.touch()
     target.Document.recompute()
-
-
-def add_beams(
-    net: FreeCAD.DocumentObject,
-    height: Length = 200.0,
-    thickness: Length = 20.0,
-    offset: str = "centre",
-) -> FreeCAD.DocumentObject:
-    """Add a Structure with a beam on every edge of a Net; short for :func:`add_structure`.
-
-    Raises:
-        InputError: sizes that do not fit the mesh; the document is unchanged.
-    """
-    return add_structure(net, "beams", height=height, thickness=thickness, offset=offset)
-
-
-def add_panels(
-    net: FreeCAD.DocumentObject,
-    thickness: Length = 12.0,
-    gap: Length = 8.0,
-    offset: str = "above",
-    beams: FreeCAD.DocumentObject | None = None,
-) -> FreeCAD.DocumentObject:
-    """Add a Structure with a panel in every face of a Net; short for :func:`add_structure`.
-
-    Raises:
-        InputError: sizes that do not fit the mesh; the document is unchanged.
-    """
-    return add_structure(net, "panels", beams=beams, thickness=thickness, gap=gap, offset=offset)
 
 
 def update_structures(document: FreeCAD.Document | None = None) -> list[FreeCAD.DocumentObject]:
@@ -280,7 +258,7 @@ def export_fabrication(
             missing_package_named(),
             progress(FreeCAD.Qt.translate("Ortho", "Writing fabrication files")) as say,
         ):
-            settings = _lost_on_bars(chosen) | workshop | sizes | {"stock": stock}
+            settings = lost_on_bars(chosen) | workshop | sizes | {"stock": stock}
             project = chosen[0].Document.Label
             return api.write_fabrication(
                 structure,
@@ -293,7 +271,7 @@ def export_fabrication(
             )
 
 
-def _lost_on_bars(features: Sequence[Any]) -> dict[str, float]:
+def lost_on_bars(features: Sequence[Any]) -> dict[str, float]:
     """What trimmed ends and saw cuts take from the bars that lamellas were cut for, mm."""
     lamellas = [item for item in features if "Trim" in item.PropertiesList]
     if not lamellas:

@@ -181,8 +181,10 @@ def set_properties(feature: FreeCAD.DocumentObject, properties: Mapping[str, Any
 def acquaint(feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
     """Tell panels of the nodes on the same net and beams, whichever was there first.
 
+    Mitred beams end before hubs from now on; beams with other ends were chosen so.
+
     Returns:
-        Panels that were there before and have to make room now.
+        Panels and beams that were there before and have to make room now.
     """
     beside = [
         item
@@ -196,6 +198,11 @@ def acquaint(feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
         told = [item for item in beside if item.System == PANELS and item.OnNodes is None]
     for panels in told:
         panels.OnNodes = feature
+    beams = feature.OnBeams
+    if feature.System == NODES and feature.Node == "Hub" and is_structure(beams):
+        if beams.System == BEAMS and beams.Ends == "Mitred":
+            beams.Ends = "Hub"
+            told.append(beams)
     return told
 
 

@@ -11,9 +11,10 @@ from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.commands import context, dialogs, messages
+from freecad_ortho.documents.structures import lost_on_bars
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
-from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows
+from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows, shortened
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 
@@ -66,6 +67,18 @@ class _WorkshopPanel(WorkPanel):
         settings["seed"] = self.seed.number or 0
         return settings
 
+    def _show(self, patterns: FreeCAD.DocumentObject) -> None:
+        """Show the settings of flat patterns."""
+        self.kerf.millimetres = patterns.Kerf.Value
+        if patterns.SheetWidth.Value > 0.0:
+            self.on_sheets.setChecked(True)
+            self.width.millimetres = patterns.SheetWidth.Value
+            self.height.millimetres = patterns.SheetHeight.Value
+            self.spacing.millimetres = patterns.Spacing.Value
+            self.grain.choose(patterns.Grain.lower())
+            self.nesting.choose(patterns.Nesting.lower())
+            self.seed.widget.setText(str(patterns.Seed))
+
     def possible(self) -> bool:
         """Tell whether any structure is still there."""
         return bool(self.structures)
@@ -101,15 +114,38 @@ class _WorkshopPanel(WorkPanel):
 
 
 class FlatPatternsPanel(_WorkshopPanel):
-    """Asks how flat patterns are laid out."""
+    """Asks how flat patterns are laid out: new ones, or some that are there."""
 
-    def __init__(self, structures: list[FreeCAD.DocumentObject]) -> None:
+    def __init__(
+        self,
+        structures: list[FreeCAD.DocumentObject],
+        edited: FreeCAD.DocumentObject | None = None,
+    ) -> None:
         title = translate("Ortho", "Flat patterns")
-        super().__init__(structures, title, "flat_patterns", nested=True)
+        shown = title if edited is None else shortened(edited.Label)
+        super().__init__(structures, shown, "flat_patterns", nested=edited is None)
+        self._edited = None if edited is None else edited.Name
+        if edited is not None:
+            self._show(edited)
+
+    @property
+    def edited(self) -> FreeCAD.DocumentObject | None:
+        """The flat patterns that are changed, None where there are none."""
+        if self._edited is None or self._document not in FreeCAD.listDocuments():
+            return None
+        return FreeCAD.getDocument(self._document).getObject(self._edited)
+
+    def possible(self) -> bool:
+        """Tell whether what is laid out is still there."""
+        return super().possible() and (self._edited is None or self.edited is not None)
 
     def work(self) -> bool:
         """Lay the patterns out."""
-        context.run("add_flat_patterns", self.structures, **self.settings())
+        if self._edited is None:
+            context.run("add_flat_patterns", self.structures, **self.settings())
+        else:
+            settings = {"sheet": (0.0, 0.0), "kerf": 0.0, **self.settings()}
+            context.run("change_flat_patterns", self.edited, **settings)
         return True
 
 
@@ -130,6 +166,7 @@ class ExportPanel(_WorkshopPanel):
         self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
         self.workers.widget.setToolTip(translate("Ortho", "So many processes share the work."))
         self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
+        self._add_bar_fields(structures)
         self._add_drawing_fields()
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
         measured = {
@@ -146,6 +183,35 @@ class ExportPanel(_WorkshopPanel):
         )
         if any(item.Net is not None and item.Net.Origin.Length for item in structures):
             self.rows.addRow(translate("Ortho", "Coordinates"), self.origin.widget)
+
+    def _add_bar_fields(self, structures: list[FreeCAD.DocumentObject]) -> None:
+        """What is lost on bars, and which bars are of one section; lamellas' own comes first."""
+        self._usual = {option.name: option.default for option in Workshop.options}
+        self._usual |= lost_on_bars(structures)
+        self.bars = {name: LengthField(self._usual[name]) for name in ("saw", "trim", "rest")}
+        tolerance = translate("Ortho", "Section tolerance")
+        self.tolerance = NumberField(tolerance, self._usual["section_tolerance"])
+        titles = (
+            (
+                translate("Ortho", "Saw cut"),
+                translate("Ortho", "A saw cut behind each part of a bar is this wide."),
+            ),
+            (
+                translate("Ortho", "Trimmed ends"),
+                translate("Ortho", "Bars lose this much at each end."),
+            ),
+            (
+                translate("Ortho", "Least rest"),
+                translate("Ortho", "Rests of bars from this length on are kept."),
+            ),
+        )
+        for (title, tip), field in zip(titles, self.bars.values(), strict=True):
+            field.widget.setToolTip(tip)
+            self.rows.addRow(title, field.widget)
+        self.tolerance.widget.setToolTip(
+            translate("Ortho", "Tubes of one section differ in height by so many percent.")
+        )
+        self.rows.addRow(tolerance, self.tolerance.widget)
 
     def _add_drawing_fields(self) -> None:
         """How the DXF files are written."""
@@ -177,31 +243,23 @@ class ExportPanel(_WorkshopPanel):
         """Begin with the sheets of the flat patterns that the same structures have already."""
         wanted = set(self._names)
         for item in structures[0].InList:
-            if not is_flat_patterns(item) or {each.Name for each in item.Structures} != wanted:
-                continue
-            self.kerf.millimetres = item.Kerf.Value
-            if item.SheetWidth.Value > 0.0:
-                self.on_sheets.setChecked(True)
-                self.width.millimetres = item.SheetWidth.Value
-                self.height.millimetres = item.SheetHeight.Value
-                self.spacing.millimetres = item.Spacing.Value
-                self.grain.choose(item.Grain.lower())
-                self.nesting.choose(item.Nesting.lower())
-                self.seed.widget.setText(str(item.Seed))
+            if is_flat_patterns(item) and {each.Name for each in item.Structures} == wanted:
+                self._show(item)
 
     def settings(self) -> dict[str, Any]:
         """What was chosen, as ``freecad_ortho.api.export_fabrication`` takes it.
 
         Raises:
-            InputError: the seed or the workers are not a number.
+            InputError: the seed, the tolerance or the workers are not a number.
         """
         settings = super().settings()
         if self.stock.millimetres or self._given:
             settings["stock"] = self.stock.millimetres
-        usual = {option.name: option.default for option in Workshop.options}
-        for name, field in self.drawing.items():
-            if field.word != usual[name]:
-                settings[name] = field.word
+        chosen: dict[str, Any] = {name: field.word for name, field in self.drawing.items()}
+        chosen |= {name: field.millimetres for name, field in self.bars.items()}
+        if self.tolerance.number is not None:
+            chosen["section_tolerance"] = self.tolerance.number
+        settings |= {name: value for name, value in chosen.items() if value != self._usual[name]}
         if (self.workers.number or 1) > 1:
             settings["workers"] = self.workers.number
         if self.origin.word != "local":

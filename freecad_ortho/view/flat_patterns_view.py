@@ -6,6 +6,7 @@ from typing import Any
 
 import FreeCAD
 from pivy import coin
+from PySide import QtGui
 
 from freecad_ortho.objects.drawings import flat_shape
 from freecad_ortho.objects.properties import Property, Stateless, ensure
@@ -45,6 +46,19 @@ class FlatPatternsView(Stateless):
     def getIcon(self) -> str:
         """Icon in the tree: the same picture as on the command."""
         return icon("flat_patterns")
+
+    def doubleClicked(self, view_object: Any) -> bool:
+        """Open the settings of the flat patterns."""
+        from freecad_ortho.commands.flat_patterns import edit_flat_patterns
+
+        edit_flat_patterns(view_object.Object)
+        return True
+
+    def setupContextMenu(self, view_object: Any, menu: Any) -> None:
+        """Offer the settings in the tree."""
+        action = QtGui.QAction(FreeCAD.Qt.translate("Ortho", "Edit settings"), menu)
+        action.triggered.connect(lambda: self.doubleClicked(view_object))
+        menu.addAction(action)
 
     def updateData(self, feature: Any, name: str) -> None:
         """Follow the names; their places change last."""

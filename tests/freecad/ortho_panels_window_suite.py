@@ -232,6 +232,71 @@ class TestStock(WindowCase):
             self.assertEqual((self.errors, lamellas.Stock.Value), ([], typed))
         self.assertEqual(FreeCAD.ActiveDocument.UndoNames[:2], ["Stock length"] * 2)
 
+    def test_what_is_lost_on_bars_is_asked_for_and_only_said_where_it_is_not_the_usual(self):
+        net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(net)
+        api.add_structure(net, "beams", section="hollow", thickness=5)
+        folder = tools.SCRATCH / "panel-bars"
+        self.replace(dialogs, "ask_folder", lambda: str(folder))
+        self.watch_panel(workshop_panels, "ExportPanel")
+        lines = []
+        for changed in (False, True):
+            FreeCADGui.runCommand("Ortho_ExportFabrication")
+            wait()
+            if changed:
+                for name, value in (("saw", 4.0), ("trim", 25.0), ("rest", 900.0)):
+                    self.panel.bars[name].millimetres = value
+                self.panel.tolerance.widget.setText("3")
+            press("Ok")
+            self.assertEqual(self.errors, [])
+            lines.append(self.lines[-1])
+        names = ("saw=4.0", "trim=25.0", "rest=900.0", "section_tolerance=3.0")
+        for name in names:
+            self.assertNotIn(name.partition("=")[0], lines[0])
+            self.assertIn(name, lines[1])
+        stock = json.loads((folder / "report.json").read_text())["stock"]
+        self.assertEqual((stock["saw_mm"], stock["trim_mm"]), (4.0, 25.0))
+
+
+class TestFlatPatterns(WindowCase):
+    def opened(self, flat):
+        self.assertTrue(flat.ViewObject.Proxy.doubleClicked(flat.ViewObject))
+        wait()
+        return self.panel
+
+    def test_a_double_click_opens_their_settings_and_ok_is_one_step_that_replays(self):
+        net = api.import_net(tools.wavy_mesh())
+        api.optimise_net(net)
+        flat = api.add_flat_patterns(api.add_structure(net, "panels"), kerf=1, spacing=25)
+        self.watch_panel(workshop_panels, "FlatPatternsPanel")
+        panel = self.opened(flat)
+        self.assertFalse(panel.on_sheets.isChecked())
+        self.assertEqual(panel.kerf.millimetres, 1.0)
+        panel.on_sheets.setChecked(True)
+        panel.width.millimetres, panel.height.millimetres = 4000.0, 2100.0
+        panel.spacing.millimetres = 30.0
+        panel.grain.choose("along")
+        document, steps = net.Document, net.Document.UndoCount
+        press("Ok")
+        self.assertEqual(self.errors, [])
+        self.assertEqual(document.UndoCount, steps + 1)
+        self.assertEqual((flat.Spacing.Value, flat.Grain, flat.Kerf.Value), (30.0, "Along", 1.0))
+        self.assertGreater(flat.SheetCount, 0)
+        self.assertEqual(len([i for i in document.Objects if i.TypeId == flat.TypeId]), 2)
+        panel = self.opened(flat)
+        self.assertEqual((panel.on_sheets.isChecked(), panel.spacing.millimetres), (True, 30.0))
+        panel.on_sheets.setChecked(False)
+        panel.kerf.millimetres = 0.0
+        press("Ok")
+        self.assertEqual((flat.SheetCount, flat.Kerf.Value), (0, 0.0))
+        panel = self.opened(flat)
+        panel.on_sheets.setChecked(True)
+        panel.width.millimetres = panel.height.millimetres = 100.0
+        press("Ok")
+        self.assertEqual(len(self.errors), 1)
+        self.assertEqual((flat.SheetWidth.Value, flat.State), (0.0, ["Up-to-date"]))
+        press("Cancel")
+
 
 class TestVerdicts(WindowCase):
     """Whoever builds with a mesh that is no net is told what fails, not only in a property."""

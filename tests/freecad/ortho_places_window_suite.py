@@ -96,6 +96,25 @@ class TestInParts(PlaceCase):
         np.testing.assert_allclose(middle, (points.min(axis=0) + points.max(axis=0)) / 2, atol=50)
 
 
+class TestLinks(PlaceCase):
+    def test_nothing_is_offered_for_what_a_link_shows(self):
+        net = api.import_net(tools.wavy_mesh(rows=SIDE, columns=SIDE))
+        beams = api.add_beams(net)
+        flat = api.add_flat_patterns(beams)
+        for shown, command in (
+            (net, "Ortho_Beams"),
+            (beams, "Ortho_ExportFabrication"),
+            (flat, "Ortho_DrawingPage"),
+        ):
+            link = net.Document.addObject("App::Link", "Link")
+            link.LinkedObject = shown
+            net.Document.recompute()
+            for selected, active in ((link, False), (shown, True)):
+                FreeCADGui.Selection.clearSelection()
+                FreeCADGui.Selection.addSelection(selected)
+                self.assertEqual(FreeCADGui.isCommandActive(command), active, command)
+
+
 class TestFar(PlaceCase):
     def far(self, origin):
         near = api.read_mesh(tools.wavy_mesh(rows=SIDE, columns=SIDE)).mesh

@@ -1,5 +1,6 @@
 """Structures in documents: lines, materials, updating, baking. Run by FreeCAD without a window."""
 
+import inspect
 import json
 import time
 from unittest import mock
@@ -70,12 +71,52 @@ class TestSettings(StructureCase):
         own = sum(json.loads(feature.Report)["mass_kg"] for feature in (beams, panels))
         self.assertAlmostEqual(report["mass_kg"], own, places=6)
 
+    def test_every_system_has_a_function_with_all_its_settings(self):
+        common = {"family": "both", "lines": (), "material": "steel", "density": 0.0}
+        for name in SYSTEMS:
+            function = getattr(api, f"add_{name.replace('-', '_')}")
+            found = {
+                word: parameter.default
+                for word, parameter in inspect.signature(function).parameters.items()
+                if word not in ("net", "beams")
+            }
+            # Panels that are given nothing lie above; the thickness may be a build-up's.
+            apart = {"panels": {"offset": "above", "thickness": None}}
+            apart["louvres"] = {"thickness": None}
+            expected = {option.name: option.default for option in options_of(name)}
+            self.assertEqual(found, {**expected, **apart.get(name, {}), **common}, name)
+            feature = function(self.net)
+            self.assertEqual(structure.TITLES[feature.System], name)
+            self.document.removeObject(feature.Name)
+        beams = api.add_beams(self.net, "0.3 m", section="hollow", ends="hub", lines=[0])
+        self.assertEqual((beams.Height.Value, beams.Section), (300.0, "Hollow"))
+        self.assertEqual((beams.Ends, beams.Lines), ("Hub", [0]))
+        nodes = api.add_nodes(self.net, beams, lines=[0])
+        self.assertIs(nodes.OnBeams, beams)
+
+    def test_mitred_beams_end_before_the_hubs_that_join_them(self):
+        beams = api.add_beams(self.net)
+        long, steps = beams.Shape.Volume, self.document.UndoCount
+        with self.assertRaises(InputError):
+            api.add_structure(self.net, "nodes", beams=beams, bore=99)
+        self.assertEqual((beams.Ends, beams.State), ("Mitred", ["Up-to-date"]))
+        nodes = api.add_structure(self.net, "nodes", beams=beams)
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.assertEqual((beams.Ends, beams.State), ("Hub", ["Up-to-date"]))
+        self.assertLess(beams.Shape.Volume, long)
+        api.export_fabrication([beams, nodes], tools.SCRATCH / "hubs")
+        self.document.undo()
+        self.assertEqual(beams.Ends, "Mitred")
+        self.assertAlmostEqual(beams.Shape.Volume / long, 1.0, places=9)
+
     def test_nodes_beams_and_panels_know_each_other(self):
         beams = api.add_structure(self.net, "beams", ends="hub", hub_diameter=160.0)
         first = api.add_structure(self.net, "panels", beams=beams)
         whole = first.Shape.Volume
         with self.assertRaises(InputError) as refused:
-            api.add_structure(self.net, "nodes", beams=api.add_beams(self.net))
+            lapped = api.add_structure(self.net, "beams", ends="lapped")
+            api.add_structure(self.net, "nodes", beams=lapped)
+        self.assertEqual(lapped.Ends, "Lapped")
         self.assertIn("leave no room for hubs", str(refused.exception))
         nodes = api.add_structure(self.net, "nodes", beams=beams)
         self.assertIs(first.OnNodes, nodes)

@@ -1,0 +1,264 @@
+"""A function for each system: :func:`add_structure` with the settings of that system spelled out.
+
+Lengths are numbers of mm, quantities or texts such as ``"0.2 m"``; ``family``, ``lines``,
+``material`` and ``density`` are those of :func:`add_structure`. Each raises InputError for sizes
+that do not fit the net, and then the document is unchanged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import FreeCAD
+
+from freecad_ortho.documents.structures import add_structure
+
+if TYPE_CHECKING:
+    Length = float | str | FreeCAD.Units.Quantity
+    Feature = FreeCAD.DocumentObject
+
+
+def add_beams(
+    net: Feature,
+    height: Length = 200.0,
+    thickness: Length = 20.0,
+    offset: str = "centre",
+    *,
+    section: str = "plate",
+    section_width: Length = 60.0,
+    flange_thickness: Length | None = None,
+    ends: str = "mitred",
+    hub_diameter: Length = 100.0,
+    clearance: Length = 1.0,
+    no_boundary_beams: bool = False,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add beams on the edges or along the parameter lines of a Net.
+
+    Args:
+        net: the Net.
+        height: along the axes.
+        thickness: of the plates, of a tube's wall or the web.
+        offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
+        section: ``"plate"``, ``"hollow"``, ``"I"`` or ``"T"``.
+        section_width: of tubes and flanges.
+        flange_thickness: by default that of the web.
+        ends: ``"mitred"``, ``"hub"``, ``"lapped"``, ``"through-u"`` or ``"through-v"``.
+        hub_diameter: of the hubs that beams end before.
+        clearance: of slots and hubs.
+        no_boundary_beams: leaves the boundary without beams.
+        family: parameter lines that are built on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("beams", locals())
+
+
+def add_nodes(
+    net: Feature,
+    beams: Feature | None = None,
+    *,
+    node: str = "hub",
+    hub_diameter: Length = 100.0,
+    bore: Length = 0.0,
+    socket_depth: Length = 30.0,
+    height: Length = 200.0,
+    thickness: Length = 20.0,
+    offset: str = "centre",
+    clearance: Length = 1.0,
+    no_boundary_beams: bool = False,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add a joint at each vertex of a Net.
+
+    Args:
+        net: the Net.
+        beams: a Structure of beams that the nodes join, and take height, thickness, offset,
+            clearance and hub diameter from; mitred ones end before hubs from then on.
+        node: ``"hub"`` or ``"socket"``.
+        hub_diameter: across the faces of a hub, or of a socket.
+        bore: diameter of a hole along the axis of a hub, 0 for none.
+        socket_depth: how deep plates stand in sockets.
+        height: of beams, where none are given.
+        thickness: of their plates.
+        offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
+        clearance: of slots and hubs.
+        no_boundary_beams: no beams run along the boundary.
+        family: parameter lines that are built on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("nodes", locals())
+
+
+def add_panels(
+    net: Feature,
+    thickness: Length | None = None,
+    gap: Length = 8.0,
+    offset: str = "above",
+    beams: Feature | None = None,
+    *,
+    panel_edge: str = "square",
+    at_hubs: str = "cut",
+    clearance: Length = 1.0,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add a flat panel in every face of a Net.
+
+    Args:
+        net: the Net.
+        thickness: of the panels; by default 12 mm, or that of the build-up that ``material`` names.
+        gap: between two panels.
+        offset: ``"above"`` the net, ``"centre"`` or ``"below"``, where they lie on no beams.
+        beams: a Structure of beams on the same Net that the panels lie on.
+        panel_edge: ``"square"``, or ``"bevel"``: along the beams.
+        at_hubs: ``"cut"`` corners off beside hubs, or ``"lift"`` panels over them.
+        clearance: to hubs.
+        family: parameter lines that the beams are on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("panels", locals())
+
+
+def add_louvres(
+    net: Feature,
+    *,
+    thickness: Length | None = None,
+    gap: Length = 8.0,
+    louvre_axis: str = "u",
+    tilt: float = 0.0,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add a slat on the midpoints of every face of a Net.
+
+    Args:
+        net: the Net.
+        thickness: of the slats; by default 12 mm, or that of the build-up.
+        gap: between two slats.
+        louvre_axis: ``"u"`` or ``"v"``: the lines that they turn about.
+        tilt: by how much they are turned, degrees.
+        family: parameter lines that are built on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("louvres", locals())
+
+
+def add_lamellas(
+    net: Feature,
+    *,
+    width: Length = 80.0,
+    thickness: Length = 5.0,
+    clearance: Length = 1.0,
+    position: str = "standing",
+    layers: int = 1,
+    hole: Length = 9.0,
+    overhang: Length | None = None,
+    strip: str = "auto",
+    pattern: str = "auto",
+    smooth: bool = False,
+    stock: Length | None = None,
+    trim: Length = 10.0,
+    saw: Length = 3.0,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add a strip that unrolls flat along every parameter line of a Net.
+
+    Args:
+        net: the Net.
+        width: of the strips.
+        thickness: of the plates.
+        clearance: of the slots, and between layers.
+        position: ``"standing"`` on the surface or ``"lying"`` in it.
+        layers: 1: slots where strips cross; 2: bolts.
+        hole: diameter of the bolt holes.
+        overhang: beyond the last vertex, by default half the width.
+        strip: ``"developable"``, ``"twisted"`` or ``"auto"``.
+        pattern: ``"straight"``, ``"arc"``, ``"free"`` or ``"auto"``.
+        smooth: solids with smooth sides.
+        stock: length that longer strips are spliced from.
+        trim: what that loses at each end.
+        saw: width of a saw cut.
+        family: parameter lines that are built on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("lamellas", locals())
+
+
+def add_bent_panels(
+    net: Feature,
+    *,
+    thickness: Length = 3.0,
+    gap: Length = 10.0,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add one bent plate in every row of faces of a Net.
+
+    Args:
+        net: the Net.
+        thickness: of the plates.
+        gap: between two plates.
+        family: parameter lines whose rows are built.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("bent-panels", locals())
+
+
+def add_patches(
+    net: Feature,
+    *,
+    thickness: Length = 3.0,
+    gap: Length = 10.0,
+    distortion: float = 1.0,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Make a Net of sheets that are cut flat and bent into place.
+
+    Args:
+        net: the Net.
+        thickness: of the sheets.
+        gap: between two patches.
+        distortion: of an edge up to which a patch is built, percent.
+        family: parameter lines that are built on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("patches", locals())
+
+
+def _added(system: str, settings: dict[str, Any]) -> Feature:
+    """The Structure; a size that is not given is left to the system."""
+    given = {name: value for name, value in settings.items() if value is not None}
+    return add_structure(given.pop("net"), system, **given)
