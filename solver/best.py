@@ -8,25 +8,27 @@ import numpy as np
 
 from solver.candidate import Candidate
 
-# A shape that is no solution replaces another when its worst residual is smaller by this factor.
-_WORTH = 0.8
-
 
 class Best:
     """Keeps the best shape that a run came by.
 
     Judging costs about as much as the terms do, so shapes on the way are only noted, and judged
     where the end of an attempt is no solution: one of them may be sound where the end has folded.
+
+    Args:
+        worth: a shape that is no solution replaces another when its worst residual is smaller by
+            this factor.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, worth: float) -> None:
+        self._worth = worth
         self._best: Candidate | None = None
         self._noted: list[Callable[[], Candidate]] = []
         self._worst = np.inf
 
     def note(self, worst: float, judge: Callable[[], Candidate]) -> None:
         """Note a shape on the way by its largest residual, and how to judge it."""
-        if worst < _WORTH * self._worst:
+        if worst < self._worth * self._worst:
             self._worst = worst
             self._noted.append(judge)
 
@@ -52,7 +54,7 @@ class Best:
         best = self._best
         if best is not None and not candidate.valid and candidate.sound == best.sound:
             # Where the net is out of reach, a little less of it is not worth wandering for.
-            if candidate.worst > _WORTH * best.worst:
+            if candidate.worst > self._worth * best.worst:
                 return
         if best is None or candidate.rank > best.rank:
             self._best = candidate

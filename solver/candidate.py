@@ -10,17 +10,7 @@ from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thick
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Detail, Problem
 from solver.report import Spread
-
-# A result with a shorter shortest edge, relative to the input's, is a collapse.
-SHRUNK = 0.25
-# Below this, another attempt with other guides is worth its time,
-CRAMPED = 0.5
-# and so it is where faces meet at more than this angle in degrees and twice that of the input.
-CREASED = 30.0
-# and where a shape that was no plane, but at least so thick, has lost most of its thickness.
-THICK, FLATTENED = 0.02, 0.4
-# A shape that was no plane to so much of its size, and of whose thickness less than that is left.
-_SOLID, _GONE = 5e-3, 0.05
+from solver.tuning import Tuning
 
 
 @dataclass(frozen=True)
@@ -38,6 +28,7 @@ class Candidate:
         flipped: number of folded faces; ``flipped_start`` the same of the input.
         may_flatten: a plane is as good as any other shape.
         met: every measure is within the tolerance on every face or star.
+        tuning: from where on a shape is shrunk, creased or flattened.
     """
 
     mesh: QuadMesh
@@ -54,6 +45,7 @@ class Candidate:
     flipped_start: int
     may_flatten: bool
     met: bool
+    tuning: Tuning
 
     @property
     def kept(self) -> float:
@@ -63,7 +55,7 @@ class Candidate:
     @property
     def sound(self) -> bool:
         """Nothing collapsed and no face folded that was not folded at the start."""
-        return self.kept >= SHRUNK and self.flipped <= self.flipped_start
+        return self.kept >= self.tuning.shrunk and self.flipped <= self.flipped_start
 
     @property
     def valid(self) -> bool:
@@ -73,24 +65,25 @@ class Candidate:
     @property
     def good(self) -> bool:
         """A solution that no further attempt needs to improve."""
-        return self.valid and self.kept >= CRAMPED and not self.creased and not self.flattened
+        roomy = self.kept >= self.tuning.cramped
+        return self.valid and roomy and not self.creased and not self.flattened
 
     @property
     def flattened(self) -> bool:
         """The shape was given up for a plane, which is every net but not what was drawn."""
-        thick = self.thickness_start >= THICK
-        return thick and self.thickness < FLATTENED * self.thickness_start
+        thick = self.thickness_start >= self.tuning.thick
+        return thick and self.thickness < self.tuning.flattened * self.thickness_start
 
     @property
     def gone(self) -> bool:
         """Nothing but a plane or a line is left of the shape, and that was not asked for."""
-        solid = self.thickness_start >= _SOLID and not self.may_flatten
-        return solid and self.thickness < _GONE * self.thickness_start
+        solid = self.thickness_start >= self.tuning.solid and not self.may_flatten
+        return solid and self.thickness < self.tuning.gone * self.thickness_start
 
     @property
     def creased(self) -> bool:
         """Folds appeared that the input did not have."""
-        return self.crease > max(CREASED, 2 * self.crease_start)
+        return self.crease > max(self.tuning.creased, 2 * self.crease_start)
 
     @property
     def worst(self) -> float:
@@ -128,6 +121,7 @@ def judge(
         flipped_start=start.flipped_start,
         may_flatten=start.may_flatten,
         met=all(spread.max <= tolerance for spread in residuals.values()),
+        tuning=problem.tuning,
     )
 
 

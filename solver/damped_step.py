@@ -22,13 +22,7 @@ from solver.linear.backends import SymmetricSolver
 from solver.mesh.quadmesh import FloatArray
 from solver.point import Point
 from solver.terms.base import Linearisation
-
-DAMPING_START = 1e-3
-_DAMPING_MIN, _DAMPING_MAX = 1e-12, 1e8
-# Part of the step at which the second derivative is probed, and the longest bend that is trusted.
-_PROBE, _LONGEST_BEND = 0.1, 0.375
-# Steps that follow with the same factors; more of them lag visibly behind a dragged vertex.
-_REUSES = 3
+from solver.tuning import Tuning
 
 _Result = TypeVar("_Result")
 
@@ -56,17 +50,18 @@ class Stepper:
 
     Args:
         solver: solves the normal equations.
+        tuning: damping, bends, and how long factors serve.
     """
 
-    def __init__(self, solver: SymmetricSolver) -> None:
-        self._solver = solver
+    def __init__(self, solver: SymmetricSolver, tuning: Tuning) -> None:
+        self._solver, self._tuning = solver, tuning
         self._solving = 0.0
         self._last: Callable[[FloatArray], FloatArray] | None = None
         self._last_weights, self._reused = np.zeros(0), 0
 
     def step(self, here: Point, damping: float, bend: bool = False) -> Step:
         """Take one accepted step; ``bend`` asks for geodesic acceleration."""
-        matrix, gradient = here.matrix, here.gradient
+        tuning, matrix, gradient = self._tuning, here.matrix, here.gradient
         # Below this, changes of the energy are rounding and say nothing.
         rounding = 1e-26 * max(1, len(gradient))
         diagonal = here.system.pattern.indptr[:-1]
@@ -81,12 +76,14 @@ class Stepper:
                     move = move + self._bend(here, move, solve)
                 there = here.moved(move)
                 if there.energy <= here.energy * (1 + 1e-9) + rounding:
-                    calmer = damping if rejected else max(damping / 4, _DAMPING_MIN)
+                    calmer = (
+                        damping if rejected else max(tuning.calmer * damping, tuning.damping_min)
+                    )
                     length = float(np.abs(move).max(initial=0.0))
                     return Step(there, length, calmer, self._solving)
-            if damping > _DAMPING_MAX:
+            if damping > tuning.damping_max:
                 return Step(here, 0.0, damping, self._solving, stuck=True)
-            damping = max(8 * damping, 1e-9)
+            damping = max(tuning.harder * damping, tuning.damping_refused)
             rejected = True
 
     def follow(self, here: Point, damping: float) -> Step | None:
@@ -95,7 +92,9 @@ class Stepper:
         For a problem that has changed a little since, as while a vertex is dragged. None where the
         factors are no help any more, or there are none; then :meth:`step` makes new ones.
         """
-        worn = self._reused >= _REUSES or not np.array_equal(here.weights, self._last_weights)
+        worn = self._reused >= self._tuning.reuses or not np.array_equal(
+            here.weights, self._last_weights
+        )
         if self._last is None or worn:
             return None
         self._solving = 0.0
@@ -122,19 +121,19 @@ class Stepper:
         self, here: Point, move: FloatArray, solve: Callable[[FloatArray], FloatArray]
     ) -> FloatArray:
         """Half the acceleration along the move; zero where it is too long to be trusted."""
-        full = here.full(move)
+        full, part = here.full(move), self._tuning.probe
         # Linear terms do not curve.
         weights = np.where([term.linear for term in here.terms], 0.0, here.weights)
-        probe = here.linearised(here.x + _PROBE * full, weights)
+        probe = here.linearised(here.x + part * full, weights)
         curved = list(here.linearisations)
         for k in np.flatnonzero(weights).tolist():
-            part, there = here.linearisations[k], probe[k]
-            slope = np.einsum("nmk,nk->nm", part.jacobian, full[here.terms[k].unknowns])
-            second = 2 / _PROBE * ((there.residual - part.residual) / _PROBE - slope)
-            curved[k] = Linearisation(second, part.jacobian)
+            near, there = here.linearisations[k], probe[k]
+            slope = np.einsum("nmk,nk->nm", near.jacobian, full[here.terms[k].unknowns])
+            second = 2 / part * ((there.residual - near.residual) / part - slope)
+            curved[k] = Linearisation(second, near.jacobian)
         second_gradient = replace(here, linearisations=curved, weights=weights).gradient
         bend = self._timed(solve, -0.5 * second_gradient)
-        trusted = np.linalg.norm(bend) <= _LONGEST_BEND * np.linalg.norm(move)
+        trusted = np.linalg.norm(bend) <= self._tuning.longest_bend * np.linalg.norm(move)
         return bend if trusted else np.zeros_like(move)
 
     def _timed(self, function: Callable[[FloatArray], _Result], argument: FloatArray) -> _Result:

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from solver.assembly import NormalEquations
-from solver.damped_step import DAMPING_START, Step, Stepper
+from solver.damped_step import Step, Stepper
 from solver.linear.backends import symmetric_solver
 from solver.linear.threads import one_thread
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -27,20 +27,6 @@ from solver.relaxation import Relaxation
 from solver.report import StepRecord
 from solver.terms.base import Linearisation, Term
 from solver.terms.pull import Pull
-
-_FADE = 0.3
-_FADE_END = 1e-12
-# With every residual below this, the net is near enough to be reached without guides.
-_NEAR = 1e-6
-# Steps without halving the worst residual, with the guides gone, after which it counts as stuck.
-_PATIENCE = 25
-# Handles are followed with the guides at this factor, where the mesh is nearly a net, until so many
-# steps in turn are this small: what follows depends on where the handles are, not on the way there.
-_HOLD, _CALM, _REST, _HOLD_STEPS, _HOLD_DAMPING = 3e-3, 2, 1e-10, 250, 1e-9
-# While a vertex is dragged no step is damped less: each refused one is a frame that comes late.
-_LIVE_DAMPING = 1e-5
-# Stop this far below the tolerance: the last Gauss-Newton step costs little and squares the error.
-_MARGIN = 1e-2
 
 
 class Layout:
@@ -61,8 +47,8 @@ class Layout:
             reorder=backend == "scipy",
         )
         self.solver = symmetric_solver(self.system.pattern, backend)
-        self.stepper = Stepper(self.solver)
-        self.relaxation = Relaxation(self.solver)
+        self.stepper = Stepper(self.solver, problem.tuning)
+        self.relaxation = Relaxation(self.solver, problem.tuning)
 
 
 class Descent:
@@ -83,9 +69,10 @@ class Descent:
 
     def __init__(self, layout: Layout, attempt: Attempt, restless: bool = False) -> None:
         self.layout, self.attempt, self.restless = layout, attempt, restless
+        self._tuning = self.problem.tuning
         self.point = Point.at(layout.system, self.problem.terms, self.problem.start.copy())
         self.fade = 1.0
-        self._damping = DAMPING_START
+        self._damping = self._tuning.damping_start
         self._best_worst = self._worst_before = np.inf
         self._last_worst = 0.0
         self._idle = self._held = self._calm = 0
@@ -105,7 +92,7 @@ class Descent:
     def holds(self, steps_left: int) -> bool:
         """Whether the guides stay until handles have arrived and the mesh has come to rest."""
         waiting = self._pull is not None and self.attempt.patient and not self._rested
-        return waiting and self._held < _HOLD_STEPS and steps_left > 0
+        return waiting and self._held < self._tuning.hold_steps and steps_left > 0
 
     def step(
         self, number: int, steps_left: int, attempt: int = 1, follow: bool = False
@@ -120,13 +107,13 @@ class Descent:
         """
         begin = time.perf_counter()
         used = self.fade
-        damping = max(self._damping, _LIVE_DAMPING) if follow else self._damping
+        damping = max(self._damping, self._tuning.live_damping) if follow else self._damping
         here = self.point.weighed(self._weights(used))
         with one_thread():
             taken = self._taken(here, damping, steps_left, follow)
         self.point, self._damping = taken.point.followed(), taken.damping
         if taken.stuck:
-            self._idle = _PATIENCE
+            self._idle = self._tuning.patience
         record = StepRecord(
             step=number,
             attempt=attempt,
@@ -148,8 +135,9 @@ class Descent:
             self._best_worst, self._idle = record.worst, 0
         elif self.fade == 0.0:
             self._idle += 1
-        near = 0.25 * tolerance if self._slow else _MARGIN * tolerance
-        return record.worst <= near or self._idle >= _PATIENCE
+        tuning = self._tuning
+        near = (tuning.slow_margin if self._slow else tuning.margin) * tolerance
+        return record.worst <= near or self._idle >= tuning.patience
 
     def stand_at(self, mesh: QuadMesh) -> None:
         """Go on from another shape, with the guides where handles are followed."""
@@ -157,11 +145,11 @@ class Descent:
         points = (mesh.vertices - problem.centre) / problem.scale
         x = self.point.x.copy()
         x[: points.size] = points.ravel()
-        self.point, self.fade = self.point.standing_at(x).followed(), _HOLD
+        self.point, self.fade = self.point.standing_at(x).followed(), self._tuning.hold
 
     def hold(self) -> None:
         """Follow the handles again, which have moved."""
-        self.fade = max(self.fade, _HOLD)
+        self.fade = max(self.fade, self._tuning.hold)
         self._held = self._calm = 0
         self._rested = False
         self.point = self.point.standing_at(self.point.x)
@@ -208,21 +196,21 @@ class Descent:
 
     def _move_on(self, record: StepRecord, steps_left: int) -> None:
         """Move the schedule on: guides fade, but wait for handles and the mesh to come to rest."""
-        pull = self._pull
-        if pull is not None and self.holds(steps_left) and self.fade * _FADE <= _HOLD:
-            if self.fade == _HOLD and pull.arrived:
+        tuning, pull = self._tuning, self._pull
+        if pull is not None and self.holds(steps_left) and self.fade * tuning.fade <= tuning.hold:
+            if self.fade == tuning.hold and pull.arrived:
                 self._held += 1
-                self._calm = self._calm + 1 if record.step_length < _REST else 0
-                self._rested = self._calm >= _CALM
+                self._calm = self._calm + 1 if record.step_length < tuning.rest else 0
+                self._rested = self._calm >= tuning.calm
                 if self._rested:
                     # Nothing but the shape is taken along from the way here.
-                    self._damping, self._worst_before = _HOLD_DAMPING, np.inf
-                self.restless = self._held >= _HOLD_STEPS
-            self.fade = _HOLD
+                    self._damping, self._worst_before = tuning.hold_damping, np.inf
+                self.restless = self._held >= tuning.hold_steps
+            self.fade = tuning.hold
         holding = self.holds(steps_left)
-        if not holding or self.fade > _HOLD:
-            self.fade *= _FADE
-            if self.fade < _FADE_END or (record.worst < _NEAR and not holding):
+        if not holding or self.fade > tuning.hold:
+            self.fade *= tuning.fade
+            if self.fade < tuning.fade_end or (record.worst < tuning.near and not holding):
                 self.fade = 0.0
 
 

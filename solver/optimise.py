@@ -21,6 +21,7 @@ from solver.plan import Plan
 from solver.problem import Problem, place_of
 from solver.report import Outcome, StepRecord
 from solver.run import Optimisation
+from solver.tuning import Tuning
 
 # Residuals of what is fixed altogether up to this are taken for the rounding of a file.
 _CONTRADICTION = 1e-6
@@ -65,6 +66,7 @@ def start_optimisation(
     backend: str | None = None,
     options: NetOptions | None = None,
     constraints: Constraints | None = None,
+    tuning: Tuning | None = None,
 ) -> Optimisation:
     """Prepare an optimisation that the caller advances step by step.
 
@@ -85,6 +87,7 @@ def start_optimisation(
         backend: ``rslab`` or ``scipy``; by default the fastest installed.
         options: choices that only some nets have: diagonal variant, radius, length, reference.
         constraints: handles, gliding, a surface to stay near, symmetry.
+        tuning: numbers of the solver other than its own, for experiments.
 
     Raises:
         InputError: a setting that cannot be used.
@@ -119,7 +122,7 @@ def start_optimisation(
 
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     once = fairness is not None
-    plan = Plan(asked, mesh, fixed, chosen, wanted, weights, once)
+    plan = Plan(asked, mesh, fixed, chosen, wanted, weights, once, tuning or Tuning())
     _refuse_contradictions(plan.original)
     stay = not once and not wanted.handles and wanted.close_to is None
     return Optimisation(

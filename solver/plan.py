@@ -7,7 +7,7 @@ Whoever makes the attempts stops asking as soon as one of them is good enough.
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -22,14 +22,7 @@ from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, add_guides
 from solver.problem import Problem
 from solver.terms.evenness import Evenness
-
-# Edges and faces of guarded nets are kept from collapsing and crossing over with this weight.
-_GUARD = 0.1
-# Weights of evenness in the first attempts of sheets: of such that are bent in one direction, of
-# doubly curved ones, which have to give up a curvature, and of such from which it has been taken.
-_SHEETS, _DOMES, _BENT = (0.3, 3.0), (30.0, 3.0, 0.3), (3.0, 30.0, 0.3)
-# Third differences of a start, in mean edges, up to which it has no noise to be smoothed away.
-_SMOOTH = 0.05
+from solver.tuning import Tuning
 
 
 @dataclass(frozen=True)
@@ -82,6 +75,7 @@ class Plan:
         fixed: (V,) true for vertices that must not move.
         weights: of the guides in the first attempt.
         once: one attempt with these weights, and no other.
+        tuning: the numbers of the solver.
     """
 
     net: Net
@@ -91,6 +85,7 @@ class Plan:
     constraints: Constraints
     weights: Weights
     once: bool = False
+    tuning: Tuning = field(default_factory=Tuning)
 
     def way(self) -> Way:
         """From the start to the net."""
@@ -146,7 +141,7 @@ class Plan:
         """The net from the sheet without its curvature in one direction, then in the other."""
         if self.fixed.any() or self.constraints != Constraints():
             return
-        ladder = [*self._even(_BENT), *self.weights.ladder()]
+        ladder = [*self._even(self.tuning.bent), *self.weights.ladder(self.tuning)]
         for direction in central_directions(self.mesh):
             yield from self._tries(unbent(self.mesh, direction), ladder)
 
@@ -156,7 +151,9 @@ class Plan:
 
     def _pose(self, net: Net, mesh: QuadMesh, ladder: Sequence[Weights]) -> Problem:
         """Pose the wanted net, or another with the same options, for all attempts of a ladder."""
-        empty = Problem(net.name, mesh, self.fixed, may_flatten=self._may_flatten)
+        empty = Problem(
+            net.name, mesh, self.fixed, may_flatten=self._may_flatten, tuning=self.tuning
+        )
         problem = net.recipe(empty, self.options)
         add_constraints(problem, self.constraints, ladder[0].closeness)
         return add_guides(problem, ladder)
@@ -176,14 +173,16 @@ class Plan:
     @cached_property
     def _ladder(self) -> list[Weights]:
         """Weights of all attempts from the start, the first ones as asked for."""
-        first, *rest = self.weights.ladder()
+        first, *rest = self.weights.ladder(self.tuning)
         if self.net.way.guarded:
-            guarded = [replace(one, edge_guard=_GUARD, face_guard=_GUARD) for one in (first, *rest)]
+            weight = self.tuning.guard
+            guards = {"edge_guard": weight, "face_guard": weight}
+            guarded = [replace(one, **guards) for one in (first, *rest)]
             # Some differ by their guards only.
             return list(dict.fromkeys(guarded))
         if not self.net.way.bent:
             return [first, *self._even(self.net.way.evenness), *rest]
-        even = self._even(_DOMES if self._double else _SHEETS)
+        even = self._even(self.tuning.domes if self._double else self.tuning.sheets)
         return [first, *even, *rest] if self._smooth else [*even, first, *rest]
 
     @cached_property
@@ -191,7 +190,7 @@ class Plan:
         """Weights of the attempts that come before any way round."""
         way = self.net.way
         if way.bent:
-            count = 1 if self._smooth or self._double else len(_SHEETS)
+            count = 1 if self._smooth or self._double else len(self.tuning.sheets)
         else:
             count = 1 if way.easier else len(self._ladder)
         return self._ladder[: 1 if self.once else count]
@@ -199,7 +198,8 @@ class Plan:
     @cached_property
     def _smooth(self) -> bool:
         """Whether a sheet is bent in one direction and has no noise: it needs no evenness."""
-        return not self._double and not self.net.way.rigid and _unevenness(self.mesh) < _SMOOTH
+        straight = not self._double and not self.net.way.rigid
+        return straight and _unevenness(self.mesh) < self.tuning.smooth
 
     def _even(self, weights: Sequence[float]) -> list[Weights]:
         return [self.weights.even(weight) for weight in weights]

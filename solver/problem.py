@@ -12,6 +12,7 @@ from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thick
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.terms.base import Term, follows
+from solver.tuning import Tuning
 
 # A measure sees the mesh in model units and the shared scalars.
 Measure = Callable[[QuadMesh, FloatArray], FloatArray]
@@ -61,6 +62,7 @@ class Problem:
         mesh: the start, in model units.
         fixed: (V,) true for vertices that must not move; they are eliminated.
         may_flatten: whether a plane is a shape as good as any other.
+        tuning: the numbers of the solver.
     """
 
     net: str
@@ -71,6 +73,7 @@ class Problem:
     measures: dict[str, Measure] = field(default_factory=dict)
     details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
     may_flatten: bool = False
+    tuning: Tuning = field(default_factory=Tuning)
     places: dict[str, Callable[[int], str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -19,12 +19,8 @@ from solver.errors import SingularSystemError
 from solver.linear.backends import SymmetricSolver
 from solver.mesh.quadmesh import FloatArray
 from solver.point import Point
+from solver.tuning import Tuning
 
-# Steps that are remembered.
-_MEMORY = 10
-_DAMPING = 1e-9
-# Shortest part of a step that is tried, and the decrease that it has to bring.
-_SHORTEST, _DECREASE = 1e-3, 2e-4
 # Changes of the energy below this part of it are rounding.
 _ROUNDING = 1e-12
 
@@ -34,11 +30,12 @@ class Relaxation:
 
     Args:
         solver: solves the normal equations.
+        tuning: memory and line search.
     """
 
-    def __init__(self, solver: SymmetricSolver) -> None:
-        self._solver = solver
-        self._damped = Stepper(solver)
+    def __init__(self, solver: SymmetricSolver, tuning: Tuning) -> None:
+        self._solver, self._tuning = solver, tuning
+        self._damped = Stepper(solver, tuning)
         self._pairs: list[tuple[FloatArray, FloatArray]] = []
 
     def forget(self) -> None:
@@ -51,9 +48,10 @@ class Relaxation:
         move = self._direction(here)
         solve_seconds = time.perf_counter() - begin
         slope, part = float(move @ here.gradient), 1.0
-        while slope < 0 and part >= _SHORTEST:
+        while slope < 0 and part >= self._tuning.shortest:
             there = here.moved(part * move)
-            if there.energy <= here.energy * (1 + _ROUNDING) + _DECREASE * part * slope:
+            least = self._tuning.decrease * part * slope
+            if there.energy <= here.energy * (1 + _ROUNDING) + least:
                 self._remember(part * move, there.gradient - here.gradient)
                 length = part * float(np.abs(move).max(initial=0.0))
                 return Step(there, length, damping, solve_seconds)
@@ -64,7 +62,7 @@ class Relaxation:
     def _direction(self, here: Point) -> FloatArray:
         """Minus the gradient through the inverse of the matrix as memory corrects it."""
         matrix, gradient = here.matrix, here.gradient
-        matrix[here.system.pattern.indptr[:-1]] += _DAMPING
+        matrix[here.system.pattern.indptr[:-1]] += self._tuning.relaxation_damping
         try:
             solve = self._solver.factor(matrix)
         except SingularSystemError:
@@ -80,4 +78,4 @@ class Relaxation:
 
     def _remember(self, move: FloatArray, change: FloatArray) -> None:
         if move @ change > 1e-14 * np.linalg.norm(move) * np.linalg.norm(change):
-            self._pairs = [*self._pairs[1 - _MEMORY :], (move, change)]
+            self._pairs = [*self._pairs[1 - self._tuning.memory :], (move, change)]

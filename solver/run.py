@@ -20,9 +20,6 @@ from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
 
-# Of so many attempts that reached the net, though with short edges or creases, the best is taken.
-_ENOUGH = 3
-
 
 class Optimisation:
     """An optimisation that is advanced one step at a time.
@@ -66,7 +63,7 @@ class Optimisation:
         self.backend = backend or default_backend(int(original.free.sum()))
         self.history: list[StepRecord] = []
         self.status: str | None = None
-        self.attempts, self._solved, self._best = 1, 0, Best()
+        self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
         self._way = self._begin_way()
         attempt = next(self._way)
         self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
@@ -189,7 +186,7 @@ class Optimisation:
             self._solved += 1
         # Whoever drags a mesh may crease it.
         good = candidate.valid if self.descent.pulled else candidate.good
-        enough = good or self._solved >= _ENOUGH or steps_left <= 0
+        enough = good or self._solved >= self.original.tuning.enough or steps_left <= 0
         if enough or not self._go_on(reached):
             self._conclude(STALLED)
 

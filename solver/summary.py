@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from solver.candidate import SHRUNK, Candidate, spread_of
+from solver.candidate import Candidate, spread_of
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.seams import seams
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
@@ -83,7 +83,7 @@ def _remedies(run: Optimisation, best: Candidate, status: str) -> list[str]:
     remedies = [remark.remedy for remark in run.remarks]
     if not best.sound:
         trouble = []
-        if best.kept < SHRUNK:
+        if best.kept < best.tuning.shrunk:
             trouble.append(f"the shortest edge shrank to {best.kept:.2f} of its start ratio")
         if best.flipped > best.flipped_start:
             trouble.append(f"{best.flipped} faces are folded")

@@ -22,7 +22,6 @@ _AXES = "xyz"
 _NEAR = 0.5
 # Mirror images are told from strangers up to this many mean edges.
 _TWIN = 0.25
-_HANDLE_WEIGHT = 10.0
 
 
 @dataclass(frozen=True)
@@ -134,7 +133,8 @@ def add_constraints(problem: Problem, wanted: Constraints, closeness: float) -> 
         points, triangles = wanted.close_to
         surface = TriangleSurface(_to_solver(problem, points), triangles)
         used = np.flatnonzero(problem.mesh.connectivity.referenced)
-        problem.guide(OnSurface(used, surface, name="close to surface"), 30 * closeness)
+        weight = problem.tuning.close_to * closeness
+        problem.guide(OnSurface(used, surface, name="close to surface"), weight)
     for word in wanted.symmetry:
         if word not in _AXES:
             raise InputError(f"symmetry: expected letters out of x, y, z, got '{word}'")
@@ -188,7 +188,7 @@ def _add_handles(problem: Problem, handles: Mapping[int, FloatArray]) -> None:
         targets = _to_solver(problem, np.array(list(handles.values()), dtype=np.float64))
         vertices = np.array(list(handles), dtype=np.int64)
         begin = _to_solver(problem, problem.mesh.vertices[vertices])
-        problem.guide(Pull(vertices, begin, goals=targets), _HANDLE_WEIGHT)
+        problem.guide(Pull(vertices, begin, goals=targets), problem.tuning.handles)
 
 
 def _add_glide(problem: Problem, glide: Glide) -> None:

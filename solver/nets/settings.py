@@ -21,12 +21,10 @@ from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
 from solver.terms.isometry import Isometry
 from solver.terms.multi import multi_net
+from solver.tuning import Tuning
 
 # Guides that do not fade.
 _LASTING = ("edge_guard", "face_guard")
-_GUARDED = 0.6
-# Cosine between opposite edges of a face below which they are turned back.
-_UPRIGHT = 0.3
 
 
 @dataclass(frozen=True)
@@ -41,7 +39,7 @@ class Weights:
         smooth_motion: the motion, not the shape, is drawn straight.
         edge_vectors: edges keep direction and length.
         isometry: faces keep their shape (w_iso of the paper's table 2); off unless asked for.
-        edge_guard: edges shorter than _GUARDED of the shortest at the start are pushed back; it
+        edge_guard: edges much shorter than the shortest at the start are pushed back; it
             stays to the end, where no edge is that short any more.
         face_guard: opposite edges of a face are kept within some 70 degrees of each other; it
             stays to the end, too.
@@ -62,7 +60,7 @@ class Weights:
             if not np.isfinite(value) or value < 0:
                 raise InputError(f"{name}: expected a weight of zero or more, got {value}")
 
-    def ladder(self) -> list[Weights]:
+    def ladder(self, tuning: Tuning) -> list[Weights]:
         """Weights of successive attempts.
 
         First these; then, for meshes that fairness creases at their irregular vertices, the nearest
@@ -70,14 +68,14 @@ class Weights:
         """
         nearest = replace(
             self,
-            fairness=0.1 * self.fairness,
-            closeness=10 * self.closeness,
+            fairness=tuning.nearest_fairness * self.fairness,
+            closeness=tuning.nearest_closeness * self.closeness,
             smooth_motion=0.0,
             edge_vectors=0.0,
         )
-        fairer = replace(self, fairness=10 * self.fairness)
-        fairest = replace(self, fairness=100 * self.fairness)
-        guarded = replace(nearest, edge_guard=0.1)
+        fairer = replace(self, fairness=tuning.fairer * self.fairness)
+        fairest = replace(self, fairness=tuning.fairer**2 * self.fairness)
+        guarded = replace(nearest, edge_guard=tuning.guard)
         return [self, nearest, guarded, fairer, fairest]
 
     def of(self, guide: Guide) -> float:
@@ -94,7 +92,7 @@ def add_guides(problem: Problem, ladder: Sequence[Weights]) -> Problem:
     """Add the guides that all recipes share and that lead some attempt of a ladder."""
     net, start = problem.mesh.connectivity, problem.start
     points = start[: 3 * net.vertex_count].reshape(-1, 3)
-    used = np.flatnonzero(net.referenced)
+    used, guarded = np.flatnonzero(net.referenced), problem.tuning.guarded
     guides: dict[str, Callable[[], Term]] = {
         "fairness": lambda: Fairness(net.line_triples),
         "multi": lambda: multi_net(net),
@@ -103,8 +101,8 @@ def add_guides(problem: Problem, ladder: Sequence[Weights]) -> Problem:
         "smooth_motion": lambda: Fairness(net.line_triples, start, "smooth motion"),
         "edge_vectors": lambda: EdgeVectors(net.edges, start),
         "isometry": lambda: Isometry(net.faces, points),
-        "edge_guard": lambda: EdgeGuard(net.edges, _GUARDED * problem.edge_ratio_start),
-        "face_guard": lambda: FaceGuard(net.faces, _UPRIGHT),
+        "edge_guard": lambda: EdgeGuard(net.edges, guarded * problem.edge_ratio_start),
+        "face_guard": lambda: FaceGuard(net.faces, problem.tuning.upright),
     }
     for name, build in guides.items():
         weights = [getattr(one, name) for one in ladder]

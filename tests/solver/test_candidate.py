@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from solver.candidate import FLATTENED, THICK, judge
+from solver.candidate import judge
 from solver.nets.options import NetOptions
 from solver.nets.principal import principal
 from solver.problem import Problem
@@ -71,9 +71,9 @@ def test_a_folded_shape_is_no_solution_even_where_the_net_is_met(candidate):
 
 def test_flattened_is_less_than_a_part_of_what_was_thick(candidate):
     at = replace(candidate, thickness_start=1.0)
-    assert FLATTENED == 0.4
+    assert at.tuning.flattened == 0.4
     assert replace(at, thickness=0.39).flattened and not replace(at, thickness=0.41).flattened
-    thin = replace(at, thickness_start=0.9 * THICK, thickness=0.0)
+    thin = replace(at, thickness_start=0.9 * at.tuning.thick, thickness=0.0)
     assert not thin.flattened
 
 

@@ -12,6 +12,7 @@ from solver.damped_step import Stepper
 from solver.linear.backends import symmetric_solver
 from solver.point import Point
 from solver.terms.base import Linearisation, Size
+from solver.tuning import Tuning
 
 DAMPING = 1e-12
 
@@ -41,7 +42,7 @@ class Valley:
 def stepped(goal: float, bend: bool):
     terms, x = [Valley(goal)], np.zeros(3)
     system = NormalEquations(terms, np.ones(3, dtype=bool), np.zeros((1, 3)))
-    stepper = Stepper(symmetric_solver(system.pattern, "scipy"))
+    stepper = Stepper(symmetric_solver(system.pattern, "scipy"), Tuning())
     return stepper.step(Point.at(system, terms, x), DAMPING, bend=bend).point
 
 

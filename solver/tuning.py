@@ -1,0 +1,117 @@
+"""The numbers of the solver that are chosen, not derived: each with its name and its reason.
+
+None of them belongs to one mesh. ``python scripts/bench_tuning.py`` doubles and halves each and
+prints what changes on the meshes of the paper's authors; docs/tuning.md has what it printed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """How a net is looked for. Lengths are in mean edges, residuals dimensionless.
+
+    Attributes:
+        fade: factor on the guides from step to step: they lead for some twenty steps.
+        fade_end: below this they are switched off, far below rounding of the constraints.
+        near: with every residual below this, the net is reached without guides.
+        patience: steps without halving the worst residual, with the guides gone, after which an
+            attempt counts as stuck.
+        margin: stop this far below the tolerance: the last Gauss-Newton step costs little and
+            squares the error;
+        slow_margin: and only this far where it does not square it.
+        hold: handles are followed with the guides at this factor, where the mesh is nearly a net,
+        calm: until so many steps in turn
+        rest: are this small: what follows depends on where the handles are, not on the way there;
+        hold_steps: at most so many.
+        hold_damping: damping of the first step after that, as if nothing had come before.
+        live_damping: while a vertex is dragged no step is damped less: each refused one is a frame
+            that comes late.
+        damping_start: damping of the first step, in the scale of the normal equations, whose
+            diagonal is about one.
+        damping_min: least damping, above rounding.
+        damping_max: damping from which on a step is too short to help.
+        calmer: factor on the damping after a step that was accepted at once;
+        harder: and after one that was refused,
+        damping_refused: from this on.
+        probe: part of the step at which the second derivative is probed.
+        longest_bend: longest bend that is trusted, as part of the step.
+        reuses: steps that follow with the same factors; more of them lag visibly behind a dragged
+            vertex.
+        memory: steps that relaxation remembers.
+        relaxation_damping: keeps its matrix regular where scalars are free.
+        shortest: shortest part of a step of relaxation that is tried,
+        decrease: and the decrease that it has to bring, as part of what the slope promises.
+        guard: weight that keeps edges and faces of guarded nets from collapsing and crossing over.
+        guarded: edges shorter than this part of the shortest at the start are pushed back.
+        upright: cosine between opposite edges of a face below which they are turned back.
+        sheets: weights of evenness in the first attempts of sheets bent in one direction,
+        domes: of doubly curved ones, which have to give up a curvature,
+        bent: and of such from which it has been taken.
+        smooth: third differences of a start up to which it has no noise to be smoothed away.
+        nearest_fairness: factors of the attempt that looks for the nearest net: on fairness
+        nearest_closeness: and on closeness.
+        fairer: factor on fairness of the attempts against collapse: once, and squared.
+        handles: weight of handles.
+        close_to: weight of a surface to stay close to, in closeness of one vertex.
+        enough: of so many attempts that reached the net, though with short edges or creases, the
+            best is taken.
+        worth: a shape that is no solution replaces another when its worst residual is smaller by
+            this factor: a little less of it is not worth wandering for.
+        shrunk: a result whose shortest edge, relative to the input's, is shorter is a collapse.
+        cramped: below this, another attempt with other guides is worth its time,
+        creased: and where faces meet at more than this angle in degrees and twice the input's,
+        thick: and where a shape that was at least so thick, as part of its size,
+        flattened: has less than this part of its thickness left.
+        solid: a shape that was no plane to so much of its size,
+        gone: and of whose thickness less than that is left, has gone.
+    """
+
+    fade: float = 0.3
+    fade_end: float = 1e-12
+    near: float = 1e-6
+    patience: int = 25
+    margin: float = 1e-2
+    slow_margin: float = 0.25
+    hold: float = 3e-3
+    calm: int = 2
+    rest: float = 1e-10
+    hold_steps: int = 250
+    hold_damping: float = 1e-9
+    live_damping: float = 1e-5
+    damping_start: float = 1e-3
+    damping_min: float = 1e-12
+    damping_max: float = 1e8
+    calmer: float = 0.25
+    harder: float = 8.0
+    damping_refused: float = 1e-9
+    probe: float = 0.1
+    longest_bend: float = 0.375
+    reuses: int = 3
+    memory: int = 10
+    relaxation_damping: float = 1e-9
+    shortest: float = 1e-3
+    decrease: float = 2e-4
+    guard: float = 0.1
+    guarded: float = 0.6
+    upright: float = 0.3
+    sheets: tuple[float, ...] = (0.3, 3.0)
+    domes: tuple[float, ...] = (30.0, 3.0, 0.3)
+    bent: tuple[float, ...] = (3.0, 30.0, 0.3)
+    smooth: float = 0.05
+    nearest_fairness: float = 0.1
+    nearest_closeness: float = 10.0
+    fairer: float = 10.0
+    handles: float = 10.0
+    close_to: float = 30.0
+    enough: int = 3
+    worth: float = 0.8
+    shrunk: float = 0.25
+    cramped: float = 0.5
+    creased: float = 30.0
+    thick: float = 0.02
+    flattened: float = 0.4
+    solid: float = 5e-3
+    gone: float = 0.05
