@@ -3,6 +3,8 @@
 Two families of slotted plates are put together one after the other: the first stands alone, each
 plate of the second is pushed onto all that it crosses at once. So each of its slots has to run in
 one direction, but for what its play allows and for how far the plate that it takes can lean.
+A plate that is thin enough goes on one crossing after another, where each slot has to suit the next
+one only: it bends and twists between them, and so turns in its own plane.
 Bending and torsion turn a plate out of its own plane only; so slots of plates that are bent into
 place are compared in the flat pattern: what they spring to is free, its stress another verdict.
 """
@@ -12,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -37,6 +39,8 @@ class SlotWay:
         depth: mm.
         play: by how much it is wider than what it takes, mm.
         give: angle by which the part yields there elastically, radians.
+        turn: angle by which the part turns elastically in its own plane on the way from the slot
+            before, beyond what lifting it off this one takes, radians; None for a rigid part.
     """
 
     other: str
@@ -44,6 +48,7 @@ class SlotWay:
     depth: float
     play: float
     give: float = 0.0
+    turn: float | None = None
 
     @property
     def allowed(self) -> float:
@@ -60,7 +65,7 @@ class Conflict:
         second: name of what the other takes.
         diverge_deg: angle between them.
         allowed_deg: what the play and give of both allow.
-        count: of slots that miss the best direction.
+        count: of slots that miss the best direction, or of flexible parts the one before.
     """
 
     first: str
@@ -80,11 +85,23 @@ class Conflict:
 def lean(material: Material, thickness: float, length: float) -> float:
     """Angle by which a plate may be twisted over a length before it yields, radians.
 
-    For a thin strip tau = G t theta / L, at most the bending limit / sqrt(3) (von Mises), with a
-    Poisson number of 0.3.
+    For a thin strip tau = G t theta / L, at most the bending limit / sqrt(3) (von Mises).
     """
-    shear_modulus = material.youngs_modulus / 2.6
-    return material.bending_limit / math.sqrt(3) * length / (shear_modulus * thickness)
+    return material.bending_limit / math.sqrt(3) * length / (material.shear_modulus * thickness)
+
+
+def turning(material: Material, thickness: float, length: float, depth: float) -> float:
+    """Angle by which a strip turns in its own plane from one slot to the next, radians.
+
+    It is stiff in its plane, but bent by b(s) and twisted by c(s) in turn, as a crank, its end
+    turns there by the area that the curve (b, c) encloses, and is otherwise as it was. Bending to
+    the least radius R alone makes b = L / R, torsion to the limit alone c = ``lean``; both together
+    stay within von Mises' limit where the curve is no longer than the perimeter 1 in these units.
+    It encloses at most 1 / (4 pi) of b c. What lifting the end off the depth of its slot takes of
+    that is deducted.
+    """
+    bend = length / material.least_radius(thickness)
+    return bend * lean(material, thickness, length) / (4 * math.pi) - math.atan2(depth, length)
 
 
 def insertion(ways: Sequence[SlotWay]) -> FloatArray:
@@ -112,26 +129,37 @@ def insertion(ways: Sequence[SlotWay]) -> FloatArray:
 
 
 def conflict(ways: Sequence[SlotWay]) -> Conflict | None:
-    """The two slots that diverge most beyond what they allow; None where the part can be put on."""
+    """The two slots that diverge most beyond what they allow; None where the part can be put on.
+
+    Args:
+        ways: of one part, in their order along it.
+    """
     if len(ways) < 2:
         return None
     missed = angle_between(insertion(ways), np.array([way.direction for way in ways]))
     missed = missed - [way.allowed for way in ways]
     if missed.max() <= _EXACT:
         return None
+    # Crossing by crossing each slot has to suit the next one alone.
+    flexible = all(way.turn is not None for way in ways)
+    pairs = list(pairwise(ways) if flexible else combinations(ways, 2))
 
-    def beyond(pair: tuple[SlotWay, SlotWay]) -> float:
-        one, two = pair
-        angle = float(angle_between(one.direction, two.direction))
-        return angle - one.allowed - two.allowed
+    def allowed(one: SlotWay, two: SlotWay) -> float:
+        return max(one.allowed + two.allowed + (two.turn or 0.0), 0.0)
 
-    one, two = max(combinations(ways, 2), key=beyond)
+    beyond = [
+        float(angle_between(one.direction, two.direction)) - allowed(one, two) for one, two in pairs
+    ]
+    worst = int(np.argmax(beyond))
+    if flexible and beyond[worst] <= _EXACT:
+        return None
+    one, two = pairs[worst]
     return Conflict(
         one.other,
         two.other,
-        math.degrees(float(angle_between(one.direction, two.direction))),
-        math.degrees(one.allowed + two.allowed),
-        int((missed > _EXACT).sum()),
+        math.degrees(beyond[worst] + allowed(one, two)),
+        math.degrees(allowed(one, two)),
+        int((np.array(beyond) > _EXACT).sum()) if flexible else int((missed > _EXACT).sum()),
     )
 
 
@@ -163,10 +191,11 @@ def judged(
     if not found:
         return tuple(parts), []
     first = min(found)
+    flexible = all(way.turn is not None for way in ways[first])
     message = (
-        f"{parts[0].kind}s: {len(found)} of {len(parts)} cannot be pushed on in one direction, "
-        f"{first} for one: its {found[first]}; a larger clearance, shorter pieces or a flatter net "
-        "help"
+        f"{parts[0].kind}s: {len(found)} of {len(parts)} cannot be pushed on in one direction"
+        f"{', nor crossing by crossing' if flexible else ''}, {first} for one: its {found[first]}; "
+        "a larger clearance, shorter pieces or a flatter net help"
     )
     return tuple(
         replace(part, assembly=str(found[part.name])) if part.name in found else part

@@ -1,12 +1,20 @@
 """Whether slotted parts can be pushed onto what stands, in one direction."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import Beams, Lamellas, build
-from freecad_ortho.fabrication.assembly import SlotWay, conflict, conflicts, insertion, lean
+from freecad_ortho.fabrication.assembly import (
+    SlotWay,
+    conflict,
+    conflicts,
+    insertion,
+    lean,
+    turning,
+)
 from freecad_ortho.fabrication.material import MATERIALS
 from tests.conftest import surface_of_revolution
 from tests.fabrication.test_lamellas import flat_grid
@@ -50,6 +58,46 @@ def test_a_plate_leans_as_far_as_its_torsion_allows():
     steel = MATERIALS["steel"]
     shear = steel.youngs_modulus / 2.6 * 4 * lean(steel, 4.0, 500.0) / 500
     assert shear == pytest.approx(steel.bending_limit / math.sqrt(3))
+
+
+def test_a_flexible_plate_goes_on_crossing_by_crossing():
+    """Each slot has to suit the next one; for a rigid plate they add up."""
+    play = math.degrees(math.atan(1 / 100))
+    arc = ways(*np.arange(8) * 1.9 * play)
+    assert conflict(arc).diverge_deg == pytest.approx(7 * 1.9 * play)
+    assert conflict([replace(way, turn=0.0) for way in arc]) is None
+    lifted = [replace(way, turn=math.radians(-0.2 * play)) for way in arc]
+    found = conflict(lifted)
+    assert int(found.second[1:]) == int(found.first[1:]) + 1
+    assert found.count == 7
+    assert found.allowed_deg == pytest.approx(1.8 * play)
+
+
+def test_a_bent_and_twisted_strip_turns_in_its_plane():
+    """Bent and twisted as a circle in both says, integrated step by step."""
+    steel, thickness, length = MATERIALS["steel"], 4.0, 1000.0
+    bend, twist = length / steel.least_radius(thickness), lean(steel, thickness, length)
+    steps, frame = 4000, np.eye(3)
+    for angle in (np.arange(steps) + 0.5) * 2 * math.pi / steps:
+        # Stresses lie on von Mises' limit all the way.
+        x, y = math.cos(angle) * twist / steps, math.sin(angle) * bend / steps
+        frame = frame @ (np.eye(3) + np.array([[0, 0, y], [0, 0, -x], [-y, x, 0]]))
+        frame = np.linalg.qr(frame)[0] @ np.diag(np.sign(np.diag(np.linalg.qr(frame)[1])))
+    turned = abs(math.atan2(frame[1, 0], frame[0, 0]))
+    assert turning(steel, thickness, length, 0.0) == pytest.approx(turned, rel=0.05)
+    assert turning(steel, thickness, length, 30.0) < turning(steel, thickness, length, 0.0)
+
+
+def test_thin_lamellas_on_arcs_pass_where_thick_ones_do_not():
+    """Slots of rings of 93 degrees; the verdicts say which can be put on."""
+    mesh = surface_of_revolution(17, 15).scaled(1000.0)
+    failed = {}
+    for thickness in (4, 20):
+        structure = build(mesh, [Lamellas(width=40, thickness=thickness)])
+        words = [word for word in structure.verdicts if "diverge by" in word]
+        assert structure.report()["lamellas"]["not_put_on"] == len(words)
+        failed[thickness] = len(words)
+    assert failed[4] < 3 <= 10 < failed[20]
 
 
 def test_the_family_with_fewer_conflicts_is_put_on_last():

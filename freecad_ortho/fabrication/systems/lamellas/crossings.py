@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_ortho.fabrication.assembly import SlotWay, lean
+from freecad_ortho.fabrication.assembly import SlotWay, lean, turning
 from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot, notch
@@ -76,9 +76,12 @@ def slot_ways(
     by_name = {lamella.name: lamella for lamella in lamellas}
     ways: dict[str, list[SlotWay]] = {}
     for lamella, row in zip(lamellas, met, strict=True):
+        before = 0
         for crossing in row:
             if crossing.slot is None:
                 continue
+            own = float(lamella.ribbon.strip.lengths[before : crossing.station].sum())
+            before = crossing.station
             other = by_name[crossing.other]
             there = other.stations[other.vertices.index(crossing.vertex)]
             length = float(other.ribbon.strip.lengths[there - 1 : there + 1].min())
@@ -88,6 +91,7 @@ def slot_ways(
                 settings.width / 2,
                 settings.clearance,
                 lean(material, settings.thickness, length),
+                turning(material, settings.thickness, own, settings.width / 2),
             )
             ways.setdefault(lamella.name, []).append(way)
     return ways
