@@ -259,6 +259,7 @@ def add_patches(
 
 
 def _added(system: str, settings: dict[str, Any]) -> Feature:
-    """The Structure; a size that is not given is left to the system."""
-    given = {name: value for name, value in settings.items() if value is not None}
-    return add_structure(given.pop("net"), system, **given)
+    """The Structure; plates that may be build-ups are as thick as their material unless told."""
+    if system in ("panels", "louvres") and settings["thickness"] is None:
+        del settings["thickness"]
+    return add_structure(settings.pop("net"), system, **settings)
