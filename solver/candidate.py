@@ -18,6 +18,8 @@ class Candidate:
     """A shape and what it is worth.
 
     Attributes:
+        problem: the net as it was posed.
+        x: the flat vector of the shape, of that problem.
         mesh: the shape in model units.
         worst_place: face, edge or vertex with the largest residual of all.
         details: shared unknowns in model units, such as force densities.
@@ -31,6 +33,8 @@ class Candidate:
         tuning: from where on a shape is shrunk, creased or flattened.
     """
 
+    problem: Problem
+    x: FloatArray
     mesh: QuadMesh
     details: dict[str, Detail]
     worst_place: str
@@ -107,6 +111,8 @@ def judge(
     values = {name: measure(mesh, scalars) for name, measure in problem.measures.items()}
     residuals = {name: spread_of(array) for name, array in values.items()}
     return Candidate(
+        problem=problem,
+        x=x,
         mesh=mesh,
         details={name: tell(scalars) for name, tell in problem.details.items()},
         worst_place=_worst_place(problem, values),

@@ -118,7 +118,7 @@ class Descent:
             step=number,
             attempt=attempt,
             energy=taken.point.energy,
-            residuals=_largest(self.problem.constraints, self.point.linearisations),
+            residuals=largest_residuals(self.problem.constraints, self.point.linearisations),
             step_length=taken.length,
             damping=damping,
             fade=used,
@@ -214,7 +214,7 @@ class Descent:
                 self.fade = 0.0
 
 
-def _largest(terms: Sequence[Term], parts: Sequence[Linearisation]) -> dict[str, float]:
+def largest_residuals(terms: Sequence[Term], parts: Sequence[Linearisation]) -> dict[str, float]:
     """Largest residual of the constraints of each name."""
     worst: dict[str, float] = {}
     for term, part in zip(terms, parts, strict=False):

@@ -126,7 +126,16 @@ def start_optimisation(
     _refuse_contradictions(plan.original)
     stay = not once and not wanted.handles and wanted.close_to is None
     return Optimisation(
-        plan.original, plan.way, tolerance, max_steps, backend, stay, remarks, held, origin
+        plan.original,
+        plan.way,
+        tolerance,
+        max_steps,
+        backend,
+        stay,
+        remarks,
+        held,
+        origin,
+        surface=wanted.close_to,
     )
 
 

@@ -81,6 +81,8 @@ class Report:
         edge_ratio_start: the same of the input.
         flipped_faces: faces that lie against their neighbours or have a corner turned inside out.
         moved: mean and largest distance from the input, in mean edges of the input.
+        off_surface: largest and mean distance from the surface that it had to be close to, of
+            vertices and of points inside faces, in model units; None without one.
         mean_edge: of the input, in model units.
         size: lengths of the bounding box along x, y and z, in model units.
         size_start: the same of the input.
@@ -111,6 +113,7 @@ class Report:
     edge_ratio_start: float
     flipped_faces: int
     moved: Spread
+    off_surface: Spread | None
     mean_edge: float
     size: list[float]
     size_start: list[float]

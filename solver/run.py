@@ -11,14 +11,23 @@ import numpy as np
 from solver.analysis.start import Remark
 from solver.best import Best
 from solver.candidate import Candidate, judge
-from solver.gauss_newton import Descent, Layout
+from solver.gauss_newton import Descent, Layout, largest_residuals
 from solver.linear.backends import default_backend
+from solver.mesh.connectivity import IntArray
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.nearest import NearestNet, nearness, off_surface
 from solver.plan import Attempt, Way, alone
 from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import summarise
+
+# The last phase takes as many steps as there were before it, and so many where those were fewer.
+_NEARER_STEPS = 24
+# A net that is nearer but has less than this part of the area is less of what was drawn.
+_STILL_WHOLE = 0.9
+# Its edges are pushed back at 0.6 of the shortest, and give way where the surface asks for it.
+_STILL_ROOMY = 0.4
 
 
 class Optimisation:
@@ -38,6 +47,8 @@ class Optimisation:
         held: what keeps vertices from moving freely, such as "fixed vertices", for the advice.
         origin: what the problems' coordinates are measured from; what comes out is in the model's.
         descent: the first attempt where it is under way already.
+        surface: points and triangles of the design surface, about the origin. Where the net is
+            reached, the last phase moves along the nets to the one nearest to it.
     """
 
     def __init__(
@@ -52,6 +63,7 @@ class Optimisation:
         held: Sequence[str] = (),
         origin: LocalOrigin | None = None,
         descent: Descent | None = None,
+        surface: tuple[FloatArray, IntArray] | None = None,
     ) -> None:
         begin = time.perf_counter()
         self.original = original
@@ -64,6 +76,9 @@ class Optimisation:
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
+        self.surface = surface
+        self._nearest: NearestNet | None = None
+        self._most = 0
         self._way = self._begin_way()
         attempt = next(self._way)
         self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
@@ -93,12 +108,13 @@ class Optimisation:
             self.held,
             self.origin,
             descent,
+            self.surface,
         )
 
     @property
     def problem(self) -> Problem:
         """The problem that is being tried."""
-        return self.descent.problem
+        return self._nearest.problem if self._nearest is not None else self.descent.problem
 
     @property
     def finished(self) -> bool:
@@ -108,12 +124,16 @@ class Optimisation:
     @property
     def shape(self) -> QuadMesh:
         """What is in sight, about the origin: the best where all is over, else where it stands."""
-        return self._found().mesh if self.finished else self.descent.mesh
+        return self._found().mesh if self.finished else self._standing
 
     @property
     def mesh(self) -> QuadMesh:
         """Current shape in model units."""
-        return self.origin.back_mesh(self.descent.mesh)
+        return self.origin.back_mesh(self._standing)
+
+    @property
+    def _standing(self) -> QuadMesh:
+        return self._nearest.mesh if self._nearest is not None else self.descent.mesh
 
     @property
     def vertices(self) -> FloatArray:
@@ -128,6 +148,8 @@ class Optimisation:
         """
         if self.finished:
             raise RuntimeError("the optimisation has finished; start a new one")
+        if self._nearest is not None:
+            return self._step_nearer(self._nearest)
         done = len(self.history)
         record = self.descent.step(done + 1, self.max_steps - done, self.attempts)
         self.history.append(record)
@@ -138,7 +160,9 @@ class Optimisation:
 
     def stop(self) -> None:
         """End here; the outcome is the best mesh so far."""
-        if not self.finished:
+        if self._nearest is not None:
+            self._end_nearest(self._nearest)
+        elif not self.finished:
             self._conclude(STOPPED)
 
     def run(self, callback: Callable[[StepRecord], bool | None] | None = None) -> Outcome:
@@ -217,4 +241,58 @@ class Optimisation:
 
     def _conclude(self, status: str) -> None:
         best = self._best.consider(self._judged())
-        self.status = (COLLAPSED if best.gone else CONVERGED) if best.valid else status
+        if status == STALLED and best.valid and not best.gone and self._may_go_nearer:
+            self._begin_nearest(best)
+        else:
+            self.status = (COLLAPSED if best.gone else CONVERGED) if best.valid else status
+
+    @property
+    def _may_go_nearer(self) -> bool:
+        steps_left = self.max_steps - len(self.history)
+        return self.surface is not None and not self.descent.pulled and steps_left > 0
+
+    def _begin_nearest(self, best: Candidate) -> None:
+        """Begin the last phase, of no more steps than there were, but for a few."""
+        assert self.surface is not None
+        wishes = nearness(best.problem, self.original.mesh, self.surface)
+        self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
+        done = len(self.history)
+        self._most = min(self.max_steps, done + max(done, _NEARER_STEPS))
+        self.attempts += 1
+
+    def _step_nearer(self, nearest: NearestNet) -> StepRecord:
+        begin, damping = time.perf_counter(), nearest.damping
+        length, solving = nearest.step()
+        record = StepRecord(
+            step=len(self.history) + 1,
+            attempt=self.attempts,
+            energy=nearest.wishes,
+            residuals=largest_residuals(nearest.problem.constraints, nearest.point.linearisations),
+            step_length=length,
+            damping=damping,
+            fade=0.0,
+            seconds=time.perf_counter() - begin,
+            solve_seconds=solving,
+        )
+        self.history.append(record)
+        if nearest.finished or len(self.history) >= self._most:
+            self._end_nearest(nearest)
+        return record
+
+    def _end_nearest(self, nearest: NearestNet) -> None:
+        """Keep what the last phase reached, unless it lost what made the shape before it good."""
+        assert self.surface is not None
+        before = self._found()
+        found = judge(nearest.problem, nearest.exact(), self.tolerance, self.original)
+        whole = _area(found.mesh) >= _STILL_WHOLE * _area(before.mesh)
+        smooth = before.creased or not found.creased
+        if found.valid and found.kept >= _STILL_ROOMY and smooth and whole:
+            far, near = (off_surface(each.mesh, self.surface) for each in (before, found))
+            if near.max() < far.max():
+                self._best = Best(self.original.tuning.worth)
+                self._best.consider(found)
+        self._nearest, self.status = None, CONVERGED
+
+
+def _area(mesh: QuadMesh) -> float:
+    return float(np.linalg.norm(mesh.face_area_vectors, axis=1).sum())

@@ -9,6 +9,7 @@ import numpy as np
 from solver.candidate import Candidate, spread_of
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.seams import seams
+from solver.nearest import off_surface
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         edge_ratio_start=best.edge_ratio_start,
         flipped_faces=best.flipped,
         moved=spread_of(moved),
+        off_surface=spread_of(off_surface(best.mesh, run.surface)) if run.surface else None,
         mean_edge=start.mean_edge,
         size=_size(best.mesh),
         size_start=_size(start),

@@ -71,6 +71,9 @@ def _tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
         f"{report.status}: {report.message}; moved {moved.mean:.3g} mean edges on average, "
         f"{moved.max:.3g} at most ({most}); {report.seconds:.2f} s; {path}\n"
     )
+    if report.off_surface is not None:
+        mean, far = (_digits(each) for each in (report.off_surface.mean, report.off_surface.max))
+        stream.write(f"off the surface by {far} {unit} at most, {mean} {unit} on average\n")
     if report.far:
         sizes = (report.size_start, report.size)
         before, after = (" x ".join(map(_digits, size)) for size in sizes)

@@ -297,9 +297,14 @@ class OptimisePanel:
 
 
 def _how_far(report: Any) -> list[str]:
-    """A sentence on how far the shape is from the start, where that is far; lengths in mm."""
+    """How far the shape is from its surface, and from the start where that is far, in mm."""
+    said = []
+    if report.off_surface is not None:
+        words = translate("Ortho", "Off the surface by {} at most, {} on average.")
+        spread = report.off_surface
+        said = [words.format(length_words(spread.max), length_words(spread.mean))]
     if not report.far:
-        return []
+        return said
     before, after = (
         " x ".join(map(length_words, size)) for size in (report.size_start, report.size)
     )
@@ -307,4 +312,4 @@ def _how_far(report: Any) -> list[str]:
         "Ortho", "The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}."
     )
     most = length_words(report.moved.max * report.mean_edge)
-    return [words.format(most, report.moved.max, before, after)]
+    return [*said, words.format(most, report.moved.max, before, after)]

@@ -1,0 +1,84 @@
+"""Prints the table of docs/nets.md on the net nearest to a surface.
+
+Run with the project's Python:  python scripts/docs_nearest.py
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from solver import Constraints, QuadMesh, start_optimisation
+from solver.mesh.closest import TriangleSurface
+from solver.mesh.grid import grid_faces
+from solver.nearest import off_surface
+
+Points = tuple[np.ndarray, np.ndarray, np.ndarray]
+
+# In metres, over the unit square; none of their coordinate lines is a line of curvature.
+SURFACES: dict[str, Callable[[np.ndarray, np.ndarray], Points]] = {
+    "twisted barrel vault": lambda u, v: (
+        30 * u,
+        18 * (v - 0.5) * (1 + 0.25 * u),
+        5 * np.cos(np.pi * (v - 0.5)) * (1 + 0.4 * np.sin(2 * u)),
+    ),
+    "skew saddle": lambda u, v: (
+        30 * u + 3 * v,
+        20 * v - 4 * u,
+        12 * (u - 0.5) ** 2 - 20 * (v - 0.5) ** 2 + 2 * (u - 0.5) * (v - 0.5),
+    ),
+    "wave": lambda u, v: (
+        40 * u,
+        20 * v,
+        2 * np.sin(2 * np.pi * u) + 1.5 * np.cos(np.pi * v) + 1.2 * u * v,
+    ),
+    "rectangular dome": lambda u, v: (
+        30 * (u - 0.5),
+        20 * (v - 0.5),
+        6 * np.cos(0.9 * np.pi * (u - 0.5)) * np.cos(0.9 * np.pi * (v - 0.5)),
+    ),
+    "canopy": lambda u, v: (
+        30 * u,
+        18 * v,
+        4 + 3 * np.sin(np.pi * v) * (1 - 0.6 * u) + 2 * np.sin(1.5 * np.pi * u) * (v - 0.5),
+    ),
+}
+
+
+def sampled(name: str, rows: int, columns: int) -> QuadMesh:
+    """A surface as a mesh of so many vertices along its coordinate lines."""
+    u, v = np.meshgrid(np.linspace(0, 1, rows), np.linspace(0, 1, columns), indexing="ij")
+    points = np.stack(np.broadcast_arrays(*SURFACES[name](u, v)), axis=2)
+    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(rows, columns))
+
+
+def row(name: str) -> str:
+    """Optimise one towards a principal net, and tell how far off it is before and after."""
+    fine = TriangleSurface.from_quads(sampled(name, 121, 73))
+    surface = fine.vertices, fine.triangles
+    start = sampled(name, 31, 19)
+    run = start_optimisation(start, constraints=Constraints(close_to=surface))
+    shapes, seconds = {}, {}
+    while not run.finished:
+        begin = time.process_time()
+        attempt = run.step().attempt
+        seconds[attempt] = seconds.get(attempt, 0.0) + time.process_time() - begin
+        shapes[attempt] = run.shape
+    *_, before, after = sorted(shapes)
+    far = [1000 * off_surface(shapes[k], surface).max() for k in (before, after)]
+    ratio = seconds[after] / sum(seconds[k] for k in seconds if k != after)
+    area, was = (np.linalg.norm(m.face_area_vectors, axis=1).sum() for m in (run.shape, start))
+    return f"| {name} | {far[0]:.0f} mm | {far[1]:.0f} mm | {area / was:.2f} | {ratio:.1f} |"
+
+
+if __name__ == "__main__":
+    print("| surface | before the last phase | after it | area | time of it |")
+    print("| --- | --- | --- | --- | --- |")
+    for surface in SURFACES:
+        print(row(surface), flush=True)

@@ -1,0 +1,254 @@
+"""The exact net nearest to what was drawn: steps along the nets, not away from them.
+
+What guides the way to a net fades to nothing and leaves the result wherever it lets go. From there
+this module goes on: it lowers the weighted squares of wishes (distance from the design surface,
+evenness of the motion, edges that stay long) while every constraint of the net stays met. A step
+
+1. takes that part of the wishes' gradient that no constraint resists: what is left of it after the
+   constraints have pushed back, with multipliers of least squares;
+2. divides it by the curvature of the wishes along the net (Gauss-Newton: their residuals are small,
+   so that the multipliers are, and how the constraints curve counts little);
+3. returns onto the net by corrections of least length with the factors at hand, and
+4. is accepted if the wishes fall. Else it is damped more.
+
+So each shape on the way is a net, and where the wishes fall no more is a stationary point.
+
+Source: Nocedal, Wright (2006), Numerical Optimization, sections 18.1 and 18.3 (sequential quadratic
+programming, multipliers of least squares, second-order corrections).
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from solver.assembly import NormalEquations
+from solver.linear.backends import default_backend, symmetric_solver
+from solver.linear.threads import one_thread
+from solver.mesh.closest import Polyline, TriangleSurface
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.point import Point
+from solver.problem import Problem
+from solver.terms.base import Linearisation, Term
+from solver.terms.closeness import Closeness
+from solver.terms.edge_guard import EdgeGuard
+from solver.terms.evenness import Evenness
+from solver.terms.face_guard import FaceGuard
+from solver.terms.fairness import Fairness
+from solver.terms.gliding import OnCurve, OnSurface
+
+# Part of the wishes in the energy whose minimum a step aims at. The smaller, the better the step
+# keeps to the net; rounding is the limit.
+_SHARE = 1e-4
+# Added to the constraints' own matrix, which alone says nothing of motions along the net.
+_TANGENT = 1e-7
+_DAMPING_MIN, _DAMPING_MAX = 1e-11, 1e2
+# A step longer than this, in mean edges, leaves the neighbourhood that it was made for.
+_LONGEST = 1.0
+# Corrections back onto the net, and the residual at which they may end.
+_CORRECTIONS, _ON_NET = 4, 1e-9
+# Largest residual after them with which a step counts as one along the net.
+_NEAR_NET = 1e-4
+# Steps that lower the wishes by less than this part of them are not worth their time.
+_WORTH = 1e-3
+# Corrections at the end, to the last digit.
+_LAST, _ROUNDING = 5, 1e-15
+
+
+class Wish(NamedTuple):
+    """What the nearest net is near to.
+
+    Attributes:
+        term: its squared residuals are lowered.
+        weight: factor of them.
+    """
+
+    term: Term
+    weight: float
+
+
+def nearness(problem: Problem, start: QuadMesh, surface: tuple[FloatArray, IntArray]) -> list[Wish]:
+    """Wish for a net on a surface whose lines run as evenly as those of the start did.
+
+    Most weighs the distance from the surface. Evenness of the lines, and a little of the motion,
+    keeps them from zigzagging for the last millimetre; the border stays about where it was, though
+    a net across the surface's curvature has to leave it; short edges and crossed faces are pushed
+    back by guards that are silent elsewhere.
+
+    Args:
+        problem: the net.
+        start: the mesh as it was drawn, with the problem's faces.
+        surface: (m, 3) points and (t, 3) triangles, in the units of the problem's mesh.
+    """
+    net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
+    rest = problem.at(start)
+    used = np.flatnonzero(net.referenced)
+    shortest = np.linalg.norm(np.diff(points[net.edges], axis=1), axis=2).min()
+    ground = TriangleSurface(_in_units_of(problem, surface[0]), surface[1])
+    borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
+    return [
+        Wish(OnSurface(used, ground, name="close to surface"), 1.0),
+        Wish(Evenness(net.line_quadruples), 0.1),
+        Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
+        Wish(Closeness(used, points[used]), 1e-5),
+        *(Wish(border, 1e-2) for border in borders),
+        Wish(EdgeGuard(net.edges, 0.6 * shortest), 0.3),
+        Wish(FaceGuard(net.faces, 0.3), 0.3),
+    ]
+
+
+def off_surface(mesh: QuadMesh, surface: tuple[FloatArray, IntArray]) -> FloatArray:
+    """(n,) distances of vertices and of points inside faces from a surface, in model units.
+
+    Faces are sampled four by four, bilinearly: a net may have all vertices on a surface and leave
+    it in between.
+    """
+    along = np.linspace(0.0, 1.0, 5)
+    u, v = (part.ravel() for part in np.meshgrid(along, along))
+    shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=1)
+    points = np.einsum("sk,fkc->fsc", shares, mesh.vertices[mesh.faces]).reshape(-1, 3)
+    feet, _ = TriangleSurface(*surface).closest(points)
+    return np.linalg.norm(points - feet, axis=1)
+
+
+class NearestNet:
+    """Moves along the nets of a problem, one step at a time, until the wishes fall no more.
+
+    Args:
+        problem: the net; its guides are not looked at.
+        x: flat vector that meets the constraints to 1e-4 at least.
+        wishes: what to be near to.
+        backend: name of the sparse solver, by default the fastest installed.
+
+    Attributes:
+        point: where it stands; its first terms are the constraints.
+        damping: added to the matrix in the next step.
+        finished: true where no further step helps.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        x: FloatArray,
+        wishes: Sequence[Wish],
+        backend: str | None = None,
+    ) -> None:
+        wishes = [wish for wish in wishes if wish.weight > 0 and len(wish.term.unknowns)]
+        terms: list[Term] = [*problem.constraints, *(wish.term for wish in wishes)]
+        name = backend or default_backend(int(problem.free.sum()))
+        system = NormalEquations(
+            terms, problem.free, problem.mesh.vertices, reorder=name == "scipy"
+        )
+        self._along, self._across = (symmetric_solver(system.pattern, name) for _ in range(2))
+        self._count = len(problem.constraints)
+        self._net = np.array([1.0] * self._count + [0.0] * len(wishes))
+        self._wished = np.array([0.0] * self._count + [wish.weight for wish in wishes])
+        self.problem = problem
+        self.point = Point.at(system, terms, x.copy()).followed()
+        self.damping = _DAMPING_MIN
+        self.finished = not wishes or not len(system.pattern.unknowns)
+
+    @property
+    def mesh(self) -> QuadMesh:
+        """Current shape, in the units of the problem's mesh."""
+        return self.problem.mesh_at(self.point.x)
+
+    @property
+    def wishes(self) -> float:
+        """Weighted sum of squares of the wishes where it stands."""
+        return self.point.weighed(self._wished).energy
+
+    def run(self, most: int = 50) -> FloatArray:
+        """Take steps until none helps, or so many; return the exact flat vector."""
+        for _ in range(most):
+            if self.finished:
+                break
+            self.step()
+        return self.exact()
+
+    def step(self) -> tuple[float, float]:
+        """Take one step; ``finished`` turns true where it brought little, or none was found.
+
+        Returns:
+            The largest move of an unknown, and the seconds spent in factorisations and solves.
+        """
+        with one_thread():
+            return self._step()
+
+    def exact(self) -> FloatArray:
+        """The flat vector reached, on the net to rounding error."""
+        point = self.point.weighed(self._net)
+        with one_thread():
+            for _ in range(_LAST):
+                move = self._back(point, 1e-3 * _TANGENT)(-point.gradient)
+                point = point.moved(move)
+                if np.abs(move).max(initial=0.0) <= _ROUNDING:
+                    break
+        return point.x
+
+    def _step(self) -> tuple[float, float]:
+        begin = time.perf_counter()
+        here, before = self.point, self.wishes
+        net = here.weighed(self._net)
+        back = self._back(net, _TANGENT)
+        # Multipliers of least squares take away all of the gradient but a motion along the net.
+        free = _TANGENT * back(here.weighed(self._wished).gradient)
+        gradient = net.gradient + _SHARE * free
+        both = here.weighed(self._net + _SHARE * self._wished)
+        matrix, diagonal = both.matrix, here.system.pattern.indptr[:-1]
+        values = matrix[diagonal]
+        solving, limit = time.perf_counter() - begin, max(_NEAR_NET, self._worst(here))
+        refused = False
+        while self.damping <= _DAMPING_MAX:
+            used = self.damping
+            matrix[diagonal] = values + used
+            begin = time.perf_counter()
+            move = -self._across.factor(matrix)(gradient)
+            solving += time.perf_counter() - begin
+            length = float(np.abs(move).max(initial=0.0))
+            if np.isfinite(length) and length <= _LONGEST:
+                there = self._returned(net, move, back)
+                after = there.weighed(self._wished).energy
+                if after < before and self._worst(there) <= limit:
+                    self.point = there
+                    self.damping = used if refused else max(used / 4, _DAMPING_MIN)
+                    self.finished = before - after < _WORTH * before
+                    return length, solving
+            self.damping, refused = max(4 * used, 1e-9), True
+        self.finished = True
+        return 0.0, solving
+
+    def _returned(
+        self, net: Point, move: FloatArray, back: Callable[[FloatArray], FloatArray]
+    ) -> Point:
+        """Where a move leads after corrections back onto the net, all terms linearised there."""
+        there = net.moved(move)
+        for _ in range(_CORRECTIONS):
+            if not _ON_NET < self._worst(there) < np.inf:
+                break
+            # New residuals with the derivatives of the step: the factors at hand are for those.
+            mixed = [
+                Linearisation(new.residual, old.jacobian)
+                for new, old in zip(there.linearisations, net.linearisations, strict=True)
+            ]
+            there = there.moved(back(-replace(there, linearisations=mixed).gradient))
+        return there.standing_at(there.x).followed()
+
+    def _back(self, net: Point, tangent: float) -> Callable[[FloatArray], FloatArray]:
+        """Factors of the constraints' own matrix: they answer with moves of least length."""
+        matrix = net.matrix
+        matrix[net.system.pattern.indptr[:-1]] += tangent
+        return self._along.factor(matrix)
+
+    def _worst(self, point: Point) -> float:
+        parts = point.linearisations[: self._count]
+        return max((float(np.abs(part.residual).max(initial=0.0)) for part in parts), default=0.0)
+
+
+def _in_units_of(problem: Problem, points: FloatArray) -> FloatArray:
+    return (np.asarray(points, dtype=np.float64) - problem.centre) / problem.scale
