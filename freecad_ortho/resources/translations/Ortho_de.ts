@@ -19,7 +19,7 @@
    <translation>Winkel der Drehungen um x, dann y, dann z</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Ask it of the diagonals of the faces, not of the edges</source>
    <translation>Von den Diagonalen der Maschen verlangen, nicht von den Kanten</translation>
   </message>
@@ -54,7 +54,7 @@
    <translation>Boxes: schnell; Outlines: dichter, mit einer Bibliothek</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>CMC nets: radius of the vertex spheres; 0 is free</source>
    <translation>CMC-Netze: Radius der Eckenkugeln; 0 ist frei</translation>
   </message>
@@ -74,12 +74,12 @@
    <translation>Mittelpunkt der Kugel</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev nets: each direction has a length of its own</source>
    <translation>Tschebyschow-Netze: jede Richtung hat eine eigene Länge</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev nets: length of the edges; 0 is free</source>
    <translation>Tschebyschow-Netze: Länge der Kanten; 0 ist frei</translation>
   </message>
@@ -270,6 +270,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Grain: parts may turn on the sheet as its grain says</source>
+   <translation>Faserrichtung: Teile drehen sich auf der Tafel, wie ihre Faserrichtung es erlaubt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Height</source>
    <translation>Höhe</translation>
   </message>
@@ -329,7 +334,7 @@
    <translation>Nabendurchmesser: so viel messen die Naben über ihre Flächen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
    <translation>Isometrische Netze: Netz, dessen Maschen die Form geben; leer: wie es beginnt</translation>
   </message>
@@ -342,6 +347,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Keep the last line where the step misses it</source>
    <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kerf: outlines grow by half this width of a cut</source>
+   <translation>Schnittfuge: Umrisse wachsen um die halbe Breite der Schnittfuge</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/limit_properties.py" />
@@ -544,7 +554,7 @@
    <translation>Eine Farbe für alle Teile, oder Grün und Rot nach ihrem Befund</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonal nets: angle between the two directions</source>
    <translation>Orthogonale Netze: Winkel zwischen den beiden Richtungen</translation>
   </message>
@@ -734,6 +744,11 @@
    <translation>Halbachsen der Quadrik</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet: parts are nested on sheets of this size</source>
+   <translation>Tafel: Teile werden auf Tafeln dieser Größe geschachtelt</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Show an arrow on the side that is up</source>
    <translation>Einen Pfeil auf der Seite zeigen, die oben ist</translation>
@@ -815,6 +830,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spacing: parts keep so far from each other and from the rim</source>
+   <translation>Abstand: so weit bleiben Teile voneinander und vom Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Squares of the semi-axes of the first ellipse</source>
    <translation>Quadrate der Halbachsen der ersten Ellipse</translation>
   </message>
@@ -834,22 +854,22 @@
    <translation>Lagerlänge: Streifen werden aus dieser Länge geschnitten; längere werden gestoßen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: downward load at every vertex</source>
    <translation>Spannungsnetze: Last nach unten an jeder Ecke</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: downward load of a square millimetre</source>
    <translation>Spannungsnetze: Last nach unten je Quadratmillimeter</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: forces that edges may carry</source>
    <translation>Spannungsnetze: Kräfte, die Kanten tragen dürfen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: weight of a millimetre of edge</source>
    <translation>Spannungsnetze: Gewicht eines Millimeters Kante</translation>
   </message>
@@ -1092,22 +1112,22 @@
    <translation>Ein Klick markiert die schlechteste Stelle, ein Doppelklick zeigt das Maß in Farben.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface of geodesic squares.</source>
    <translation>Eine abwickelbare Fläche aus geodätischen Quadraten.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface of squares, all edges equal.</source>
    <translation>Eine abwickelbare Fläche aus Quadraten, alle Kanten gleich.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface, by the stricter definition.</source>
    <translation>Eine abwickelbare Fläche, nach der strengeren Definition.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface: it is bent from flat sheet.</source>
    <translation>Eine abwickelbare Fläche: aus ebenem Blech gebogen.</translation>
   </message>
@@ -1117,7 +1137,7 @@
    <translation>Eine Membran oder ein Seilnetz im Gleichgewicht mit Lagern und Lasten</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A minimal surface with straight upright lamellas.</source>
    <translation>Eine Minimalfläche mit geraden, aufrechten Lamellen.</translation>
   </message>
@@ -1140,6 +1160,11 @@
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>A residual up to this counts as zero.</source>
    <translation>Ein Residuum bis zu diesem Wert gilt als null.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>A saw cut behind each part of a bar is this wide.</source>
+   <translation>So breit ist der Sägeschnitt hinter jedem Teil einer Stange.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1188,6 +1213,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Asked</source>
+   <translation>Verlangt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Asymptotic</source>
    <translation>Asymptotisch</translation>
   </message>
@@ -1220,6 +1250,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Bars and strips are cut from this length, lamellas too.</source>
    <translation>Stangen und Streifen werden aus dieser Länge geschnitten, auch Lamellen.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Bars lose this much at each end.</source>
+   <translation>So viel verlieren Stangen an jedem Ende.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1263,6 +1298,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>CMC</source>
+   <translation>CMC</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>CMC diagonals</source>
+   <translation>CMC, Diagonalen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cables of given force density, or constant stress</source>
    <translation>Seile gegebener Kraftdichte, oder konstante Spannung</translation>
   </message>
@@ -1292,7 +1337,7 @@
    <translation>Quelle ändern</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
    <source>Change {}</source>
    <translation>{} ändern</translation>
   </message>
@@ -1302,7 +1347,7 @@
    <translation>Tschebyschow</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev: equal edges</source>
    <translation>Tschebyschow: Rauten</translation>
   </message>
@@ -1392,7 +1437,7 @@
    <translation>Schließen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Close the open task panel first.</source>
    <translation>Schließen Sie zuerst das offene Aufgabenfenster.</translation>
   </message>
@@ -1422,7 +1467,7 @@
    <translation>Konisch</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Constant mean curvature; lamellas unroll to equal arcs.</source>
    <translation>Konstante mittlere Krümmung; Lamellen wickeln zu gleichen Bögen ab.</translation>
   </message>
@@ -1537,7 +1582,7 @@
    <translation>Jedes Mal werden aus einer Masche vier</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Each vertex lies on one sphere with its neighbours.</source>
    <translation>Jede Ecke liegt mit ihren Nachbarn auf einer Kugel.</translation>
   </message>
@@ -1557,7 +1602,12 @@
    <translation>Kantenlast</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges</source>
+   <translation>Kanten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edges along the principal stresses, in equilibrium.</source>
    <translation>Kanten längs der Hauptspannungen, im Gleichgewicht.</translation>
   </message>
@@ -1567,7 +1617,7 @@
    <translation>Netz bearbeiten</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/view/structure_view.py" />
+   <location filename="../../../freecad_ortho/view/flat_patterns_view.py" />
    <source>Edit settings</source>
    <translation>Einstellungen bearbeiten</translation>
   </message>
@@ -1590,6 +1640,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Enneper's surface over the square |u|, |v| &lt;= reach (turned by 45 degrees for asymptotic).</source>
    <translation>Enneper-Fläche über dem Quadrat |u|, |v| &lt;= Reichweite (für asymptotisch um 45 Grad gedreht).</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal angles</source>
+   <translation>Gleiche Winkel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal angles diagonals</source>
+   <translation>Gleiche Winkel, Diagonalen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1627,7 +1687,7 @@
    <translation>Fertigungsdateien geschrieben nach {}</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Faces keep the shape they have: paper that is bent.</source>
    <translation>Maschen behalten ihre Form: Papier, das gebogen wird.</translation>
   </message>
@@ -1687,17 +1747,17 @@
    <translation>Flanschdicke</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with an exact offset at constant thickness.</source>
    <translation>Ebene Maschen mit exaktem Versatz konstanter Dicke.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with right angles; torsion-free beams.</source>
    <translation>Ebene Maschen mit rechten Winkeln; torsionsfreie Träger.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces, each with a circle through its corners.</source>
    <translation>Ebene Maschen, jede mit einem Kreis durch ihre Ecken.</translation>
   </message>
@@ -1745,6 +1805,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force in the membrane's border cable</source>
    <translation>Kraft im Randseil der Membran</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Forces</source>
+   <translation>Kräfte</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1967,6 +2032,11 @@
    <translation>Anordnung</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Least rest</source>
+   <translation>Kleinster Rest</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Length</source>
    <translation>Länge</translation>
@@ -2002,14 +2072,24 @@
    <translation>Linien</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that cross at right angles, faces not flat.</source>
    <translation>Linien, die sich rechtwinklig kreuzen, Maschen nicht eben.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load at a vertex</source>
+   <translation>Last je Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Last an jeder Ecke, Kraft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of 1 mm2</source>
+   <translation>Last je 1 mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2212,6 +2292,11 @@
    <translation>Abstand</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Off the surface by {} at most, {} on average.</source>
+   <translation>Von der Fläche höchstens {} entfernt, im Mittel {}.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Offset</source>
    <translation>Lage</translation>
@@ -2275,6 +2360,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Overlays</source>
    <translation>Überlagerungen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Own shape</source>
+   <translation>Eigene Form</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -2428,8 +2518,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
-   <source>Quad mesh (*.obj *.ply *.off *.json)</source>
-   <translation>Vierecksnetz (*.obj *.ply *.off *.json)</translation>
+   <source>Quad mesh</source>
+   <translation>Vierecksnetz</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2497,6 +2587,11 @@
    <translation>Entfernen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Rests of bars from this length on are kept.</source>
+   <translation>Reste von Stangen ab dieser Länge werden aufgehoben.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Reverse</source>
    <translation>Umkehren</translation>
@@ -2562,6 +2657,11 @@
    <translation>Sägeschnitt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Saw cut</source>
+   <translation>Sägeschnitt</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Scale</source>
    <translation>Maßstab</translation>
@@ -2585,6 +2685,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section</source>
    <translation>Querschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Section tolerance</source>
+   <translation>Querschnittstoleranz</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2615,6 +2720,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Settings of the net</source>
    <translation>Einstellungen des Netzes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet</source>
+   <translation>Tafel</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2680,6 +2790,16 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Spheres of vertex stars</source>
    <translation>Kugeln der Eckensterne</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spherical stars</source>
+   <translation>Sphärische Sterne</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spherical stars diagonals</source>
+   <translation>Sphärische Sterne, Diagonalen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2941,8 +3061,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
-   <source>Triangle mesh (*.stl *.obj *.ply *.off *.glb)</source>
-   <translation>Dreiecksnetz (*.stl *.obj *.ply *.off *.glb)</translation>
+   <source>Triangle mesh</source>
+   <translation>Dreiecksnetz</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -2953,6 +3073,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Trim</source>
    <translation>Anschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Trimmed ends</source>
+   <translation>Anschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Tubes of one section differ in height by so many percent.</source>
+   <translation>Rohre eines Querschnitts sind um so viel Prozent verschieden hoch.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3036,6 +3166,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of 1 mm edge</source>
+   <translation>Gewicht je 1 mm Kante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Was den Abstand hält</translation>
   </message>
@@ -3105,7 +3240,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>eine Datei je Teil</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a length for each direction</source>
    <translation>eine Länge je Richtung</translation>
   </message>
@@ -3128,6 +3263,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>all</source>
    <translation>alle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>along</source>
+   <translation>längs</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3170,7 +3310,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Bogen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as it starts</source>
    <translation>wie es beginnt</translation>
   </message>
@@ -3195,7 +3335,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>asymptotisch</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic: minimal</source>
    <translation>asymptotisch: minimal</translation>
   </message>
@@ -3275,7 +3415,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Schachbrett</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>circular</source>
    <translation>zirkular</translation>
   </message>
@@ -3290,12 +3430,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>vergröbern</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>compression and tension</source>
    <translation>Druck und Zug</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>compression only</source>
    <translation>nur Druck</translation>
   </message>
@@ -3310,12 +3450,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>konfokale Kegelschnitte</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>conical</source>
    <translation>konisch</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>constant mean curvature</source>
    <translation>konst. mittlere Krümmung</translation>
   </message>
@@ -3425,12 +3565,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>geodätisch</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic and Chebyshev</source>
    <translation>geodät. + Tschebyschow</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic, four equal angles</source>
    <translation>geodätisch, gleiche Winkel</translation>
   </message>
@@ -3440,7 +3580,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>geodätisch und Tschebyschow</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic: developable</source>
    <translation>geodätisch: abwickelbar</translation>
   </message>
@@ -3505,7 +3645,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>isometrisch</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>isometric: faces keep shape</source>
    <translation>isometrisch: formtreu</translation>
   </message>
@@ -3625,7 +3765,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Versatz</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>on the face diagonals</source>
    <translation>auf den Diagonalen</translation>
   </message>
@@ -3650,9 +3790,14 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>orientieren</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>orthogonal</source>
    <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>outlines grow by half this width of a cut</source>
+   <translation>Umrisse wachsen um die halbe Breite der Schnittfuge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3670,9 +3815,24 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Parameter</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts are nested on sheets of this size</source>
+   <translation>Teile werden auf Tafeln dieser Größe geschachtelt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts keep so far from each other and from the rim</source>
+   <translation>so weit bleiben Teile voneinander und vom Rand</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>parts may turn</source>
    <translation>Teile dürfen drehen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts may turn on the sheet as its grain says</source>
+   <translation>Teile drehen sich auf der Tafel, wie ihre Faserrichtung es erlaubt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3700,12 +3860,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Hauptkrümmung</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>principal stress: equilibrium</source>
    <translation>Spannung: Gleichgewicht</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>principal: flat panels</source>
    <translation>Hauptlinien: ebene Platten</translation>
   </message>
@@ -3770,7 +3930,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Kugel</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>spherical stars</source>
    <translation>sphärische Sterne</translation>
   </message>
@@ -3830,7 +3990,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Tangentenfläche</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>tension only</source>
    <translation>nur Zug</translation>
   </message>
@@ -4221,6 +4381,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Axis that points up</source>
+   <translation>Achse, die nach oben zeigt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Beams</source>
    <translation>Träger</translation>
   </message>
@@ -4358,6 +4523,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>What solves the linear system of each step; rslab is the faster one, where it is installed</source>
    <translation>Was das Gleichungssystem jedes Schritts löst; rslab ist der schnellere, wo er installiert ist</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Which axis of a mesh file points up; y is turned to FreeCAD's z</source>
+   <translation>Welche Achse einer Netzdatei nach oben zeigt; y wird auf FreeCADs z gedreht</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -4642,8 +4812,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/import_net.py" />
-   <source>Read an OBJ, PLY, OFF or JSON file and keep its quads as a net</source>
-   <translation>Eine OBJ-, PLY-, OFF- oder JSON-Datei lesen und ihre Vierecke als Netz behalten</translation>
+   <source>Read an OBJ, PLY, OFF, JSON or VTK file and keep its quads as a net</source>
+   <translation>Eine OBJ-, PLY-, OFF-, JSON- oder VTK-Datei lesen und ihre Vierecke als Netz behalten</translation>
   </message>
  </context>
  <context>

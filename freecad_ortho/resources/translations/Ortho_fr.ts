@@ -19,7 +19,7 @@
    <translation>Angles des rotations autour de x, puis y, puis z</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Ask it of the diagonals of the faces, not of the edges</source>
    <translation>Le demander aux diagonales des faces, pas aux arêtes</translation>
   </message>
@@ -54,7 +54,7 @@
    <translation>Boxes : rapide ; Outlines : plus dense, avec une bibliothèque</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>CMC nets: radius of the vertex spheres; 0 is free</source>
    <translation>Réseaux CMC : rayon des sphères de sommets ; 0 est libre</translation>
   </message>
@@ -74,12 +74,12 @@
    <translation>Centre de la sphère</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev nets: each direction has a length of its own</source>
    <translation>Réseaux de Tchebychev : chaque direction a sa propre longueur</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev nets: length of the edges; 0 is free</source>
    <translation>Réseaux de Tchebychev : longueur des arêtes ; 0 est libre</translation>
   </message>
@@ -270,6 +270,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Grain: parts may turn on the sheet as its grain says</source>
+   <translation>Sens du fil : les pièces tournent sur la plaque selon le sens du fil</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Height</source>
    <translation>Hauteur</translation>
   </message>
@@ -329,7 +334,7 @@
    <translation>Diamètre du moyeu : les moyeux mesurent autant entre leurs faces</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
    <translation>Réseaux isométriques : réseau dont les faces donnent la forme ; vide : comme il commence</translation>
   </message>
@@ -342,6 +347,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Keep the last line where the step misses it</source>
    <translation>Garder la dernière ligne là où le pas la manque</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kerf: outlines grow by half this width of a cut</source>
+   <translation>Trait de coupe : les contours croissent de la moitié du trait de coupe</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/limit_properties.py" />
@@ -544,7 +554,7 @@
    <translation>Une couleur pour toutes les pièces, ou vert et rouge selon leur verdict</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonal nets: angle between the two directions</source>
    <translation>Réseaux orthogonaux : angle entre les deux directions</translation>
   </message>
@@ -734,6 +744,11 @@
    <translation>Demi-axes de la quadrique</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet: parts are nested on sheets of this size</source>
+   <translation>Plaque : les pièces sont imbriquées sur des plaques de cette taille</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Show an arrow on the side that is up</source>
    <translation>Montrer une flèche sur le côté qui est en haut</translation>
@@ -815,6 +830,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spacing: parts keep so far from each other and from the rim</source>
+   <translation>Espacement : distance entre les pièces et jusqu'au bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Squares of the semi-axes of the first ellipse</source>
    <translation>Carrés des demi-axes de la première ellipse</translation>
   </message>
@@ -834,22 +854,22 @@
    <translation>Longueur en stock : les bandes sont coupées dans cette longueur ; les plus longues sont éclissées</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: downward load at every vertex</source>
    <translation>Réseaux de contraintes : charge vers le bas à chaque sommet</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: downward load of a square millimetre</source>
    <translation>Réseaux de contraintes : charge vers le bas par millimètre carré</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: forces that edges may carry</source>
    <translation>Réseaux de contraintes : forces que les arêtes peuvent porter</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: weight of a millimetre of edge</source>
    <translation>Réseaux de contraintes : poids d'un millimètre d'arête</translation>
   </message>
@@ -1092,22 +1112,22 @@
    <translation>Un clic marque le pire endroit, un double clic montre la mesure en couleurs.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface of geodesic squares.</source>
    <translation>Une surface développable de carrés géodésiques.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface of squares, all edges equal.</source>
    <translation>Une surface développable de carrés, toutes arêtes égales.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface, by the stricter definition.</source>
    <translation>Une surface développable, selon la définition plus stricte.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A developable surface: it is bent from flat sheet.</source>
    <translation>Une surface développable : courbée d'une tôle plane.</translation>
   </message>
@@ -1117,7 +1137,7 @@
    <translation>Une membrane ou un réseau de câbles en équilibre avec ses appuis et ses charges</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>A minimal surface with straight upright lamellas.</source>
    <translation>Une surface minimale à lamelles droites et dressées.</translation>
   </message>
@@ -1140,6 +1160,11 @@
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>A residual up to this counts as zero.</source>
    <translation>Un résidu jusqu'à cette valeur compte pour zéro.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>A saw cut behind each part of a bar is this wide.</source>
+   <translation>Largeur du trait de scie après chaque pièce d'une barre.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1188,6 +1213,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Asked</source>
+   <translation>Demandé</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Asymptotic</source>
    <translation>Asymptotique</translation>
   </message>
@@ -1220,6 +1250,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Bars and strips are cut from this length, lamellas too.</source>
    <translation>Les barres et les bandes sont coupées dans cette longueur, les lamelles aussi.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Bars lose this much at each end.</source>
+   <translation>Les barres perdent cette longueur à chaque bout.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1263,6 +1298,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>CMC</source>
+   <translation>CMC</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>CMC diagonals</source>
+   <translation>CMC, diagonales</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cables of given force density, or constant stress</source>
    <translation>Câbles de densité de force donnée, ou contrainte constante</translation>
   </message>
@@ -1292,7 +1337,7 @@
    <translation>Modifier la source</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/documents/structures.py" />
+   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
    <source>Change {}</source>
    <translation>Modifier {}</translation>
   </message>
@@ -1302,7 +1347,7 @@
    <translation>Tchebychev</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev: equal edges</source>
    <translation>Tchebychev : arêtes égales</translation>
   </message>
@@ -1392,7 +1437,7 @@
    <translation>Fermer</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Close the open task panel first.</source>
    <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
   </message>
@@ -1422,7 +1467,7 @@
    <translation>Conique</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Constant mean curvature; lamellas unroll to equal arcs.</source>
    <translation>Courbure moyenne constante ; les lamelles se déroulent en arcs égaux.</translation>
   </message>
@@ -1537,7 +1582,7 @@
    <translation>Chaque fois, quatre faces sont faites d'une</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Each vertex lies on one sphere with its neighbours.</source>
    <translation>Chaque sommet est sur une sphère avec ses voisins.</translation>
   </message>
@@ -1557,7 +1602,12 @@
    <translation>Charge d'arête</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges</source>
+   <translation>Arêtes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edges along the principal stresses, in equilibrium.</source>
    <translation>Arêtes le long des contraintes principales, en équilibre.</translation>
   </message>
@@ -1567,7 +1617,7 @@
    <translation>Éditer le réseau</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/view/structure_view.py" />
+   <location filename="../../../freecad_ortho/view/flat_patterns_view.py" />
    <source>Edit settings</source>
    <translation>Modifier les réglages</translation>
   </message>
@@ -1590,6 +1640,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Enneper's surface over the square |u|, |v| &lt;= reach (turned by 45 degrees for asymptotic).</source>
    <translation>Surface d'Enneper sur le carré |u|, |v| &lt;= portée (tournée de 45 degrés pour asymptotique).</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal angles</source>
+   <translation>Angles égaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal angles diagonals</source>
+   <translation>Angles égaux, diagonales</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1627,7 +1687,7 @@
    <translation>Fichiers de fabrication écrits dans {}</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Faces keep the shape they have: paper that is bent.</source>
    <translation>Les faces gardent leur forme : du papier que l'on courbe.</translation>
   </message>
@@ -1687,17 +1747,17 @@
    <translation>Épaisseur des semelles</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with an exact offset at constant thickness.</source>
    <translation>Faces planes avec un décalage exact d'épaisseur constante.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with right angles; torsion-free beams.</source>
    <translation>Faces planes à angles droits ; poutres sans torsion.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces, each with a circle through its corners.</source>
    <translation>Faces planes, chacune avec un cercle par ses coins.</translation>
   </message>
@@ -1745,6 +1805,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force in the membrane's border cable</source>
    <translation>Force dans le câble de bord de la membrane</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Forces</source>
+   <translation>Forces</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -1967,6 +2032,11 @@
    <translation>Disposition</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Least rest</source>
+   <translation>Chute minimale</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Length</source>
    <translation>Longueur</translation>
@@ -2002,14 +2072,24 @@
    <translation>Lignes</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that cross at right angles, faces not flat.</source>
    <translation>Lignes qui se croisent à angle droit, faces non planes.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load at a vertex</source>
+   <translation>Charge par sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Charge à chaque sommet, force</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Load of 1 mm2</source>
+   <translation>Charge par mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2212,6 +2292,11 @@
    <translation>Écart</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>Off the surface by {} at most, {} on average.</source>
+   <translation>À {} de la surface au plus, {} en moyenne.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Offset</source>
    <translation>Décalage</translation>
@@ -2275,6 +2360,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Overlays</source>
    <translation>Superpositions</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Own shape</source>
+   <translation>Forme propre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -2428,8 +2518,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
-   <source>Quad mesh (*.obj *.ply *.off *.json)</source>
-   <translation>Maillage de quadrilatères (*.obj *.ply *.off *.json)</translation>
+   <source>Quad mesh</source>
+   <translation>Maillage de quadrilatères</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2497,6 +2587,11 @@
    <translation>Enlever</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Rests of bars from this length on are kept.</source>
+   <translation>Les chutes de barres sont gardées à partir de cette longueur.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Reverse</source>
    <translation>Inverser</translation>
@@ -2562,6 +2657,11 @@
    <translation>Trait de scie</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Saw cut</source>
+   <translation>Trait de scie</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Scale</source>
    <translation>Échelle</translation>
@@ -2585,6 +2685,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section</source>
    <translation>Section</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Section tolerance</source>
+   <translation>Tolérance de section</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2615,6 +2720,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Settings of the net</source>
    <translation>Réglages du réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet</source>
+   <translation>Plaque</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -2680,6 +2790,16 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Spheres of vertex stars</source>
    <translation>Sphères des étoiles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spherical stars</source>
+   <translation>Étoiles sphériques</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Spherical stars diagonals</source>
+   <translation>Étoiles sphériques, diagonales</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2941,8 +3061,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/dialogs.py" />
-   <source>Triangle mesh (*.stl *.obj *.ply *.off *.glb)</source>
-   <translation>Maillage de triangles (*.stl *.obj *.ply *.off *.glb)</translation>
+   <source>Triangle mesh</source>
+   <translation>Maillage de triangles</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
@@ -2953,6 +3073,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Trim</source>
    <translation>Éboutage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Trimmed ends</source>
+   <translation>Éboutage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Tubes of one section differ in height by so many percent.</source>
+   <translation>Les hauteurs des tubes d'une même section diffèrent de tant de pour cent.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3036,6 +3166,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of 1 mm edge</source>
+   <translation>Poids par mm d'arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Ce qui garde la distance</translation>
   </message>
@@ -3105,7 +3240,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>un fichier par pièce</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a length for each direction</source>
    <translation>une longueur par direction</translation>
   </message>
@@ -3128,6 +3263,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>all</source>
    <translation>toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>along</source>
+   <translation>le long</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3170,7 +3310,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>arc</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as it starts</source>
    <translation>comme il commence</translation>
   </message>
@@ -3195,7 +3335,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>asymptotique</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic: minimal</source>
    <translation>asymptotique : minimale</translation>
   </message>
@@ -3275,7 +3415,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>damier</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>circular</source>
    <translation>circulaire</translation>
   </message>
@@ -3290,12 +3430,12 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>grossir</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>compression and tension</source>
    <translation>compression et traction</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>compression only</source>
    <translation>compression seule</translation>
   </message>
@@ -3310,12 +3450,12 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>coniques homofocales</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>conical</source>
    <translation>conique</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>constant mean curvature</source>
    <translation>courbure moy. constante</translation>
   </message>
@@ -3425,12 +3565,12 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>géodésique</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic and Chebyshev</source>
    <translation>géodésique et Tchebychev</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic, four equal angles</source>
    <translation>géodésique, angles égaux</translation>
   </message>
@@ -3440,7 +3580,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>géodésique et Tchebychev</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>geodesic: developable</source>
    <translation>géodésique : développable</translation>
   </message>
@@ -3505,7 +3645,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>isométrique</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>isometric: faces keep shape</source>
    <translation>isométrique : mêmes faces</translation>
   </message>
@@ -3625,7 +3765,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>décalage</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>on the face diagonals</source>
    <translation>sur les diagonales</translation>
   </message>
@@ -3650,9 +3790,14 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>orienter</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>orthogonal</source>
    <translation>orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>outlines grow by half this width of a cut</source>
+   <translation>les contours croissent de la moitié du trait de coupe</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3670,9 +3815,24 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>paramètre</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts are nested on sheets of this size</source>
+   <translation>les pièces sont imbriquées sur des plaques de cette taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts keep so far from each other and from the rim</source>
+   <translation>distance entre les pièces et jusqu'au bord</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>parts may turn</source>
    <translation>les pièces peuvent tourner</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts may turn on the sheet as its grain says</source>
+   <translation>les pièces tournent sur la plaque selon le sens du fil</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3700,12 +3860,12 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>principal</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>principal stress: equilibrium</source>
    <translation>contraintes principales</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>principal: flat panels</source>
    <translation>principal : panneaux plans</translation>
   </message>
@@ -3770,7 +3930,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>sphère</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>spherical stars</source>
    <translation>étoiles sphériques</translation>
   </message>
@@ -3830,7 +3990,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>développable de tangentes</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>tension only</source>
    <translation>traction seule</translation>
   </message>
@@ -4221,6 +4381,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Axis that points up</source>
+   <translation>Axe vers le haut</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>Beams</source>
    <translation>Poutres</translation>
   </message>
@@ -4358,6 +4523,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>What solves the linear system of each step; rslab is the faster one, where it is installed</source>
    <translation>Ce qui résout le système linéaire de chaque pas ; rslab est le plus rapide, s'il est installé</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/resources/preferences.ui" />
+   <source>Which axis of a mesh file points up; y is turned to FreeCAD's z</source>
+   <translation>Quel axe d'un fichier de maillage pointe vers le haut ; y est tourné vers le z de FreeCAD</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
@@ -4642,8 +4812,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/import_net.py" />
-   <source>Read an OBJ, PLY, OFF or JSON file and keep its quads as a net</source>
-   <translation>Lire un fichier OBJ, PLY, OFF ou JSON et garder ses quadrilatères comme réseau</translation>
+   <source>Read an OBJ, PLY, OFF, JSON or VTK file and keep its quads as a net</source>
+   <translation>Lire un fichier OBJ, PLY, OFF, JSON ou VTK et garder ses quadrilatères comme réseau</translation>
   </message>
  </context>
  <context>
