@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import FreeCAD
 import FreeCADGui
@@ -15,7 +15,7 @@ from freecad_ortho.objects import places
 from freecad_ortho.objects.net import COLOUR_MAPS
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.fields import length_words
-from freecad_ortho.panels.net_words import reason_words, short_word
+from freecad_ortho.panels.net_words import net_words, reason_words, short_word
 from freecad_ortho.resources import icon
 from freecad_ortho.view.place_marks import PlaceMarks
 from freecad_ortho.view.screen import views
@@ -59,7 +59,7 @@ class CheckPanel:
             [
                 translate("Ortho", "Net"),
                 translate("Ortho", "Off by"),
-                translate("Ortho", "Near?"),
+                "✓",
             ],
             _advice(self.result),
         )
@@ -129,7 +129,14 @@ def _multi_net(found: dict[str, Any] | None) -> str:
     return words.format(found["worst"])
 
 
-def _measures(result: dict[str, Any]) -> list[list[str]]:
+class Cell(NamedTuple):
+    """What a cell of a table shows, and what it says when the mouse rests there."""
+
+    text: str
+    tip: str = ""
+
+
+def _measures(result: dict[str, Any]) -> list[list[Cell]]:
     places = {
         "face": translate("Ortho", "face"),
         "edge": translate("Ortho", "edge"),
@@ -137,32 +144,51 @@ def _measures(result: dict[str, Any]) -> list[list[str]]:
     }
     rows = []
     for name, entry in result["measures"].items():
-        place = "" if entry["worst"] is None else f"{places[entry['where']]} {entry['worst']}"
+        where, number = entry["where"], entry["worst"]
+        # As on drawings and engravings: V17 is vertex 17.
+        letter = where[0].upper()
+        place = (
+            Cell("") if number is None else Cell(f"{letter}{number}", f"{places[where]} {number}")
+        )
         title = translate("Ortho", all_measures()[name].title)
-        rows.append([title, f"{entry['max']:.1e}", place])
+        rows.append([Cell(title), Cell(f"{entry['max']:.1e}"), place])
     return rows
 
 
-def _advice(result: dict[str, Any]) -> list[list[str]]:
-    yes, no = translate("Ortho", "yes"), translate("Ortho", "no")
+def _advice(result: dict[str, Any]) -> list[list[Cell]]:
+    yes, no = Cell("✓", translate("Ortho", "yes")), Cell("–", translate("Ortho", "no"))
+    names = net_words()
     return [
-        [_title(advice), f"{advice['beyond']:.1e}", yes if advice["possible"] else no]
+        [
+            Cell(_title(advice), names[advice["net"]]),
+            Cell(f"{advice['beyond']:.1e}"),
+            yes if advice["possible"] else no,
+        ]
         for advice in result["advice"]["nets"]
     ]
 
 
 def _title(advice: dict[str, Any]) -> str:
-    name = short_word(advice["net"])
+    return _of_variant(short_word(advice["net"]), advice)
+
+
+def _full_title(advice: dict[str, Any]) -> str:
+    return _of_variant(net_words()[advice["net"]].split(":")[0].strip(), advice)
+
+
+def _of_variant(name: str, advice: dict[str, Any]) -> str:
     return translate("Ortho", "{}, diag.").format(name) if advice["diagonal"] else name
 
 
 def _recommendation(advice: dict[str, Any]) -> str:
     best = advice["nets"][0]
     if advice["already"]:
-        return translate("Ortho", "The net is this already: {}").format(_title(best))
+        return translate("Ortho", "The net is this already: {}").format(_full_title(best))
     words = translate("Ortho", "Optimise for: {} (off by {:.1e} on average)")
     reason = reason_words(best["cause"])
-    return "; ".join([words.format(_title(best), best["distance"]), *([reason] if reason else [])])
+    return "; ".join(
+        [words.format(_full_title(best), best["distance"]), *([reason] if reason else [])]
+    )
 
 
 def _wrapped(text: str) -> QtGui.QLabel:
@@ -171,15 +197,15 @@ def _wrapped(text: str) -> QtGui.QLabel:
     return label
 
 
-def _table(titles: list[str], rows: list[list[str]]) -> QtGui.QTableWidget:
+def _table(titles: list[str], rows: list[list[Cell]]) -> QtGui.QTableWidget:
     table = QtGui.QTableWidget(len(rows), len(titles))
     table.setHorizontalHeaderLabels(titles)
     table.verticalHeader().hide()
     table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
     for i, row in enumerate(rows):
-        for j, text in enumerate(row):
-            item = QtGui.QTableWidgetItem(text)
-            item.setToolTip(text)
+        for j, cell in enumerate(row):
+            item = QtGui.QTableWidgetItem(cell.text)
+            item.setToolTip(cell.tip or cell.text)
             if j == 1:
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
             table.setItem(i, j, item)

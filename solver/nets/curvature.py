@@ -105,6 +105,7 @@ NETS = (
         snet,
         place=11,
         title="spherical stars",
+        abbreviation="S-net",
         condition="equal diagonals, stars on spheres",
         purpose="lamellas that are arcs",
         gives="Each vertex lies on one sphere with its neighbours.",

@@ -2222,11 +2222,6 @@
    <translation>Nahe</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>Near?</source>
-   <translation>Nahe?</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Nest on sheets</source>
    <translation>Auf Tafeln schachteln</translation>

@@ -2222,11 +2222,6 @@
    <translation>Près</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/check_panel.py" />
-   <source>Near?</source>
-   <translation>Près ?</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Nest on sheets</source>
    <translation>Imbriquer sur des tôles</translation>
