@@ -26,15 +26,13 @@ SITE_NAME = "site"
 # The same structure gives the same file: no clock, no user name.
 _OCCURRENCE = re.compile(rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+")
 _TIME_STAMP = "2000-01-01T00:00:00"
-# Distance, mm, within which solids agree that share a product: less than any machine cuts.
-SHARED_WITHIN = 0.001
 
 
 def write_step(
     path: Path,
     parts: Sequence[Part],
     place: Place | None = None,
-    shared_within: float = SHARED_WITHIN,
+    shared_within: float = 0.0,
 ) -> None:
     """Write the parts as components of one assembly, in their order.
 

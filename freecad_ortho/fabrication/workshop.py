@@ -10,7 +10,6 @@ from typing import Any, ClassVar
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
 from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
-from freecad_ortho.fabrication.step import SHARED_WITHIN
 from freecad_ortho.option import Option
 from solver.errors import InputError
 
@@ -65,7 +64,7 @@ class Workshop:
     dxf_version: str = "r2010"
     dxf_text: str = "text"
     step: str = "one"
-    step_tolerance: float = SHARED_WITHIN
+    step_tolerance: float = 0.0
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -88,8 +87,9 @@ class Workshop:
         Option("dxf_text", "text", "choice", "names and marks are written so", TEXTS),
         Option("step", "one", "choice", "solids share a file or have one a system", STEP_FILES),
         Option(
-            *("step_tolerance", SHARED_WITHIN, "length"),
+            *("step_tolerance", 0.0, "length"),
             "solids that agree within this are one product of the file with several places",
+            absent="none",
         ),
     )
 

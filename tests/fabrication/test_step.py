@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
-from freecad_ortho.fabrication.step import SHARED_WITHIN, read_step, write_step
+from freecad_ortho.fabrication.step import read_step, write_step
 from freecad_ortho.fabrication.step_text import compacted
 from solver.errors import InputError
 from tests.meshes import helicoid
@@ -57,7 +57,7 @@ def corners(shape):
     return np.array([vertex.toTuple() for vertex in shape.Vertices()])
 
 
-@pytest.mark.parametrize("within", [0.0, SHARED_WITHIN, 0.5])
+@pytest.mark.parametrize("within", [0.0, 0.001, 0.5])
 def test_equal_parts_are_one_product_in_several_places(roof, tmp_path, within):
     """The roof has a plane of symmetry and rings of equal faces; each part is found by its name."""
     parts = build(roof, [Beams(200, 12), Panels(20, 15)]).parts
@@ -79,7 +79,7 @@ def test_mirror_images_share_no_product(tmp_path):
     one = plate(prism, "B0000")
     turned = plate(prism @ np.array([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]), "B0001")
     mirrored = plate((prism * [-1, 1, 1])[::-1], "B0002")
-    write_step(tmp_path / "three.step", [one, turned, mirrored])
+    write_step(tmp_path / "three.step", [one, turned, mirrored], shared_within=0.001)
     assert (tmp_path / "three.step").read_bytes().count(b"=PRODUCT(") == 1 + 2
     for (_, solid), part in zip(
         read_step(tmp_path / "three.step"), [one, turned, mirrored], strict=True
