@@ -1,6 +1,6 @@
 """Do the tests notice small mistakes? Changes the code in one place at a time.
 
-usage: python scripts/mutations.py                 200 random changes, an hour or more on two cores
+usage: python scripts/mutations.py                 200 random changes, half an hour or more on two cores
        python scripts/mutations.py --count 40 --seed 7 --only solver/io
        python scripts/mutations.py --map-only      only work out which test runs which line
 
@@ -111,61 +111,88 @@ def run_tests(tree: Path, arguments: Sequence[str], limit: float | None) -> tupl
         return done.returncode == 0, output.read()
 
 
-# Loaded by pytest as a plugin: tells coverage which test runs, and writes down how long it took.
+# Loaded by pytest, and by each of the processes that it shares tests out to: measures which lines
+# each test runs, and writes that down beside how long it took.
 _PLUGIN = """
 import json
+import os
+from pathlib import Path
+
 import coverage
 import pytest
 
+HERE = Path(__file__).resolve().parent
+WORKER = os.environ.get("PYTEST_XDIST_WORKER")
+measured = coverage.Coverage(
+    data_file=str(HERE / f"map.coverage.{WORKER}"),
+    source=[str(HERE / folder) for folder in os.environ["MUTATED_FOLDERS"].split(",")],
+)
+if WORKER:
+    measured.start()
 seconds = {}
+
+def switch(name):
+    if WORKER:
+        measured.switch_context(name)
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item):
-    coverage.Coverage.current().switch_context(item.nodeid.split("::")[0])
+    switch(item.nodeid.split("::")[0])
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_call(item):
-    coverage.Coverage.current().switch_context(item.nodeid.split("[")[0])
+    switch(item.nodeid.split("[")[0])
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_teardown(item):
-    coverage.Coverage.current().switch_context("")
+    switch("")
 
 def pytest_runtest_logreport(report):
     name = report.nodeid.split("[")[0]
     seconds[name] = seconds.get(name, 0.0) + report.duration
 
 def pytest_sessionfinish():
-    with open("seconds.json", "w") as file:
-        json.dump(seconds, file)
+    if WORKER:
+        measured.stop()
+        measured.save()
+        (HERE / f"seconds.{WORKER}.json").write_text(json.dumps(seconds))
 """
 
 
-def make_map(tests: Sequence[str]) -> None:
+def make_map(tests: Sequence[str], workers: int = 2) -> None:
     """Run all tests once under coverage and keep which ran what."""
     import coverage
 
     with tempfile.TemporaryDirectory() as name:
         tree = copy_of_tree(Path(name))
         (tree / "mutation_plugin.py").write_text(_PLUGIN)
-        (tree / ".coveragerc").write_text("[run]\ndata_file = map.coverage\n")
-        command = [sys.executable, "-m", "coverage", "run", f"--source={','.join(FOLDERS)}"]
-        command += ["-m", "pytest", "-q", "-p", "mutation_plugin", *tests]
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "mutation_plugin", *tests]
+        command += ["-n", str(workers), "--dist", "loadfile"]
         command += [f"--ignore={folder}" for folder in LEFT_OUT]
-        environment = {**os.environ, "OMP_NUM_THREADS": "1", "PYTHONPATH": str(tree)}
-        subprocess.run(command, cwd=tree, env=environment, check=False)
-        data = coverage.CoverageData(str(tree / "map.coverage"))
-        data.read()
-        lines = {
-            str(Path(file).relative_to(tree)): {
-                line: sorted(filter(None, contexts))
-                for line, contexts in data.contexts_by_lineno(file).items()
-            }
-            for file in data.measured_files()
+        environment = {
+            **os.environ,
+            "OMP_NUM_THREADS": "1",
+            "PYTHONPATH": str(tree),
+            "MUTATED_FOLDERS": ",".join(FOLDERS),
         }
-        seconds = json.loads((tree / "seconds.json").read_text())
+        subprocess.run(command, cwd=tree, env=environment, check=False)
+        lines: dict[str, dict[int, set[str]]] = defaultdict(lambda: defaultdict(set))
+        for path in tree.glob("map.coverage.*"):
+            data = coverage.CoverageData(str(path))
+            data.read()
+            for file in data.measured_files():
+                of_file = lines[str(Path(file).relative_to(tree))]
+                for line, contexts in data.contexts_by_lineno(file).items():
+                    of_file[line].update(filter(None, contexts))
+        seconds: dict[str, float] = {}
+        for path in tree.glob("seconds.*.json"):
+            seconds |= json.loads(path.read_text())
     KEPT.mkdir(parents=True, exist_ok=True)
-    (KEPT / "map.json").write_text(json.dumps({"lines": lines, "seconds": seconds}))
+    sorted_lines = {
+        file: {line: sorted(names) for line, names in of_file.items()}
+        for file, of_file in lines.items()
+    }
+    (KEPT / "map.json").write_text(json.dumps({"lines": sorted_lines, "seconds": seconds}))
 
 
 def read_map() -> Coverage:
@@ -239,7 +266,7 @@ def main() -> int:
     parser.add_argument("--map-only", action="store_true", help="... and stop there")
     given = parser.parse_args()
     if given.map or given.map_only or not (KEPT / "map.json").exists():
-        make_map(["tests"])
+        make_map(["tests"], given.workers)
     if given.map_only:
         return 0
     possible = all_mutations(given.only)
