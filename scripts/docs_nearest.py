@@ -71,7 +71,7 @@ def row(name: str) -> str:
         seconds[attempt] = seconds.get(attempt, 0.0) + time.process_time() - begin
         shapes[attempt] = run.shape
     *_, before, after = sorted(shapes)
-    far = [1000 * off_surface(shapes[k], surface).max() for k in (before, after)]
+    far = [1000 * off_surface(shapes[k], fine).max() for k in (before, after)]
     ratio = seconds[after] / sum(seconds[k] for k in seconds if k != after)
     area, was = (np.linalg.norm(m.face_area_vectors, axis=1).sum() for m in (run.shape, start))
     return f"| {name} | {far[0]:.0f} mm | {far[1]:.0f} mm | {area / was:.2f} | {ratio:.1f} |"

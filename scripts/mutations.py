@@ -1,6 +1,6 @@
 """Do the tests notice small mistakes? Changes the code in one place at a time.
 
-usage: python scripts/mutations.py                 200 random changes, half an hour or more on two cores
+usage: python scripts/mutations.py                 200 random changes, half an hour or more
        python scripts/mutations.py --count 40 --seed 7 --only solver/io
        python scripts/mutations.py --map-only      only work out which test runs which line
 

@@ -30,7 +30,6 @@ from solver.assembly import NormalEquations
 from solver.linear.backends import default_backend, symmetric_solver
 from solver.linear.threads import one_thread
 from solver.mesh.closest import Polyline, TriangleSurface
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.point import Point
 from solver.problem import Problem
@@ -72,7 +71,7 @@ class Wish(NamedTuple):
     weight: float
 
 
-def nearness(problem: Problem, start: QuadMesh, surface: tuple[FloatArray, IntArray]) -> list[Wish]:
+def nearness(problem: Problem, start: QuadMesh, surface: TriangleSurface) -> list[Wish]:
     """Wish for a net on a surface whose lines run as evenly as those of the start did.
 
     Most weighs the distance from the surface. Evenness of the lines, and a little of the motion,
@@ -83,13 +82,13 @@ def nearness(problem: Problem, start: QuadMesh, surface: tuple[FloatArray, IntAr
     Args:
         problem: the net.
         start: the mesh as it was drawn, with the problem's faces.
-        surface: (m, 3) points and (t, 3) triangles, in the units of the problem's mesh.
+        surface: in the units of the problem's mesh.
     """
     net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
     rest = problem.at(start)
     used = np.flatnonzero(net.referenced)
     shortest = np.linalg.norm(np.diff(points[net.edges], axis=1), axis=2).min()
-    ground = TriangleSurface(_in_units_of(problem, surface[0]), surface[1])
+    ground = TriangleSurface(_in_units_of(problem, surface.vertices), surface.triangles)
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
         Wish(OnSurface(used, ground, name="close to surface"), 1.0),
@@ -102,7 +101,7 @@ def nearness(problem: Problem, start: QuadMesh, surface: tuple[FloatArray, IntAr
     ]
 
 
-def off_surface(mesh: QuadMesh, surface: tuple[FloatArray, IntArray]) -> FloatArray:
+def off_surface(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
     """(n,) distances of vertices and of points inside faces from a surface, in model units.
 
     Faces are sampled four by four, bilinearly: a net may have all vertices on a surface and leave
@@ -112,7 +111,7 @@ def off_surface(mesh: QuadMesh, surface: tuple[FloatArray, IntArray]) -> FloatAr
     u, v = (part.ravel() for part in np.meshgrid(along, along))
     shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=1)
     points = np.einsum("sk,fkc->fsc", shares, mesh.vertices[mesh.faces]).reshape(-1, 3)
-    feet, _ = TriangleSurface(*surface).closest(points)
+    feet, _ = surface.closest(points)
     return np.linalg.norm(points - feet, axis=1)
 
 

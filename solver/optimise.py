@@ -11,6 +11,7 @@ import numpy as np
 
 from solver.analysis.start import start_remarks
 from solver.errors import InputError
+from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import Net, net_named
@@ -135,7 +136,7 @@ def start_optimisation(
         remarks,
         held,
         origin,
-        surface=wanted.close_to,
+        surface=TriangleSurface(*wanted.close_to) if wanted.close_to is not None else None,
     )
 
 

@@ -13,7 +13,7 @@ from solver.best import Best
 from solver.candidate import Candidate, judge
 from solver.gauss_newton import Descent, Layout, largest_residuals
 from solver.linear.backends import default_backend
-from solver.mesh.connectivity import IntArray
+from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nearest import NearestNet, nearness, off_surface
@@ -47,7 +47,7 @@ class Optimisation:
         held: what keeps vertices from moving freely, such as "fixed vertices", for the advice.
         origin: what the problems' coordinates are measured from; what comes out is in the model's.
         descent: the first attempt where it is under way already.
-        surface: points and triangles of the design surface, about the origin. Where the net is
+        surface: the design surface, about the origin. Where the net is
             reached, the last phase moves along the nets to the one nearest to it.
     """
 
@@ -63,7 +63,7 @@ class Optimisation:
         held: Sequence[str] = (),
         origin: LocalOrigin | None = None,
         descent: Descent | None = None,
-        surface: tuple[FloatArray, IntArray] | None = None,
+        surface: TriangleSurface | None = None,
     ) -> None:
         begin = time.perf_counter()
         self.original = original
