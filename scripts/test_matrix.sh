@@ -49,7 +49,7 @@ fi
 # The one thing that runs here and, copied along, in each of the other systems.
 one="bash scripts/setup.sh --dev && . .venv/ortho-paths.sh &&
   .venv/bin/python -m pytest -q tests/freecad \
-    -n $workers --dist loadgroup --maxschedchunk 1"' "$@"'
+    -n $workers --dist load --maxschedchunk 1"' "$@"'
 
 given=("$@")
 results=$(mktemp -d)

@@ -2684,7 +2684,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Section tolerance</source>
-   <translation>Querschnittstoleranz</translation>
+   <translation>Toleranz</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3367,7 +3367,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>by boxes (fast)</source>
-   <translation>nach Rechtecken (schnell)</translation>
+   <translation>Rechtecke (schnell)</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />

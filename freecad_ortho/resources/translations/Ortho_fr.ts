@@ -2684,7 +2684,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Section tolerance</source>
-   <translation>Tolérance de section</translation>
+   <translation>Tolérance</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
