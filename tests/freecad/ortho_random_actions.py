@@ -90,6 +90,34 @@ class Sequence:
         gap = self.dice.uniform(5, 30)
         self.allowed_to_fail(api.add_panels, net, 12.0, gap, self.dice.choice(OFFSETS), below)
 
+    def add_nodes(self):
+        beams = self.structures("Beams")
+        if not beams or len(self.structures()) > 3:
+            return False
+        chosen = self.dice.choice(beams)
+        self.allowed_to_fail(api.add_nodes, chosen.Net, chosen)
+
+    def add_lamellas(self):
+        strip = self.dice.choice(["auto", "twisted"])
+        return self.add_one(api.add_lamellas, width=self.dice.uniform(40, 90), strip=strip)
+
+    def add_louvres(self):
+        return self.add_one(api.add_louvres, tilt=self.dice.uniform(0, 40))
+
+    def add_bent_panels(self):
+        return self.add_one(api.add_bent_panels, gap=self.dice.uniform(2, 12))
+
+    def add_patches(self):
+        return self.add_one(api.add_patches, gap=self.dice.uniform(2, 12))
+
+    def add_one(self, function, **sizes):
+        """A structure that takes long to build, and is therefore seldom made."""
+        net = self.any_net()
+        if net is None or len(self.structures()) > 1 or self.dice.random() < 0.5:
+            return False
+        self.allowed_to_fail(function, net, **sizes)
+        return True
+
     def allowed_to_fail(self, function, *arguments, **options):
         """A net in the middle of its optimisation may not carry what is asked for."""
         before = snapshot(self.document)
@@ -180,6 +208,13 @@ class Sequence:
         chosen = self.dice.choice(self.structures())
         self.allowed_to_fail(api.add_flat_patterns, chosen, sheet=sheet)
 
+    def change_flat_patterns(self):
+        patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
+        if not patterns:
+            return False
+        spacing = self.dice.uniform(2, 20)
+        self.allowed_to_fail(api.change_flat_patterns, self.dice.choice(patterns), spacing=spacing)
+
     def add_drawing_page(self):
         patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
         if not patterns or self.dice.random() < 0.2:
@@ -236,8 +271,10 @@ class Sequence:
             return False
         chosen = self.dice.choice(self.structures())
         self.document.openTransaction("Size")
-        chosen.Thickness = self.dice.uniform(5, 15)
-        chosen.Offset = self.dice.choice(OFFSETS).capitalize()
+        if "Thickness" in chosen.PropertiesList:
+            chosen.Thickness = self.dice.uniform(5, 15)
+        if "Offset" in chosen.PropertiesList:
+            chosen.Offset = self.dice.choice(OFFSETS).capitalize()
         self.document.recompute()
         self.document.commitTransaction()
 
@@ -311,6 +348,7 @@ class Sequence:
 
 
 HELPERS = (
+    "add_one",
     "allowed_to_fail",
     "any_net",
     "crowded",

@@ -22,7 +22,7 @@ ROOT = FOLDER.parents[1]
 CONSOLE = os.environ.get("ORTHO_FREECADCMD") or shutil.which("freecadcmd")
 WINDOW = os.environ.get("ORTHO_FREECAD") or shutil.which("freecad")
 SCREEN = shutil.which("xvfb-run")
-SECONDS = 300
+SECONDS = 450
 # The first saves a document that the second opens, once with and once without the add-on.
 SAVING, MISSING = "ortho_headless_suite", "ortho_missing_suite"
 # These take a minute and more each, and what differs between versions of FreeCAD is met in the
