@@ -116,14 +116,14 @@ def run_suite(program, suite, folder, scratch, with_add_on=True):
 
 
 @pytest.fixture
-def run(tmp_path, scratch, record_testsuite_property):
+def run(tmp_path, scratch, record_property):
     """Run a suite, show what came of it, and note the versions for scripts/matrix_table.py."""
 
     def run_and_show(program, suite, **options):
         folder = Path(tempfile.mkdtemp(dir=tmp_path))
         result, said = run_suite(program, suite, folder, scratch, **options)
         sys.stdout.write(f"{result}\n--- FreeCAD said ---\n{said}\n")
-        record_testsuite_property("freecad", result.partition("\n")[0])
+        record_property("freecad", result.partition("\n")[0])
         assert "SUITE PASSED" in result
         return result, said
 
