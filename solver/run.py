@@ -160,9 +160,11 @@ class Optimisation:
 
     def stop(self) -> None:
         """End here; the outcome is the best mesh so far."""
+        if self.finished:
+            return
         if self._nearest is not None:
             self._end_nearest(self._nearest)
-        elif not self.finished:
+        else:
             self._conclude(STOPPED)
 
     def run(self, callback: Callable[[StepRecord], bool | None] | None = None) -> Outcome:
@@ -249,7 +251,8 @@ class Optimisation:
     @property
     def _may_go_nearer(self) -> bool:
         steps_left = self.max_steps - len(self.history)
-        return self.surface is not None and not self.descent.pulled and steps_left > 0
+        asked = self.surface is not None and not self.descent.pulled
+        return asked and steps_left > 0 and bool(self.original.free.any())
 
     def _begin_nearest(self, best: Candidate) -> None:
         """Begin the last phase, of no more steps than there were, but for a few."""
@@ -291,7 +294,7 @@ class Optimisation:
             if near.max() < far.max():
                 self._best = Best(self.original.tuning.worth)
                 self._best.consider(found)
-        self._nearest, self.status = None, CONVERGED
+        self.status = CONVERGED
 
 
 def _area(mesh: QuadMesh) -> float:

@@ -100,6 +100,21 @@ def test_held_vertices_keep_every_bit(start, surface):
     assert outcome.mesh.vertices[corners].tobytes() == start.vertices[corners].tobytes()
 
 
+def test_what_stands_at_the_end_is_what_the_last_phase_reached(run):
+    optimisation, first = run
+    kept = optimisation.outcome().mesh.vertices
+    np.testing.assert_allclose(optimisation.vertices, kept, atol=1e-5)
+    assert np.abs(first.vertices - kept).max() > 0.1
+
+
+def test_a_net_of_which_nothing_may_move_is_left_alone(start, surface):
+    net = optimise(start).mesh
+    held = list(range(len(net.vertices)))
+    outcome = optimise(net, fix=held, constraints=Constraints(close_to=surface))
+    assert outcome.report.status == CONVERGED
+    assert outcome.mesh.vertices.tobytes() == net.vertices.tobytes()
+
+
 def test_without_a_surface_nothing_follows(start):
     run = start_optimisation(start)
     outcome = run.run()
