@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     import cadquery
     import Part
 
-    from freecad_ortho.option import Option
     from freecad_ortho.sources import Source
+    from solver.option import Option
 
 
 def vectors(points: FloatArray) -> list[FreeCAD.Vector]:

@@ -13,11 +13,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS
-from freecad_ortho.option import Option
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis.fields import fields
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
+from solver.option import Option
 
 _PANELS, _PROPERTIES = "Ortho", "App::Property"
 

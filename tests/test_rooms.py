@@ -12,7 +12,7 @@ FREECAD = ("FreeCAD", "FreeCADGui", "Part", "PySide", "PySide2", "PySide6", "piv
 CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
 # From the ground up: when it is loaded, a room imports only from those before it.
 ROOMS = (
-    "solver", "option", "units", "packages", "preferences", "resources", "vtk_files", "mesh_files",
+    "solver", "units", "packages", "preferences", "resources", "vtk_files", "mesh_files",
     "triangles", "step_faces", "sources", "fabrication", "convert", "objects", "view", "documents",
     "stand_in", "api", "cli", "commands", "panels",
 )  # fmt: skip

@@ -10,9 +10,9 @@ import pytest
 from freecad_ortho.cli.reporting import fabrication_line
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
-from freecad_ortho.option import Option
 from freecad_ortho.sources import SOURCES
 from freecad_ortho.words import counted, plural
+from solver.option import Option
 
 
 @pytest.mark.parametrize(

@@ -18,8 +18,8 @@ from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
-from freecad_ortho.option import Option
 from freecad_ortho.units import millimetres_per
+from solver.option import Option
 
 # What a value is read as, and what stands for it in the help.
 _KINDS: dict[str, tuple[type, str]] = {

@@ -26,7 +26,8 @@ from solver.nets.constraints import (
     PlaneGlide,
     SurfaceGlide,
 )
-from solver.nets.options import OPTIONS, NetOption
+from solver.nets.options import OPTIONS
+from solver.option import Option
 
 _AXES = "xyz"
 _WRITTEN = {"length": "L", "angle": "DEG", "number": "N"}
@@ -85,7 +86,7 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
     }
 
 
-def _add_option(parser: argparse.ArgumentParser, option: NetOption) -> None:
+def _add_option(parser: argparse.ArgumentParser, option: Option) -> None:
     """Offer an option of nets; of a choice each word but the usual one is an option."""
     words = f"{_nets(nets_with(option.name))}: {option.brief}"
     if option.kind == "choice":
@@ -97,7 +98,7 @@ def _add_option(parser: argparse.ArgumentParser, option: NetOption) -> None:
     elif option.kind == "mesh":
         parser.add_argument(_flag(option), metavar="FILE", help=words)
     else:
-        usual = "free" if option.default is None else f"{option.default:g}"
+        usual = option.absent if option.default is None else f"{option.default:g}"
         parser.add_argument(
             _flag(option),
             type=float,
@@ -107,7 +108,7 @@ def _add_option(parser: argparse.ArgumentParser, option: NetOption) -> None:
         )
 
 
-def _given(option: NetOption, options: argparse.Namespace) -> list[tuple[str, bool]]:
+def _given(option: Option, options: argparse.Namespace) -> list[tuple[str, bool]]:
     """The words that stand for an option, and whether they were given."""
     if option.kind == "choice":
         return [(f"--{word}", getattr(options, word)) for word in _choices(option)]
@@ -115,7 +116,7 @@ def _given(option: NetOption, options: argparse.Namespace) -> list[tuple[str, bo
     return [(_flag(option), getattr(options, option.name) != usual)]
 
 
-def _value(option: NetOption, options: argparse.Namespace, loaded: api.LoadedMesh) -> Any:
+def _value(option: Option, options: argparse.Namespace, loaded: api.LoadedMesh) -> Any:
     if option.kind == "choice":
         chosen = [word for word in _choices(option) if getattr(options, word)]
         return chosen[0] if chosen else option.default
@@ -123,12 +124,12 @@ def _value(option: NetOption, options: argparse.Namespace, loaded: api.LoadedMes
     return _reference(value, options.up, loaded) if option.kind == "mesh" and value else value
 
 
-def _flag(option: NetOption) -> str:
+def _flag(option: Option) -> str:
     return f"--{option.name.replace('_', '-')}"
 
 
-def _choices(option: NetOption) -> list[str]:
-    return [word for word in option.shown if word != option.default]
+def _choices(option: Option) -> list[str]:
+    return [word for word in option.choices if word != option.default]
 
 
 def _supported() -> tuple[str, ...]:

@@ -12,13 +12,14 @@ import numpy as np
 from freecad_ortho import convert, preferences
 from freecad_ortho.objects import guides
 from freecad_ortho.objects import net as net_object
-from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES, property_of
+from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import NETS
 from solver.nets.constraints import Constraints
-from solver.nets.options import OPTIONS, NetOption, NetOptions
+from solver.nets.options import OPTIONS, NetOptions
 from solver.nets.settings import fixed_vertices
+from solver.option import Option
 
 
 @dataclass(frozen=True)
@@ -36,13 +37,13 @@ class _Plain:
     write: Callable[[Any], Any] = lambda value: value
 
 
-def _option(option: NetOption) -> _Plain:
+def _option(option: Option) -> _Plain:
     """An option of nets."""
-    name = property_of(option)
+    (name,) = option.parts
     if option.kind == "length":
         return _positive(option.name, name)
     if option.kind == "choice":
-        return _choice(option.name, name, option.shown)
+        return _choice(option.name, name, option.choices)
     if option.kind == "mesh":
         return _Plain(name, write=_reference)
     if option.kind == "angle":

@@ -10,8 +10,8 @@ from typing import Any, ClassVar
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
 from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
-from freecad_ortho.option import Option
 from solver.errors import InputError
+from solver.option import Option
 
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")

@@ -6,7 +6,8 @@ import FreeCAD
 
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
 from solver.nets import NETS
-from solver.nets.options import OPTIONS, NetOption
+from solver.nets.options import OPTIONS
+from solver.option import Option
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -20,35 +21,17 @@ _KINDS = {
     "choice": "App::PropertyEnumeration",
     "mesh": "App::PropertyLinkHidden",
 }
-# Names under which documents have kept options since before these had a table.
-_STORED = {
-    "diagonal": "DiagonalNet",
-    "angle": "MedialAngle",
-    "radius": "TargetRadius",
-    "length": "TargetEdge",
-    "reference": "IsometricTo",
-    "load": "VertexWeight",
-    "load_area": "AreaWeight",
-    "load_length": "EdgeWeight",
-    "forces": "AllowedForces",
-}
 
 
-def property_of(option: NetOption) -> str:
-    """Name of the property that holds an option of nets."""
-    camel = "".join(word.capitalize() for word in option.name.split("_"))
-    return _STORED.get(option.name, camel)
-
-
-def _property(option: NetOption) -> Property:
+def _property(option: Option) -> Property:
     return Property(
         _KINDS[option.kind],
-        property_of(option),
+        *option.parts,
         "Target",
         option.sentence,
         # FreeCAD's own of the others is the same.
         default=option.default if option.kind == "angle" else None,
-        choices=tuple(option.shown) if option.kind == "choice" else (),
+        choices=option.choices,
         flags=OUTPUT,
     )
 

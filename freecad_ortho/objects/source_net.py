@@ -21,10 +21,10 @@ from freecad_ortho.objects.properties import (
     Property,
     ensure,
 )
-from freecad_ortho.option import Option
 from freecad_ortho.sources import Made, Source, source
 from solver.errors import InputError, OrthoError
 from solver.mesh.mirror import reversed_orientation
+from solver.option import Option
 
 if TYPE_CHECKING:
     from solver.mesh.quadmesh import QuadMesh

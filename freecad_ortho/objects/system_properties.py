@@ -8,7 +8,7 @@ import FreeCAD
 
 from freecad_ortho.fabrication import SYSTEMS, System
 from freecad_ortho.objects.properties import Property
-from freecad_ortho.option import Option
+from solver.option import Option
 
 # A structure of panels has a thickness of its own; the option is for panels beside beams. Sheets
 # are said where files are written.

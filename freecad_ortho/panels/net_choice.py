@@ -23,7 +23,8 @@ from freecad_ortho.panels.net_words import explain, net_words, reason_words
 from freecad_ortho.panels.quantity import QuantityField
 from solver.analysis.advisor import Advice, advise
 from solver.nets import NETS
-from solver.nets.options import OPTIONS, NetOption
+from solver.nets.options import OPTIONS
+from solver.option import Option
 
 translate = FreeCAD.Qt.translate
 
@@ -83,7 +84,7 @@ class NetChoice:
         asked = self.fields["diagonal"].checked
         return asked and True in NETS[self.net_type.word].variants
 
-    def _value(self, option: NetOption) -> Any:
+    def _value(self, option: Option) -> Any:
         field = self.fields[option.name]
         if option.kind == "flag":
             return field.checked
@@ -95,7 +96,7 @@ class NetChoice:
             return self._meshes[field.widget.currentIndex()]
         return field.value if option.kind == "angle" else field.word
 
-    def _field(self, option: NetOption, value: Any) -> Any:
+    def _field(self, option: Option, value: Any) -> Any:
         """A field for an option of nets."""
         words = {word: translate("Ortho", shown) for word, shown in option.shown.items()}
         field: Any

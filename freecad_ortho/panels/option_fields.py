@@ -7,9 +7,9 @@ from typing import Any
 import FreeCAD
 from PySide import QtGui
 
-from freecad_ortho.option import Option
 from freecad_ortho.panels.fields import NARROW, ChoiceField, sentence
 from freecad_ortho.panels.quantity import QuantityField
+from solver.option import Option
 
 translate = FreeCAD.Qt.translate
 

@@ -12,7 +12,6 @@ from freecad_ortho.commands import context, messages
 from freecad_ortho.fabrication import MATERIALS
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of, values
-from freecad_ortho.option import NUMBERS, Option
 from freecad_ortho.panels.fields import (
     ChoiceField,
     LengthField,
@@ -27,6 +26,7 @@ from freecad_ortho.panels.fields import (
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 from solver.errors import InputError
+from solver.option import NUMBERS, Option
 
 translate = FreeCAD.Qt.translate
 

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from freecad_ortho.option import Option
 from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
 from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.offset_mesh import KINDS, offset_mesh
+from solver.option import Option
 
 _CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "This point stays where it is")
 

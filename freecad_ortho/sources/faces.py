@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freecad_ortho.option import Option
 from freecad_ortho.sources.primitives import sampling as sampling_option
 from freecad_ortho.sources.source import Made, Source
 from solver.mesh.patch import SurfacePatch, sampled
+from solver.option import Option
 
 
 def _sampled(

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from freecad_ortho.option import Option
 from freecad_ortho.sources.source import Made, Source
 from solver.analysis.upright import side_remark
 from solver.errors import InputError
@@ -21,6 +20,7 @@ from solver.formfinding import (
 )
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
+from solver.option import Option
 
 Vector = tuple[float, float, float]
 _NONE = (0.0, 0.0, 0.0)

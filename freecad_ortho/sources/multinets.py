@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from freecad_ortho.option import Option
 from freecad_ortho.sources.placing import PLACEMENT, Placing, placed
 from freecad_ortho.sources.primitives import sampling
 from freecad_ortho.sources.source import Made, Source
@@ -16,6 +15,7 @@ from solver.mesh.quadmesh import FloatArray
 from solver.multinet import MultiNet, Quadric, elliptic_net, multi_net, reflected
 from solver.multinet.formula import formula
 from solver.multinet.presets import PRESETS
+from solver.option import Option
 
 QUADRICS = {
     "ellipsoid": (1.0, 1.0, 1.0),

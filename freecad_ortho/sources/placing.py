@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.option import Option
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.option import Option
 
 Placing = tuple[FloatArray, FloatArray]
 PLACEMENT = Option(

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_ortho.option import Option
 from freecad_ortho.sources.placing import PLACEMENT, placed
 from freecad_ortho.sources.source import Made, Source
 from solver.mesh.primitives import PRIMITIVES, Parameter, primitive
+from solver.option import Option
 
 _METRE = 1000.0
 _LENGTHS = {

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from freecad_ortho.option import NUMBERS, Option
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.option import NUMBERS, Option
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,47 +4,24 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, fields
-from typing import Any, Literal
+from typing import Any
 
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
+from solver.option import Kind, Option
 from solver.problem import Problem
 
-
-@dataclass(frozen=True)
-class NetOption:
-    """How a choice of some nets is offered by forms, properties and the command line.
-
-    Attributes:
-        name: keyword in Python; ``--per-family`` on the command line.
-        default: where nothing is said; None of a length that is free.
-        kind: ``flag``, ``length`` (in model units), ``angle`` (degrees), ``number``, ``choice`` or
-            ``mesh`` (one with the same faces).
-        label: what stands before its field in a form.
-        brief: what it is, in the words of the command line and of docs/nets.md.
-        meaning: one sentence on it in a document, where lengths are in mm; without its full stop.
-        shown: what stands beside a box to tick, by choice the words for each, or for none.
-    """
-
-    name: str
-    default: Any
-    kind: Literal["flag", "length", "angle", "number", "choice", "mesh"]
-    label: str
-    brief: str
-    meaning: str
-    shown: dict[str, str]
-
-    @property
-    def sentence(self) -> str:
-        """The meaning with what stands for "let it be found"."""
-        return f"{self.meaning}; 0 is free" if self.kind == "length" else self.meaning
+_FORCES = {
+    "free": "compression and tension",
+    "compression": "compression only",
+    "tension": "tension only",
+}
 
 
-def _offered(
-    kind: str, label: str, brief: str, meaning: str, **shown: str
-) -> dict[str, tuple[Any, ...]]:
-    return {"option": (kind, label, brief, meaning, shown)}
+def _offered(kind: Kind, meaning: str, **words: Any) -> dict[str, Any]:
+    """What a field is offered with, as the ``Option`` that is called as the field is."""
+    return {"kind": kind, "meaning": meaning, **words}
 
 
 @dataclass(frozen=True)
@@ -68,96 +45,103 @@ class NetOptions:
         default=False,
         metadata=_offered(
             "flag",
-            "Asked",
-            "stars of a vertex and the opposite corners of its faces",
             "Ask it of the diagonals of the faces, not of the edges",
-            yes="on the face diagonals",
+            title="Asked",
+            brief="stars of a vertex and the opposite corners of its faces",
+            shown={"yes": "on the face diagonals"},
+            stored="DiagonalNet",
         ),
     )
     angle: float = field(
         default=90.0,
         metadata=_offered(
             "angle",
-            "Angle",
-            "angle of the lines",
             "Orthogonal nets: angle between the two directions",
+            brief="angle of the lines",
+            stored="MedialAngle",
         ),
     )
     radius: float | None = field(
         default=None,
         metadata=_offered(
             "length",
-            "Radius",
-            "radius of the spheres",
             "CMC nets: radius of the vertex spheres",
+            brief="radius of the spheres",
+            absent="free",
+            stored="TargetRadius",
         ),
     )
     length: float | None = field(
         default=None,
         metadata=_offered(
             "length",
-            "Edge length",
-            "edge length",
             "Chebyshev nets: length of the edges",
+            title="Edge length",
+            brief="edge length",
+            absent="free",
+            stored="TargetEdge",
         ),
     )
     per_family: bool = field(
         default=False,
         metadata=_offered(
             "flag",
-            "Edges",
-            "a length for each direction",
             "Chebyshev nets: each direction has a length of its own",
-            yes="a length for each direction",
+            title="Edges",
+            brief="a length for each direction",
+            shown={"yes": "a length for each direction"},
         ),
     )
     reference: FloatArray | None = field(
         default=None,
         metadata=_offered(
             "mesh",
-            "Own shape",
-            "the same mesh in the shape whose faces are kept",
             "Isometric nets: net whose faces give the shape; empty: as it starts",
-            none="as it starts",
+            title="Own shape",
+            brief="the same mesh in the shape whose faces are kept",
+            shown={"none": "as it starts"},
+            stored="IsometricTo",
         ),
     )
     load: float = field(
         default=0.0,
         metadata=_offered(
             "number",
-            "Load at a vertex",
-            "downward load of a vertex; 1 where no load is given",
             "Stress nets: downward load at every vertex",
+            title="Load at a vertex",
+            brief="downward load of a vertex; 1 where no load is given",
+            stored="VertexWeight",
         ),
     )
     load_area: float = field(
         default=0.0,
         metadata=_offered(
             "number",
-            "Load of 1 mm2",
-            "downward load of unit area",
             "Stress nets: downward load of a square millimetre",
+            title="Load of 1 mm2",
+            brief="downward load of unit area",
+            stored="AreaWeight",
         ),
     )
     load_length: float = field(
         default=0.0,
         metadata=_offered(
             "number",
-            "Weight of 1 mm edge",
-            "weight of unit edge",
             "Stress nets: weight of a millimetre of edge",
+            title="Weight of 1 mm edge",
+            brief="weight of unit edge",
+            stored="EdgeWeight",
         ),
     )
     forces: str = field(
         default="free",
         metadata=_offered(
             "choice",
-            "Forces",
-            "only forces of this kind",
             "Stress nets: forces that edges may carry",
-            free="compression and tension",
-            compression="compression only",
-            tension="tension only",
+            brief="only forces of this kind",
+            choices=tuple(_FORCES),
+            shown=_FORCES,
+            stored="AllowedForces",
         ),
     )
 
@@ -182,20 +166,19 @@ class NetOptions:
         return problem.mesh.connectivity.diagonal_stars if self.diagonal else stars
 
 
-OPTIONS: dict[str, NetOption] = {
-    item.name: NetOption(item.name, item.default, *item.metadata["option"])
-    for item in fields(NetOptions)
+OPTIONS: dict[str, Option] = {
+    item.name: Option(item.name, item.default, **item.metadata) for item in fields(NetOptions)
 }
 
 
-def _refuse(option: NetOption, value: Any) -> None:
+def _refuse(option: Option, value: Any) -> None:
     """Say what is wrong with a value."""
     if option.kind == "length" and value is not None and not (math.isfinite(value) and value > 0):
         raise InputError(f"{option.name}: expected a positive length, got {value}")
     if option.kind == "number" and not math.isfinite(value):
         raise InputError(f"{option.name}: expected a number, got {value}")
-    if option.kind == "choice" and value not in option.shown:
-        *most, last = option.shown
+    if option.kind == "choice" and value not in option.choices:
+        *most, last = option.choices
         words = f"{', '.join(most)} or {last}"
         raise InputError(f"{option.name}: expected {words}, got '{value}'")
 

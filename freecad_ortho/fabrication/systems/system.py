@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.option import Option
+from solver.option import Option
 
 
 @dataclass(frozen=True, eq=False)

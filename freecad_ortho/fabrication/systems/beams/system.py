@@ -26,10 +26,10 @@ from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
-from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import ParameterLines
+from solver.option import Option
 
 # Twist above which a beam is visibly not a plane plate, degrees.
 _TWIST_WORTH_SAYING = 0.01

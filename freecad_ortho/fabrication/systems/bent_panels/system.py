@@ -26,10 +26,10 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 from freecad_ortho.fabrication.systems.sheets import SHEET_OPTIONS, room_on, split_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.fabrication.workshop import Workshop
-from freecad_ortho.option import Option
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
+from solver.option import Option
 from solver.unroll.measures import smallest_bend_radius
 
 # Distance between a face's diagonals, in mean diagonals, above which it is not nearly plane.

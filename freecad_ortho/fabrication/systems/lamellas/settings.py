@@ -8,8 +8,8 @@ from typing import ClassVar
 
 from freecad_ortho.fabrication.sizes import check_size, not_negative
 from freecad_ortho.fabrication.workshop import Workshop
-from freecad_ortho.option import Option
 from solver.errors import InputError
+from solver.option import Option
 
 STRIPS = ("auto", "developable", "twisted")
 PATTERNS = ("auto", "straight", "arc", "free")

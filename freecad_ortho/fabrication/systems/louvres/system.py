@@ -22,10 +22,10 @@ from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_size, rounded_down
 from freecad_ortho.fabrication.systems.panels.geometry import half_angle_tangents, inset
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
-from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.lines import FAMILIES
 from solver.mesh.quadmesh import FloatArray, unit_rows
+from solver.option import Option
 
 
 @dataclass(frozen=True)

@@ -23,9 +23,9 @@ from freecad_ortho.fabrication.systems.beams.system import Beams
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
-from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
+from solver.option import Option
 
 KINDS = ("hub", "socket")
 

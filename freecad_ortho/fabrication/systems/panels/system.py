@@ -18,10 +18,10 @@ from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, pan
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
-from freecad_ortho.option import Option
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.option import Option
 
 EDGES = ("square", "bevel")
 AT_HUBS = ("cut", "lift")

@@ -31,10 +31,10 @@ from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
 from freecad_ortho.fabrication.systems.sheets import SHEET_OPTIONS, room_on, split_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
 from freecad_ortho.fabrication.workshop import Workshop
-from freecad_ortho.option import Option
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.option import Option
 from solver.unroll.patch import FlatPatch, flattened
 
 _COLUMNS = (
