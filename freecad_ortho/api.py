@@ -21,11 +21,11 @@ from freecad_ortho.mesh_files import read_mesh_file
 from freecad_ortho.stand_in import stand_in
 from freecad_ortho.step_faces import net_from_step
 from freecad_ortho.units import MILLIMETRES, millimetres_per
-from solver import QuadMesh, optimise, start_optimisation
+from solver import QuadMesh, optimise, start_optimisation, write_mesh
 from solver.analysis.check import check
 from solver.errors import InputError
 from solver.formfinding import find_form
-from solver.io.polygons import quads_of, write_polygons
+from solver.io.polygons import quads_of
 from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.primitives import primitive
@@ -192,16 +192,6 @@ def read_mesh(path: str | os.PathLike[str], unit: str | None = None, up: str = "
             "the unit (--unit m, or unit of imported meshes in FreeCAD's preferences)"
         )
     return LoadedMesh(mesh, chosen, tuple(remarks))
-
-
-def write_mesh(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
-    """Write an OBJ, PLY, OFF or JSON file that keeps vertex and face order and every digit.
-
-    Raises:
-        InputError: the name ends in none of ``.obj``, ``.ply``, ``.off`` and ``.json``.
-        OutputError: the file cannot be written.
-    """
-    write_polygons(path, mesh, unit)
 
 
 def fabricate(

@@ -94,10 +94,7 @@ def start_optimisation(
         InputError: a setting that cannot be used.
     """
     asked = net_named(net)
-    if not math.isfinite(tolerance) or tolerance <= 0:
-        raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
-    if max_steps < 1:
-        raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
+    refuse_no_end(tolerance, max_steps)
     given = {
         "fairness": fairness,
         "closeness": closeness,
@@ -138,6 +135,18 @@ def start_optimisation(
         origin,
         surface=TriangleSurface(*wanted.close_to) if wanted.close_to is not None else None,
     )
+
+
+def refuse_no_end(tolerance: float, max_steps: int) -> None:
+    """Refuse what says when a run ends, where it says nothing.
+
+    Raises:
+        InputError: a tolerance or a number of steps that is none.
+    """
+    if not math.isfinite(tolerance) or tolerance <= 0:
+        raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
+    if max_steps < 1:
+        raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
 
 
 def _held(net: Net, fixed: bool, wanted: Constraints) -> list[str]:

@@ -95,15 +95,19 @@ class Problem:
         return int(self.scalars(np.array([value]))[0])
 
     def require(
-        self, term: Term, measure: Measure, place: Callable[[int], str] | None = None
+        self,
+        term: Term,
+        measure: Measure | None = None,
+        place: Callable[[int], str] | None = None,
     ) -> Problem:
         """Add a term that has to vanish, and the measure by which that is judged.
 
-        Terms that share a name are judged by one measure, the last given. ``place`` names the
-        face, edge or vertex to which an entry of the measure belongs; by default the term's own.
+        By default that is the size of the term's own residuals. Terms that share a name are judged
+        by one measure, the last given. ``place`` names the face, edge or vertex to which an entry
+        of the measure belongs; by default the term's own.
         """
         self.constraints.append(term)
-        self.measures[term.name] = measure
+        self.measures[term.name] = measure or self._own_residual(term.name)
         self.places[term.name] = place or (lambda index: self._place(term.name, index))
         return self
 
@@ -115,10 +119,10 @@ class Problem:
                 index -= len(term.unknowns)
         return f"element {index}"
 
-    def own_residual(self, name: str) -> Measure:
-        """Measure by the residuals of the constraints with a name, looked up afresh, in mean edges.
+    def _own_residual(self, name: str) -> Measure:
+        """Measure by the residuals of the constraints with a name, looked up afresh.
 
-        For terms whose residual is a plain distance.
+        They are as the solver sees them, lengths in mean edges of the start.
         """
 
         def measure(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:

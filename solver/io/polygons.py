@@ -1,4 +1,4 @@
-"""Polygons from a file and a quad mesh into one, by the file's extension."""
+"""Quad meshes from files and into files, by the file's extension."""
 
 from __future__ import annotations
 
@@ -56,11 +56,22 @@ def quads_of(data: ObjData, path: str | os.PathLike[str]) -> tuple[QuadMesh, lis
     return mesh, [*data.remarks, *remarks]
 
 
-def write_polygons(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
-    """Write a mesh as its extension says.
+def read_mesh(path: str | os.PathLike[str]) -> QuadMesh:
+    """Read the quad mesh of an OBJ, PLY, OFF or JSON file, in the file's own unit.
+
+    What was mended on the way is said by :func:`quads_of` alone.
 
     Raises:
-        InputError: an extension of no format that is written.
+        InputError: no such file, or it holds no usable quad mesh.
+    """
+    return quads_of(read_polygons(path), path)[0]
+
+
+def write_mesh(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
+    """Write an OBJ, PLY, OFF or JSON file that keeps vertex and face order and every digit.
+
+    Raises:
+        InputError: the name ends in none of ``.obj``, ``.ply``, ``.off`` and ``.json``.
         OutputError: the folder is missing or cannot be written.
     """
     refuse_unknown_extension(path)

@@ -14,42 +14,40 @@ from solver.mesh.connectivity import Connectivity, IntArray
 FloatArray = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, init=False)
 class QuadMesh:
     """Positions on a connectivity; immutable.
 
     Args:
-        vertices: (V, 3) coordinates, float64, in the model's unit.
-        connectivity: the faces and what follows from them.
+        vertices: (V, 3) coordinates in the model's unit.
+        faces: (F, 4) vertex numbers, counter-clockwise, or the connectivity of another mesh.
 
     Raises:
-        InputError: wrong shape, or a coordinate that is not finite.
+        InputError: wrong shape, a coordinate that is not finite, or faces that are no mesh.
     """
 
     vertices: FloatArray
     connectivity: Connectivity
 
-    def __post_init__(self) -> None:
-        vertices = np.array(self.vertices, dtype=np.float64, order="C")
-        if vertices.shape != (self.connectivity.vertex_count, 3):
-            raise InputError(
-                f"vertices: expected shape ({self.connectivity.vertex_count}, 3), "
-                f"got {vertices.shape}; give three coordinates a vertex"
-            )
-        finite = np.isfinite(vertices).all(axis=1)
-        if not finite.all():
-            raise InputError(
-                f"vertices: {int((~finite).sum())} have NaN or infinite coordinates, the first is "
-                f"vertex {int(np.argmin(finite))}; mend the file"
-            )
-        vertices.setflags(write=False)
-        object.__setattr__(self, "vertices", vertices)
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike | Connectivity) -> None:
+        points = _coordinates(vertices)
+        if isinstance(faces, Connectivity):
+            net = faces
+            if len(points) != net.vertex_count:
+                raise InputError(
+                    f"vertices: expected shape ({net.vertex_count}, 3), got {points.shape}; give "
+                    "one for each vertex of the connectivity"
+                )
+        else:
+            net = Connectivity(_numbers(faces), len(points))
+        points.setflags(write=False)
+        object.__setattr__(self, "vertices", points)
+        object.__setattr__(self, "connectivity", net)
 
     @classmethod
     def from_arrays(cls, vertices: ArrayLike, faces: ArrayLike) -> QuadMesh:
         """Build a mesh from (V, 3) coordinates and (F, 4) vertex numbers."""
-        positions = np.asarray(vertices, dtype=np.float64)
-        return cls(positions, Connectivity(np.asarray(faces, dtype=np.int64), len(positions)))
+        return cls(vertices, faces)
 
     @property
     def faces(self) -> IntArray:
@@ -99,3 +97,42 @@ def unit_rows(vectors: FloatArray) -> FloatArray:
     """Divide each row by its length; zero rows stay zero."""
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return vectors / np.where(length > 0, length, 1.0)
+
+
+def _coordinates(values: ArrayLike) -> FloatArray:
+    """(V, 3) copy of finite coordinates."""
+    try:
+        points = np.array(values, dtype=np.float64, order="C")
+    except (TypeError, ValueError):
+        raise InputError(
+            "vertices: expected numbers of shape (V, 3), got what is no array of numbers; give "
+            "three coordinates a vertex"
+        ) from None
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise InputError(
+            f"vertices: expected shape (V, 3), got {points.shape}; give three coordinates a vertex"
+        )
+    finite = np.isfinite(points).all(axis=1)
+    if not finite.all():
+        raise InputError(
+            f"vertices: {int((~finite).sum())} have NaN or infinite coordinates, the first is "
+            f"vertex {int(np.argmin(finite))}; mend the file"
+        )
+    return points
+
+
+def _numbers(values: ArrayLike) -> IntArray:
+    """Whole numbers; floats will do where they are whole, as they are in tables of text."""
+    try:
+        given = np.asarray(values)
+        with np.errstate(invalid="ignore"):
+            whole = given.astype(np.int64)
+        same = bool((whole == given).all())
+    except (TypeError, ValueError):
+        same = False
+    if not same:
+        raise InputError(
+            "faces: expected whole numbers of shape (F, 4), got what is none; give the numbers of "
+            "four vertices a face, from 0"
+        )
+    return whole

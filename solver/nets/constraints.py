@@ -206,7 +206,7 @@ def _add_glide(problem: Problem, glide: Glide) -> None:
     else:
         surface = TriangleSurface(_to_solver(problem, glide.points), glide.triangles)
         term = OnSurface(glide.vertices, surface)
-    problem.require(term, problem.own_residual("glide"))
+    problem.require(term)
 
 
 def _settled(mesh: QuadMesh, fixed: BoolArray, glide: Glide) -> list[Glide]:
@@ -259,11 +259,11 @@ def _add_symmetry(problem: Problem, axis: int) -> None:
     place = float(-problem.centre[axis] / problem.scale)
     pairs = np.stack([used, twin], axis=1)[used < twin]
     if len(pairs):
-        problem.require(Mirrored(pairs, axis, place), problem.own_residual("symmetry"))
+        problem.require(Mirrored(pairs, axis, place))
     middle = used[used == twin]
     if len(middle):
         term = OnPlane(middle, np.eye(3)[axis], place, name="symmetry")
-        problem.require(term, problem.own_residual("symmetry"))
+        problem.require(term)
 
 
 def _to_solver(problem: Problem, points: FloatArray) -> FloatArray:

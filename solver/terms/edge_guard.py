@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, length, points_of
+from solver.terms.base import Linearisation, length, points_of
 from solver.terms.stencils import OnEdges
 
 
@@ -23,11 +23,6 @@ class EdgeGuard(OnEdges):
     limit: float
     name: str = "edge guard"
     linear: bool = False
-
-    @property
-    def size(self) -> Size:
-        """One equation an edge."""
-        return Size(0, len(self.edges))
 
     def linearise(self, x: FloatArray) -> Linearisation:
         """Return (n, 1) and (n, 1, 6)."""

@@ -28,11 +28,6 @@ class OnPlane(OnVertices):
     name: str = "glide"
     linear: bool = True
 
-    @property
-    def size(self) -> Size:
-        """One equation a vertex."""
-        return Size(0, len(self.vertices))
-
     def linearise(self, x: FloatArray) -> Linearisation:
         """Return (n, 1) and (n, 1, 3)."""
         residual = x[self.unknowns] @ self.normal - self.offset
@@ -54,11 +49,6 @@ class OnSurface(OnVertices):
     normals: FloatArray | None = None
     name: str = "glide"
     linear: bool = False
-
-    @property
-    def size(self) -> Size:
-        """One equation a vertex."""
-        return Size(0, len(self.vertices))
 
     def follow(self, x: FloatArray) -> OnSurface:
         """Look up the closest points at the current shape."""

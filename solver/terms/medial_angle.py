@@ -8,7 +8,7 @@ import numpy as np
 
 from solver.mesh.quadmesh import FloatArray
 from solver.terms.angles import cosines
-from solver.terms.base import Linearisation, Size, points_of
+from solver.terms.base import Linearisation, points_of
 from solver.terms.stencils import OnFaces
 
 
@@ -27,11 +27,6 @@ class MedialAngle(OnFaces):
     angle: float
     name: str = "medial angle"
     linear: bool = False
-
-    @property
-    def size(self) -> Size:
-        """One equation a face."""
-        return Size(0, len(self.faces))
 
     def linearise(self, x: FloatArray) -> Linearisation:
         """Return (n, 1) and (n, 1, 12)."""

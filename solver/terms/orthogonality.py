@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from solver.mesh.quadmesh import FloatArray
-from solver.terms.base import Linearisation, Size, dot, points_of
+from solver.terms.base import Linearisation, dot, points_of
 from solver.terms.stencils import OnFaces
 
 
@@ -25,11 +25,6 @@ class Orthogonality(OnFaces):
 
     name: str = "orthogonality"
     linear: bool = False
-
-    @property
-    def size(self) -> Size:
-        """No auxiliary unknown, one equation a face."""
-        return Size(0, len(self.faces))
 
     def linearise(self, x: FloatArray) -> Linearisation:
         """Return (n, 1) and (n, 1, 12)."""

@@ -2,15 +2,42 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
 
 from solver.mesh.connectivity import IntArray
-from solver.terms.base import coordinates_of
+from solver.mesh.quadmesh import FloatArray
+from solver.terms.base import Linearisation, Size, coordinates_of
+
+
+class Elements(ABC):
+    """Base of terms on elements of one kind.
+
+    Such a term has a ``name`` and says how it is linearised. Unless it says otherwise it is not
+    linear, and the paper counts one equation an element.
+    """
+
+    name: str
+    linear: bool = False
+
+    @property
+    @abstractmethod
+    def unknowns(self) -> IntArray:
+        """(n, k) positions of each element's unknowns in the flat vector."""
+
+    @property
+    def size(self) -> Size:
+        """One equation an element."""
+        return Size(0, len(self.unknowns))
+
+    @abstractmethod
+    def linearise(self, x: FloatArray) -> Linearisation:
+        """Return residuals and Jacobian at the flat vector ``x``."""
 
 
 @dataclass(frozen=True, eq=False)
-class OnFaces:
+class OnFaces(Elements):
     """One element a face; ``faces`` is (n, 4)."""
 
     faces: IntArray
@@ -22,7 +49,7 @@ class OnFaces:
 
 
 @dataclass(frozen=True, eq=False)
-class OnEdges:
+class OnEdges(Elements):
     """One element an edge; ``edges`` is (n, 2)."""
 
     edges: IntArray
@@ -34,7 +61,7 @@ class OnEdges:
 
 
 @dataclass(frozen=True, eq=False)
-class OnVertices:
+class OnVertices(Elements):
     """One element a vertex; ``vertices`` is (n,)."""
 
     vertices: IntArray

@@ -11,7 +11,7 @@ import pytest
 from freecad_ortho import api
 from solver import InputError, OutputError
 from solver.io.points import read_points
-from solver.io.polygons import read_polygons, write_polygons
+from solver.io.polygons import read_polygons, write_mesh
 from tests.conftest import wavy_grid
 
 MESH = wavy_grid(5, 4).scaled(1 / 3)
@@ -90,7 +90,7 @@ def test_other_libraries_read_what_is_written(tmp_path):
     trimesh = pytest.importorskip("trimesh")
     for extension in ("ply", "off"):
         path = tmp_path / f"net.{extension}"
-        write_polygons(path, MESH)
+        write_mesh(path, MESH)
         other = trimesh.load(path, process=False)
         assert len(other.faces) == 2 * len(MESH.faces)
         np.testing.assert_allclose(other.vertices, MESH.vertices, atol=1e-7)
@@ -146,12 +146,12 @@ def test_broken_files_get_one_line(tmp_path, name, content, words):
 def test_nothing_is_left_where_nothing_can_be_written(tmp_path):
     for extension in ("ply", "off", "json"):
         with pytest.raises(OutputError):
-            write_polygons(tmp_path / "nowhere" / f"net.{extension}", MESH)
+            write_mesh(tmp_path / "nowhere" / f"net.{extension}", MESH)
 
 
 def test_json_is_plain(tmp_path):
     path = tmp_path / "net.json"
-    write_polygons(path, MESH, "ft")
+    write_mesh(path, MESH, "ft")
     data = json.loads(path.read_text())
     assert sorted(data) == ["faces", "unit", "vertices"]
 
