@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
@@ -32,8 +32,9 @@ sys.path.insert(0, str(ROOT))
 
 from freecad_ortho import api
 from solver import Constraints, NetOptions, QuadMesh, optimise
-from solver.analysis import measures, spheres
+from solver.analysis import measures
 from solver.mesh.primitives import primitive
+from solver.nets import NETS, Net
 from solver.report import CONVERGED, Outcome
 from solver.statics import Loads, start_densities, unbalanced
 from tests.conftest import SHARED, demo_roof, wavy_grid
@@ -48,28 +49,43 @@ Measure = Callable[[QuadMesh], np.ndarray]
 
 
 @dataclass(frozen=True)
-class Example:
-    """A net, the mesh to show it on, and where to look from (turn and tilt in degrees)."""
+class View:
+    """A mesh to show a net on, and where to look from (turn and tilt in degrees).
 
-    net: str
+    ``measured`` is for nets that a bare mesh is not judged by.
+    """
+
     what: str
     start: Callable[[], QuadMesh]
-    measured: tuple[Measure, ...]
     turn: float = -60.0
     tilt: float = 35.0
-    fix: str = "none"
-    options: NetOptions = field(default_factory=NetOptions)
+    measured: tuple[Measure, ...] = ()
     handles: Callable[[QuadMesh], dict[int, np.ndarray]] | None = None
+
+
+@dataclass(frozen=True)
+class Example:
+    """A net, or its diagonal variant, as it is shown."""
+
+    net: Net
+    diagonal: bool
+    view: View
 
     @property
     def name(self) -> str:
         """What the command line asks for."""
-        return f"{self.net} --diagonal" if self.options.diagonal else self.net
+        return f"{self.net.name} --diagonal" if self.diagonal else self.net.name
 
     @property
     def picture(self) -> Path:
         """File of the picture."""
         return PICTURES / f"{self.name.replace(' --', '-')}.png"
+
+    @property
+    def measured(self) -> tuple[Measure, ...]:
+        """By what its faces are coloured: what the net is judged by, as its table says."""
+        of_net = tuple(partial(one.on, diagonal=self.diagonal) for one in self.net.measures)
+        return (*of_net, *self.view.measured)
 
 
 def paper(name: str, other: Callable[[], QuadMesh]) -> QuadMesh:
@@ -117,81 +133,46 @@ def sheared(mesh: QuadMesh) -> QuadMesh:
     return mesh.with_vertices(mesh.vertices + push)
 
 
-DEFAULT = (measures.orthogonality,)
-EXAMPLES = (
-    Example("orthogonal", "sheared wave", lambda: wavy_grid(24, 17, 0.25, 0.3), DEFAULT, turn=-20),
-    Example("principal", "demo roof", demo_roof, (*DEFAULT, measures.planarity)),
-    Example(
-        "circular",
-        "waved catenoid",
-        lambda: deformed(primitive("catenoid", 33, 15)),
-        (measures.planarity, measures.circular),
-        tilt=25,
+# How a net is shown that has no view of its own.
+OTHER = View("waved shell", lambda: deformed(primitive("translational", 21, 15), 0.04))
+VIEWS = {
+    "orthogonal": View("sheared wave", lambda: wavy_grid(24, 17, 0.25, 0.3), turn=-20),
+    "principal": View("demo roof", demo_roof),
+    "circular": View("waved catenoid", lambda: deformed(primitive("catenoid", 33, 15)), tilt=25),
+    "geodesic": View(
+        "waved cylinder", lambda: deformed(primitive("cylinder", 25, 15, angles=(0, 200)), 0.08)
     ),
-    Example(
-        "conical",
-        "waved shell",
-        lambda: deformed(primitive("translational", 21, 15), 0.04),
-        (measures.planarity, measures.conical),
+    "dog": View("noisy sheet", lambda: noisy(bent_sheet())),
+    "chebyshev": View(
+        "chebyshev_sphere", lambda: paper("chebyshev_sphere", lambda: noisy(bent_sheet()))
     ),
-    Example(
-        "geodesic",
-        "waved cylinder",
-        lambda: deformed(primitive("cylinder", 25, 15, angles=(0, 200)), 0.08),
-        (*DEFAULT, measures.geodesic),
+    "geodesic-chebyshev": View("noisy sheet", lambda: noisy(bent_sheet())),
+    "asymptotic": View("knet1", lambda: paper("knet1", lambda: noisy(scherk()))),
+    "asymptotic --diagonal": View(
+        "enneper2", lambda: paper("enneper2", lambda: noisy(helicoid())), turn=-95, tilt=55
     ),
-    Example("dog", "noisy sheet", lambda: noisy(bent_sheet()), (measures.equal_angles,)),
-    Example(
-        "chebyshev",
-        "chebyshev_sphere",
-        lambda: paper("chebyshev_sphere", lambda: noisy(bent_sheet())),
-        (*DEFAULT, measures.chebyshev),
-    ),
-    Example(
-        "geodesic-chebyshev",
-        "noisy sheet",
-        lambda: noisy(bent_sheet()),
-        (*DEFAULT, measures.geodesic, measures.chebyshev),
-    ),
-    Example(
-        "asymptotic",
-        "knet1",
-        lambda: paper("knet1", lambda: noisy(scherk())),
-        (*DEFAULT, measures.asymptotic),
-    ),
-    Example(
-        "asymptotic",
-        "enneper2",
-        lambda: paper("enneper2", lambda: noisy(helicoid())),
-        (*DEFAULT, partial(measures.asymptotic, diagonal=True)),
-        turn=-95,
-        tilt=55,
-        options=NetOptions(diagonal=True),
-    ),
-    Example(
-        "cmc", "cmc1", lambda: paper("cmc1", lambda: noisy(unduloid())), (*DEFAULT, spheres.cmc)
-    ),
-    Example(
-        "snet",
-        "sheared dome",
-        lambda: sheared(primitive("translational", 19, 19)),
-        (*DEFAULT, spheres.snet),
-    ),
-    Example(
-        "stress",
+    "cmc": View("cmc1", lambda: paper("cmc1", lambda: noisy(unduloid()))),
+    "snet": View("sheared dome", lambda: sheared(primitive("translational", 19, 19))),
+    "stress": View(
         "quad_dome",
         lambda: paper("quad_dome", hanging_net),
-        (*DEFAULT, imbalance),
-        fix="boundary",
+        measured=(measures.orthogonality, imbalance),
     ),
-    Example(
-        "isometric",
+    "isometric": View(
         "flat sheet, two handles",
         flat_sheet,
-        (partial(measures.isometry, reference=flat_sheet().vertices),),
+        measured=(partial(measures.isometry, reference=flat_sheet().vertices),),
         handles=two_corners,
     ),
-)
+}
+
+
+def examples() -> Iterator[Example]:
+    """Every net of the table, and those diagonal variants that have a picture of their own."""
+    for net in NETS.values():
+        yield Example(net, False, VIEWS.get(net.name, OTHER))
+        if f"{net.name} --diagonal" in VIEWS:
+            yield Example(net, True, VIEWS[f"{net.name} --diagonal"])
 
 
 def on_faces(mesh: QuadMesh, values: np.ndarray) -> np.ndarray:
@@ -217,13 +198,12 @@ def worst_on_faces(mesh: QuadMesh, measured: tuple[Measure, ...]) -> np.ndarray:
 
 def solve(example: Example) -> tuple[QuadMesh, Outcome]:
     """Start and outcome of an example."""
-    start = example.start()
+    start = example.view.start()
     wanted = None
-    if example.handles is not None:
-        wanted = Constraints(handles=example.handles(start))
-    outcome = optimise(
-        start, example.net, fix=example.fix, options=example.options, constraints=wanted
-    )
+    if example.view.handles is not None:
+        wanted = Constraints(handles=example.view.handles(start))
+    options = NetOptions(diagonal=example.diagonal)
+    outcome = optimise(start, example.net.name, options=options, constraints=wanted)
     if outcome.report.status != CONVERGED:
         sys.exit(f"{example.name}: {outcome.report.message}")
     return start, outcome
@@ -280,12 +260,12 @@ def draw_forces(axes: Axes, mesh: QuadMesh, view: np.ndarray, densities: list[fl
 
 def picture(example: Example, start: QuadMesh, outcome: Outcome) -> None:
     """Write the picture of a net before and after."""
-    view = camera(example.turn, example.tilt)
+    view = camera(example.view.turn, example.view.tilt)
     before = worst_on_faces(start, example.measured)
     after = worst_on_faces(outcome.mesh, example.measured)
     scale = ScalarMappable(LogNorm(LEAST, MOST), WARM)
     coloured = scale.to_rgba(np.clip(np.nan_to_num(before, nan=LEAST), LEAST, MOST))
-    if example.net == "isometric":
+    if example.view.handles:
         coloured[:] = matplotlib.colors.to_rgba(GREY)
     clean = np.tile(matplotlib.colors.to_rgba(CLEAN), (len(after), 1))
 
@@ -301,12 +281,12 @@ def picture(example: Example, start: QuadMesh, outcome: Outcome) -> None:
         axes.set_axis_off()
     if "force_densities" in outcome.report.details:
         draw_forces(sides[1], outcome.mesh, view, outcome.report.details["force_densities"])
-    if example.handles is not None:
-        targets = np.array(list(example.handles(start).values()))
+    if example.view.handles is not None:
+        targets = np.array(list(example.view.handles(start).values()))
         places = (targets - outcome.mesh.vertices.mean(axis=0)) @ view.T
         sides[1].plot(places[:, 0], places[:, 1], "o", color="#b81a26", markersize=7)
     figure.subplots_adjust(0.01, 0.13, 0.99, 0.99, wspace=0.03)
-    if example.net != "isometric":
+    if not example.view.handles:
         bar = figure.colorbar(
             scale,
             cax=figure.add_axes((0.15, 0.075, 0.21, 0.022)),
@@ -316,7 +296,7 @@ def picture(example: Example, start: QuadMesh, outcome: Outcome) -> None:
         bar.ax.tick_params(labelsize=9, colors=INK)
         bar.outline.set_linewidth(0.5)
     words = dict(ha="center", fontsize=12, color=INK)
-    left = "before" if example.net == "isometric" else f"before: worst {np.nanmax(before):.1g}"
+    left = "before" if example.view.handles else f"before: worst {np.nanmax(before):.1g}"
     figure.text(0.255, 0.115, left, **words)
     figure.text(0.745, 0.115, f"after: worst {residual(outcome):.0e}", **words)
     PICTURES.mkdir(parents=True, exist_ok=True)
@@ -346,7 +326,7 @@ def row(example: Example, start: QuadMesh, outcome: Outcome) -> str:
     report = outcome.report
     before = float(np.nanmax(worst_on_faces(start, example.measured)))
     return (
-        f"| {example.name} | {example.what} | {report.vertices:,} | {before:.1g} "
+        f"| {example.name} | {example.view.what} | {report.vertices:,} | {before:.1g} "
         f"| {residual(outcome):.0e} | {report.iterations} "
         f"| {report.moved.mean:.2f}, {report.moved.max:.2f} "
         f"| {report.edge_ratio_start:.2f} -> {report.edge_ratio:.2f} |"
@@ -364,7 +344,7 @@ def main() -> None:
         "| edge ratio |",
         "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |",
     ]
-    for example in EXAMPLES:
+    for example in examples():
         if options.names and example.picture.stem not in options.names:
             continue
         start, outcome = solve(example)

@@ -24,6 +24,7 @@ from solver.report import Outcome, Report, StepRecord
 from solver.session import Session
 from solver.solve import pose, solve
 from solver.terms.base import Linearisation, Size, Term, points_of
+from solver.terms.derivatives import derivative_error
 from solver.terms.stencils import OnEdges, OnFaces, OnVertices
 
 __all__ = [
@@ -51,6 +52,7 @@ __all__ = [
     "SurfaceGlide",
     "Term",
     "Weights",
+    "derivative_error",
     "of_mesh",
     "optimise",
     "points_of",

@@ -3,6 +3,7 @@
 import re
 import shlex
 
+import numpy as np
 import pytest
 
 from freecad_ortho import api
@@ -10,7 +11,7 @@ from freecad_ortho.__main__ import main
 from freecad_ortho.cli import commands
 from freecad_ortho.fabrication.tables import COLUMNS
 from solver.mesh.primitives import primitive
-from solver.nets import NETS, all_measures, nets_with
+from solver.nets import NETS, all_measures, nets_with, unregister
 from solver.nets.options import OPTIONS
 from tests.conftest import ROOT
 
@@ -141,3 +142,25 @@ def test_python_of_nets_runs():
     found = {"mesh": primitive("rectangle", 19, 15, length=4.5, width=3.5)}
     exec(code, found)
     assert found["session"].settle().report.status == "converged"
+
+
+def test_a_net_of_your_own_runs_everywhere(tmp_path, monkeypatch, capsys):
+    blocks = re.findall(r"```python\n(.*?)```", text("docs/own-net.md"), re.DOTALL)
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+    found = {}
+    try:
+        exec(blocks[0], found)
+        assert capsys.readouterr().out.startswith("incircular net reached: worst ")
+        roof = api.read_mesh("incircular.obj").mesh
+        corners = roof.vertices[roof.faces]
+        sides = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+        assert np.abs(sides @ [1, -1, 1, -1]).max() < 1e-9 * roof.mean_edge
+        exec(blocks[1], found)
+        error, said = capsys.readouterr().out.splitlines()
+        assert float(error) < 1e-8 and said.startswith("own net reached")
+        command = "optimise examples/data/demo_roof.obj --net incircular -o out.obj"
+        assert main(shlex.split(command)) == 0
+        assert (api.read_mesh("out.obj").mesh.vertices == roof.vertices).all()
+    finally:
+        unregister("incircular")
