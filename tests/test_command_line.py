@@ -92,11 +92,14 @@ def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
         (["fabricate", "MESH", "-o", "out", "--height", "-1"], "height: expected a number above 0"),
         (
             ["fabricate", "MESH", "-o", "out", "--thickness", "nan"],
-            "thickness: expected a number above 0",
+            "--thickness: expected a finite number, got 'nan'",
         ),
         (["fabricate", "MESH", "-o", "out", "--thickness", "5000"], "does not fit edge"),
         (["fabricate", "MESH", "-o", "out", "--system", "walls"], "system: expected one of"),
-        (["fabricate", "MESH", "-o", "out", "--offset", "left"], "offset: expected one of above"),
+        (
+            ["fabricate", "MESH", "-o", "out", "--offset", "left"],
+            "--offset: expected above, centre",
+        ),
         (["check", "absent.obj"], "no such file"),
     ],
 )

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterable
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 from freecad_ortho import api
+from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_OK, kept_whole
 from freecad_ortho.fabrication.limits import Limits
@@ -21,15 +21,6 @@ from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.units import millimetres_per
 from solver.option import Option
 
-# What a value is read as, and what stands for it in the help.
-_KINDS: dict[str, tuple[type, str]] = {
-    "length": (float, "MM"),
-    "angle": (float, "DEG"),
-    "percent": (float, "PERCENT"),
-    "count": (int, "N"),
-    "choice": (str, ""),
-    "text": (str, "TEXT"),
-}
 # A workshop's own as well, so of use with every system.
 _SHARED = {option.name for option in Workshop.options}
 _LIMITS = {field.name: field.default for field in fields(Limits)}
@@ -45,7 +36,8 @@ def add(parser: argparse.ArgumentParser) -> None:
     for name, option in _options().items():
         if name not in _SHARED:
             users = _users(option)
-            _add_option(group, option, ", ".join(users) + ": ", _defaults(users))
+            before = f"{', '.join(users)}: "
+            arguments.add(group, option, before, _defaults(users), length="MM")
     parser.add_argument("--family", default="both", metavar="|".join(FAMILY_CHOICES))
     parser.add_argument("--lines", metavar="I,J,...", help="these parameter lines only, from 0")
     parser.add_argument(
@@ -64,7 +56,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     _add_limits(parser)
     shop = parser.add_argument_group("workshop", "what parts are cut from and with")
     for option in Workshop.options:
-        _add_option(shop, option)
+        arguments.add(shop, option, length="MM")
     parser.add_argument("--workers", type=int, metavar="N", help="processes that share the work")
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
     values.add_origin(parser, keep=False)
@@ -75,7 +67,7 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Build the structure and write its files."""
     loaded = reporting.load(options)
-    workshop = _given(options, [option.name for option in Workshop.options])
+    workshop = arguments.given(Workshop.options, options)
     Workshop.of(workshop)
     scale = millimetres_per(loaded.unit)
     structure = api.fabricate(
@@ -86,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
         material=options.material,
         density=options.density,
         unit=loaded.unit,
-        limits=Limits(**_given(options, _LIMITS, "limit_")),
+        limits=Limits(**_limits(options)),
         **_sizes(options),
     )
     with kept_whole(), missing_package_named():
@@ -111,15 +103,9 @@ def _sizes(options: argparse.Namespace) -> dict[str, Any]:
     chosen = options.system.split("+")
     return {
         name: value
-        for name, value in _given(options, _options()).items()
+        for name, value in arguments.given(_options().values(), options).items()
         if name not in _SHARED or set(chosen) & set(_users(_options()[name]))
     }
-
-
-def _given(options: argparse.Namespace, names: Iterable[str], prefix: str = "") -> dict[str, Any]:
-    """Values of those options that the user gave."""
-    given = {name: getattr(options, prefix + name) for name in names}
-    return {name: value for name, value in given.items() if value is not None}
 
 
 def _add_limits(parser: argparse.ArgumentParser) -> None:
@@ -135,6 +121,12 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
             metavar="DEGREES" if unit == "deg" else unit.upper(),
             help=f"largest {words.replace('_', ' ')} (default: {shown})",
         )
+
+
+def _limits(options: argparse.Namespace) -> dict[str, float]:
+    """The limits that the user gave."""
+    given = {name: getattr(options, f"limit_{name}") for name in _LIMITS}
+    return {name: value for name, value in given.items() if value is not None}
 
 
 def _options() -> dict[str, Option]:
@@ -158,24 +150,7 @@ def _defaults(users: dict[str, Any]) -> str:
     for name, default in users.items():
         by_value.setdefault(default, []).append(name)
     if len(by_value) == 1:
-        return _shown(next(iter(by_value)))
-    return "; ".join(f"{_shown(value)} for {', '.join(of)}" for value, of in by_value.items())
-
-
-def _shown(default: Any) -> str:
-    return "" if default is None else f"{default:g}" if isinstance(default, float) else str(default)
-
-
-def _add_option(
-    group: argparse._ArgumentGroup, option: Option, before: str = "", default: str | None = None
-) -> None:
-    flag = "--" + option.name.replace("_", "-")
-    words = before + option.meaning
-    if option.kind == "flag":
-        group.add_argument(flag, action="store_true", default=None, help=words)
-        return
-    if shown := option.absent or (_shown(option.default) if default is None else default):
-        words += f" (default: {shown})"
-    kind, metavar = _KINDS[option.kind]
-    metavar = option.written or "|".join(option.choices) or metavar
-    group.add_argument(flag, type=kind, metavar=metavar, help=words)
+        return arguments.shown(next(iter(by_value)))
+    return "; ".join(
+        f"{arguments.shown(value)} for {', '.join(of)}" for value, of in by_value.items()
+    )

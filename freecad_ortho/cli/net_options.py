@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from freecad_ortho import api
+from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import values
 from freecad_ortho.mesh_files import read_mesh_file, upright
 from freecad_ortho.triangles import read_triangles
@@ -27,10 +28,8 @@ from solver.nets.constraints import (
     SurfaceGlide,
 )
 from solver.nets.options import OPTIONS
-from solver.option import Option
 
 _AXES = "xyz"
-_WRITTEN = {"length": "L", "angle": "DEG", "number": "N"}
 # The end of a --glide that names vertices; a path may have an @ of its own.
 _VERTICES = re.compile(r"@([\d,]+)$")
 # Curves whose ends are nearer than this part of their size are closed.
@@ -42,7 +41,12 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--multi", type=float, metavar="W", help="weight of the multi-net guide")
     parser.add_argument("--isometry", type=float, metavar="W", help="weight of faces' own shape")
     for option in OPTIONS.values():
-        _add_option(parser, option)
+        arguments.add(parser, option, f"{_nets(nets_with(option.name))}: ")
+    for word in ("compression", "tension"):
+        words = f"the same as --forces {word}"
+        parser.add_argument(
+            f"--{word}", dest="forces", action="store_const", const=word, help=words
+        )
     parser.add_argument(
         "--supports", metavar="boundary|corners|I,J", help=f"{_nets(_supported())}: what is held"
     )
@@ -67,69 +71,23 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
         InputError: an option that the net does not have, or one that cannot be used.
     """
     asked = net_named(options.net)
-    for option in OPTIONS.values():
-        for flag, given in _given(option, options):
-            if given and option.name not in asked.options:
-                raise _not_for(flag, nets_with(option.name), asked)
+    chosen = arguments.given(OPTIONS.values(), options, loaded.unit)
+    for name in chosen:
+        if name not in asked.options:
+            raise _not_for(arguments.flag_of(OPTIONS[name]), nets_with(name), asked)
     if options.supports and asked.name not in _supported():
         raise _not_for("--supports", _supported(), asked)
     if options.supports and options.fix != "none":
         raise InputError("--supports: what does not move is supported; give --fix or --supports")
+    if "reference" in chosen:
+        chosen["reference"] = _reference(chosen["reference"], options.up, loaded)
     return {
         "fix": options.supports or options.fix,
         "multi": options.multi,
         "isometry": options.isometry,
-        "options": NetOptions(
-            **{option.name: _value(option, options, loaded) for option in OPTIONS.values()}
-        ),
+        "options": NetOptions(**chosen),
         "constraints": _constraints(options, loaded),
     }
-
-
-def _add_option(parser: argparse.ArgumentParser, option: Option) -> None:
-    """Offer an option of nets; of a choice each word but the usual one is an option."""
-    words = f"{_nets(nets_with(option.name))}: {option.brief}"
-    if option.kind == "choice":
-        group = parser.add_mutually_exclusive_group()
-        for word in _choices(option):
-            group.add_argument(f"--{word}", action="store_true", help=words)
-    elif option.kind == "flag":
-        parser.add_argument(_flag(option), action="store_true", help=words)
-    elif option.kind == "mesh":
-        parser.add_argument(_flag(option), metavar="FILE", help=words)
-    else:
-        usual = option.absent if option.default is None else f"{option.default:g}"
-        parser.add_argument(
-            _flag(option),
-            type=float,
-            default=option.default,
-            metavar=_WRITTEN[option.kind],
-            help=f"{words} (default: {usual})",
-        )
-
-
-def _given(option: Option, options: argparse.Namespace) -> list[tuple[str, bool]]:
-    """The words that stand for an option, and whether they were given."""
-    if option.kind == "choice":
-        return [(f"--{word}", getattr(options, word)) for word in _choices(option)]
-    usual = False if option.kind == "flag" else option.default
-    return [(_flag(option), getattr(options, option.name) != usual)]
-
-
-def _value(option: Option, options: argparse.Namespace, loaded: api.LoadedMesh) -> Any:
-    if option.kind == "choice":
-        chosen = [word for word in _choices(option) if getattr(options, word)]
-        return chosen[0] if chosen else option.default
-    value = getattr(options, option.name)
-    return _reference(value, options.up, loaded) if option.kind == "mesh" and value else value
-
-
-def _flag(option: Option) -> str:
-    return f"--{option.name.replace('_', '-')}"
-
-
-def _choices(option: Option) -> list[str]:
-    return [word for word in option.choices if word != option.default]
 
 
 def _supported() -> tuple[str, ...]:
