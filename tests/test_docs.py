@@ -53,11 +53,9 @@ def test_tables_of_nets_and_options_say_what_the_table_of_nets_says():
         assert f"| `{net.name}` | {net.condition} | {net.purpose} |" in document
     rows = [line.split(" | ") for line in document.splitlines() if line.startswith("| `--")]
     for option in OPTIONS.values():
-        words = option.shown if option.kind == "choice" else [option.name.replace("_", "-")]
-        for word in words:
-            if word != option.default:
-                (row,) = [row for row in rows if re.search(rf"--{word}\b(?!-)", row[0])]
-                assert row[1] == ", ".join(nets_with(option.name)), row
+        word = option.name.replace("_", "-")
+        (row,) = [row for row in rows if re.search(rf"--{word}\b(?!-)", row[0])]
+        assert row[1] == ", ".join(nets_with(option.name)), row
 
 
 def test_every_net_has_its_picture_and_numbers():
