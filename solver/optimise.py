@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
@@ -19,7 +20,7 @@ from solver.nets.constraints import Constraints, corners_that_stay, on_curves, s
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights, fixed_vertices
 from solver.plan import Plan
-from solver.problem import Problem, place_of
+from solver.problem import Problem
 from solver.report import Outcome, StepRecord
 from solver.run import Optimisation
 from solver.tuning import Tuning
@@ -159,14 +160,17 @@ def _refuse_contradictions(problem: Problem) -> None:
     """Say which face, edge or vertex has nothing left to move and yet is not as it has to be."""
     if not problem.fixed.any() or not problem.free.any():
         return
+    before: Counter[str] = Counter()
     for term in problem.constraints:
+        first = before[term.name]
+        before[term.name] += len(term.unknowns)
         stuck = np.flatnonzero(~problem.free[term.unknowns].any(axis=1))
         if not len(stuck):
             continue
         miss = np.abs(term.linearise(problem.start).residual[stuck]).max(axis=1)
         worst = int(np.argmax(miss))
         if miss[worst] > _CONTRADICTION:
-            place = place_of(term, int(stuck[worst]))
+            place = problem.places[term.name](first + int(stuck[worst]))
             raise InputError(
                 f"fix: {place} cannot move at all, but its {term.name} is off by "
                 f"{miss[worst]:.1e}; free one of its vertices"

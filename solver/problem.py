@@ -63,6 +63,8 @@ class Problem:
         fixed: (V,) true for vertices that must not move; they are eliminated.
         may_flatten: whether a plane is a shape as good as any other.
         tuning: the numbers of the solver.
+        exempt: how many faces, in diagonal variants vertices, lie at singular vertices and are not
+            asked for right angles.
     """
 
     net: str
@@ -75,6 +77,7 @@ class Problem:
     may_flatten: bool = False
     tuning: Tuning = field(default_factory=Tuning)
     places: dict[str, Callable[[int], str]] = field(default_factory=dict)
+    exempt: int = 0
 
     def __post_init__(self) -> None:
         used = self.mesh.connectivity.referenced

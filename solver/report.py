@@ -80,6 +80,8 @@ class Report:
         edge_ratio: shortest edge / mean edge.
         edge_ratio_start: the same of the input.
         flipped_faces: faces that lie against their neighbours or have a corner turned inside out.
+        exempt_faces: faces at singular vertices that are not asked for right angles; in diagonal
+            variants the vertices around which a face of the diagonal meshes lies.
         moved: mean and largest distance from the input, in mean edges of the input.
         off_surface: largest and mean distance from the surface that it had to be close to, of
             vertices and of points inside faces, in model units; None without one.
@@ -112,6 +114,7 @@ class Report:
     edge_ratio: float
     edge_ratio_start: float
     flipped_faces: int
+    exempt_faces: int
     moved: Spread
     off_surface: Spread | None
     mean_edge: float

@@ -10,6 +10,7 @@ from solver.candidate import Candidate, spread_of
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.seams import seams
 from solver.nearest import off_surface
+from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         edge_ratio=best.edge_ratio,
         edge_ratio_start=best.edge_ratio_start,
         flipped_faces=best.flipped,
+        exempt_faces=run.original.exempt,
         moved=spread_of(moved),
         off_surface=spread_of(off_surface(best.mesh, run.surface)) if run.surface else None,
         mean_edge=start.mean_edge,
@@ -56,7 +58,7 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
         size_start=_size(start),
         origin=cast(list[float], run.origin.shift.tolist()),
         solver=run.backend,
-        remarks=_remarks(start, best.mesh),
+        remarks=[*_remarks(start, best.mesh), *_left_out(run.original)],
         history=list(history),
     )
     return Outcome(run.origin.back_mesh(best.mesh), report)
@@ -106,6 +108,18 @@ def _remains(mesh: QuadMesh) -> str:
     points = mesh.vertices[mesh.connectivity.referenced]
     extents = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
     return "a line" if extents[1] < _THIN * extents[0] else "a plane"
+
+
+def _left_out(problem: Problem) -> list[str]:
+    """Where no right angles are asked, and why."""
+    if not problem.exempt:
+        return []
+    few = problem.exempt == 1
+    return [
+        f"{problem.exempt} {'place' if few else 'places'} next to inner vertices where more or "
+        f"fewer than four faces meet {'is' if few else 'are'} not asked for right angles, which a "
+        "smooth surface does not have there (singular: include asks it all the same)"
+    ]
 
 
 def _remarks(start: QuadMesh, end: QuadMesh) -> list[str]:

@@ -16,6 +16,20 @@ UNDULOID_CURVATURE = 1.0
 _NARROW, _WIDE = 0.3, 0.7
 
 
+def right_angles(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
+    """(n,) relative difference of the diagonals where a net asks for right angles.
+
+    Of all faces that touch no inner irregular vertex, or of the quads of the four neighbours of
+    regular inner vertices, none of which is an irregular inner vertex.
+    """
+    net = mesh.connectivity
+    irregular = ~net.boundary_vertices & (net.edge_valence != 4)
+    quads = net.stars[:, 1:] if diagonal else mesh.faces
+    a, b, c, d = mesh.vertices[quads[~irregular[quads].any(axis=1)]].transpose(1, 0, 2)
+    first, second = np.linalg.norm(c - a, axis=1), np.linalg.norm(d - b, axis=1)
+    return np.asarray(np.abs(first - second) / (0.5 * (first + second)))
+
+
 def noisy(mesh: QuadMesh, amount: float = 0.1, seed: int = 0) -> QuadMesh:
     """Every vertex moved by its own Gaussian vector of RMS length ``amount`` mean edges."""
     moves = np.random.default_rng(seed).normal(size=mesh.vertices.shape)

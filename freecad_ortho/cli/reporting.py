@@ -101,11 +101,13 @@ def check_table(result: dict[str, Any]) -> str:
         if name == "planarity":
             gap = result["planarity_gap"] * millimetres_per(result["unit"])
             place += f"; the largest gap is {gap:.2g} mm"
+        if entry["exempt"]:
+            place += f"; without {entry['exempt']} at irregular vertices"
         lines.append(f"{name:<16}{entry['max']:>12.3e}{entry['mean']:>12.3e}   {place}")
     lines.append(f"{'edge ratio':<16}{result['edge_ratio']:>12.3f}")
     lines.append(f"{'folded faces':<16}{result['flipped_faces']:>12d}")
     lines.append(_multi_net_line(result["multi_net"]))
-    lines.append(f"{'net':<24}{'beyond orthogonality':>22}   can it be near?")
+    lines.append(f"{'net':<24}{'beyond right angles':>22}   can it be near?")
     for advice in result["advice"]["nets"]:
         title = advice["net"] + (" --diagonal" if advice["diagonal"] else "")
         verdict = "yes" if advice["possible"] else "no"

@@ -29,8 +29,8 @@ class Advice:
         net: name of the recipe.
         diagonal: whether the star property is asked of the diagonal net.
         distance: mean of the net's measures, the largest of its parts, dimensionless.
-        beyond: the same without orthogonality, which nearly every net asks for: what tells this
-            net from others.
+        beyond: the same without right angles of the edges, which nearly every net asks for:
+            what tells this net from others.
         possible: whether a mesh of this shape can be near such a net.
         cause: one word for the reason, empty where there is none: ``bulges``, ``bends``,
             ``diagonal`` or ``oblique``.
@@ -71,8 +71,8 @@ def advise(
     found = [
         shape.advice(net, diagonal)
         for net in NETS.values()
-        if shape.tells(net)
         for diagonal in net.variants
+        if shape.tells(net, diagonal)
     ]
     return sorted(found, key=lambda one: _order(one, zero))
 
@@ -87,20 +87,21 @@ class _Shape:
         self._positive, self._negative = _curved_shares(mesh)
         self._twisted = twisted_lines(mesh)
 
-    def tells(self, net: Net) -> bool:
+    def tells(self, net: Net, diagonal: bool) -> bool:
         """Whether the mesh alone says how far it is from a net."""
         stars = len(self._mesh.connectivity.stars)
-        needed = any(measure.place == "vertex" for measure in net.measures)
+        needed = any(measure.place_of(diagonal) == "vertex" for measure in net.measures)
         return bool(net.measures) and (bool(stars) or not needed)
 
     def advice(self, net: Net, diagonal: bool) -> Advice:
         """How the mesh relates to a net."""
         means = {
-            measure.name: self._mean(measure, diagonal and measure.place == "vertex")
+            measure: self._mean(measure, diagonal and bool(measure.across))
             for measure in net.measures
         }
         distance = max(means.values())
-        own = [mean for name, mean in means.items() if name != "orthogonality"]
+        # Right angles across the diagonals are nothing that other nets ask for.
+        own = [mean for measure, mean in means.items() if diagonal or not measure.square]
         doubt = self._doubt(net)
         return Advice(net.name, diagonal, distance, max(own, default=distance), *doubt)
 
@@ -109,7 +110,8 @@ class _Shape:
         if key not in self._means:
             values = None if diagonal else self._known.get(measure.name)
             values = measure.on(self._mesh, diagonal) if values is None else values
-            self._means[key] = float(values.mean())
+            counted = values[~measure.left_out(self._mesh, diagonal)]
+            self._means[key] = float(counted.mean()) if len(counted) else 0.0
         return self._means[key]
 
     def _doubt(self, net: Net) -> tuple[bool, str, str]:

@@ -16,7 +16,7 @@ from solver.mesh.local_origin import LocalOrigin, resolution
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import seams
 from solver.multinet.inverse import multi_net_residual_of
-from solver.nets import all_measures
+from solver.nets import Measure, all_measures
 
 # Violations of Eq. 1 up to this part of size^2 count as zero.
 MULTI_NET = 1e-10
@@ -29,7 +29,8 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
 
     Returns:
         Plain numbers for JSON: counts, ``measures`` with ``max``, ``mean`` and ``worst`` (the
-        number of the face, edge or star centre) each, ``planarity_gap`` (largest distance between
+        number of the face, edge or star centre) and ``exempt`` (how many are left out, as
+        they lie at singular vertices) each, ``planarity_gap`` (largest distance between
         the diagonals of a face) in the mesh's unit, ``edge_ratio``, ``flipped_faces``, ``size``
         (lengths of the bounding box) and ``mean_edge`` in the mesh's unit, ``advice`` on which
         net to optimise for, ``multi_net``, None where the mesh is not of grid type, and
@@ -55,18 +56,27 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         "edge_ratio": measures.edge_ratio(mesh),
         "flipped_faces": int(measures.flipped(mesh).sum()),
         "advice": advice_as_dict(mesh, values, coarse),
-        "measures": {name: _entry(mesh, values[name], asked[name].place) for name in asked},
+        "measures": {name: _entry(mesh, values[name], measure) for name, measure in asked.items()},
         "multi_net": _multi_net(mesh, max(MULTI_NET, coarse)),
         "remarks": seams(mesh).remarks(),
     }
 
 
-def _entry(mesh: QuadMesh, values: FloatArray, where: str) -> dict[str, float | int | str | None]:
-    spread = spread_of(values)
-    worst = int(np.argmax(values)) if len(values) else None
+def _entry(
+    mesh: QuadMesh, values: FloatArray, measure: Measure
+) -> dict[str, float | int | str | None]:
+    left_out, where = measure.left_out(mesh), measure.place
+    spread = spread_of(values[~left_out])
+    worst = int(np.argmax(np.where(left_out, -1.0, values))) if not left_out.all() else None
     if where == "vertex" and worst is not None:
         worst = int(mesh.connectivity.stars[worst, 0])
-    return {"max": spread.max, "mean": spread.mean, "worst": worst, "where": where}
+    return {
+        "max": spread.max,
+        "mean": spread.mean,
+        "worst": worst,
+        "where": where,
+        "exempt": int(left_out.sum()),
+    }
 
 
 def _multi_net(mesh: QuadMesh, zero: float) -> dict[str, Any] | None:

@@ -25,7 +25,8 @@ class Field:
 
     Attributes:
         place: what a value belongs to: faces, vertices or edges.
-        values: (N,) one each; NaN where the quantity is not defined (curvature at the boundary).
+        values: (N,) one each; NaN where the quantity is not defined (curvature at the boundary,
+            right angles at singular vertices).
         dimension: power of the model's length in it: 1 for a length, -2 for Gauss curvature.
         unit: "degrees", or empty for a number or a length.
         signed: zero is special, both signs matter.
@@ -67,7 +68,7 @@ def residuals() -> dict[str, Compute]:
     }
     for net in NETS.values():
         for measure in net.measures if True in net.variants else ():
-            if measure.place == "vertex":
+            if measure.across:
                 found[f"{measure.title} diagonals"] = partial(_residual, measure, True)
     return found
 
@@ -98,9 +99,10 @@ def turning_radii(mesh: QuadMesh) -> FloatArray:
 def _residual(
     measure: Measure, diagonal: bool, mesh: QuadMesh, reference: TriangleSurface | None
 ) -> Field:
-    found = measure.on(mesh, diagonal)
-    if measure.place != "vertex":
-        return Field(FACES if measure.place == "face" else EDGES, found, decades=True)
+    found = np.where(measure.left_out(mesh, diagonal), np.nan, measure.on(mesh, diagonal))
+    place = measure.place_of(diagonal)
+    if place != "vertex":
+        return Field(FACES if place == "face" else EDGES, found, decades=True)
     net = mesh.connectivity
     values = np.full(len(mesh.vertices), np.nan)
     values[(net.diagonal_stars if diagonal else net.stars)[:, 0]] = found

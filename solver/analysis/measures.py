@@ -12,13 +12,24 @@ from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 
-def orthogonality(mesh: QuadMesh) -> FloatArray:
+def orthogonality(
+    mesh: QuadMesh, diagonal: bool = False, chosen: BoolArray | None = None
+) -> FloatArray:
     """(F,) difference of the diagonal lengths / mean diagonal length.
+
+    Args:
+        mesh: the mesh to judge.
+        diagonal: ask it of the diagonal meshes, whose faces are the four neighbours of a vertex:
+            (S,) values, in the order of the stars.
+        chosen: of which faces or stars; by default of all.
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 3.
     """
-    first, second = _diagonal_lengths(mesh)
-    return np.abs(first - second) / (0.5 * (first + second))
+    net = mesh.connectivity
+    quads = net.stars[:, 1:] if diagonal else net.faces
+    corners = mesh.vertices[quads if chosen is None else quads[chosen]]
+    first, second = (np.linalg.norm(corners[:, k + 2] - corners[:, k], axis=1) for k in (0, 1))
+    return np.asarray(np.abs(first - second) / (0.5 * (first + second)))
 
 
 def planarity(mesh: QuadMesh) -> FloatArray:
@@ -53,13 +64,18 @@ def conical(mesh: QuadMesh) -> FloatArray:
     return np.abs(angles[:, 0] + angles[:, 2] - angles[:, 1] - angles[:, 3])
 
 
-def medial_angle(mesh: QuadMesh, angle: float = np.pi / 2) -> FloatArray:
+def medial_angle(
+    mesh: QuadMesh, angle: float = np.pi / 2, chosen: BoolArray | None = None
+) -> FloatArray:
     """(F,) deviation of the angle between the medial lines from ``angle``, in radians.
+
+    ``chosen`` are the faces that count, by default all.
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, lemma 4.
     """
     a, b, c, d = _corners(mesh)
-    return np.abs(_angles(b + c - a - d, c + d - a - b) - angle)
+    values = np.abs(_angles(b + c - a - d, c + d - a - b) - angle)
+    return values if chosen is None else values[chosen]
 
 
 def isometry(mesh: QuadMesh, reference: FloatArray) -> FloatArray:
@@ -80,11 +96,19 @@ def isometry(mesh: QuadMesh, reference: FloatArray) -> FloatArray:
 
 
 def equal_edges(
-    mesh: QuadMesh, chosen: BoolArray | None = None, length: float | None = None
+    mesh: QuadMesh,
+    chosen: BoolArray | None = None,
+    length: float | None = None,
+    diagonal: bool = False,
 ) -> FloatArray:
-    """(n,) deviation of chosen edges from their mean length, or a given one, relative to it."""
-    lengths = mesh.edge_lengths if chosen is None else mesh.edge_lengths[chosen]
-    return np.abs(lengths / (lengths.mean() if length is None else length) - 1.0)
+    """(n,) deviation of chosen edges from their mean length, or a given one, relative to it.
+
+    With ``diagonal``, of face diagonals, the edges of the diagonal meshes.
+    """
+    ends = mesh.connectivity.diagonal_edges if diagonal else mesh.connectivity.edges
+    points = mesh.vertices[ends if chosen is None else ends[chosen]]
+    lengths = np.linalg.norm(points[:, 1] - points[:, 0], axis=1)
+    return np.asarray(np.abs(lengths / (lengths.mean() if length is None else length) - 1.0))
 
 
 def equal_angles(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
@@ -106,9 +130,13 @@ def geodesic(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
     return np.maximum(np.abs(cosines[:, 0] - cosines[:, 2]), np.abs(cosines[:, 1] - cosines[:, 3]))
 
 
-def chebyshev(mesh: QuadMesh) -> FloatArray:
-    """(E,) deviation of each edge length from the mean / mean."""
-    return equal_edges(mesh)
+def chebyshev(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
+    """(E,) deviation of each edge length from the mean / mean.
+
+    With ``diagonal`` (F,) that of the diagonals of each face, the worse of both.
+    """
+    values = equal_edges(mesh, diagonal=diagonal)
+    return values.reshape(-1, 2).max(axis=1) if diagonal else values
 
 
 def asymptotic(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:

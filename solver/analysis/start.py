@@ -85,9 +85,9 @@ def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> Remark | None:
     """Say where the other variant of a net starts ten times closer."""
     if len(NETS[net].variants) == 1 or not len(mesh.connectivity.stars):
         return None
-    stars = next(measure for measure in NETS[net].measures if measure.place == "vertex")
-    asked = float(stars.on(mesh, diagonal).mean())
-    other = float(stars.on(mesh, not diagonal).mean())
+    # Right angles say little: nets of both kinds start with lines that are nearly orthogonal.
+    own = next(one for one in NETS[net].measures if one.across and not one.square)
+    asked, other = (float(own.on(mesh, across).mean()) for across in (diagonal, not diagonal))
     if asked <= _CLOSER * other:
         return None
     fact = f"{net}: the start is {asked:.1e} from this net but {other:.1e} from the other variant"

@@ -158,6 +158,21 @@ class Connectivity:
         return inside | rim
 
     @cached_property
+    def singular(self) -> BoolArray:
+        """(V,) true inside the mesh where more or fewer than four faces meet."""
+        return self.referenced & ~self.boundary_vertices & ~self.regular
+
+    @cached_property
+    def singular_faces(self) -> BoolArray:
+        """(F,) true where a corner of a face is a singular vertex."""
+        return np.asarray(self.singular[self.faces].any(axis=1))
+
+    @cached_property
+    def singular_stars(self) -> BoolArray:
+        """(S,) true where a neighbour of a star's centre is a singular vertex."""
+        return np.asarray(self.singular[self.stars[:, 1:]].any(axis=1))
+
+    @cached_property
     def corners(self) -> BoolArray:
         """(V,) boundary vertices where no parameter line runs along the boundary."""
         return self.boundary_vertices & ~self.regular
@@ -283,6 +298,37 @@ class Connectivity:
         one = np.concatenate([sides[:, 0], sides[:, 1], edge_of[half]])
         two = np.concatenate([sides[:, 2], sides[:, 3], edge_of[self.continuation[half]]])
         count = len(self.edges)
+        graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count))
+        return connected_components(graph, directed=False)[1].astype(np.int64)
+
+    @cached_property
+    def diagonal_edges(self) -> IntArray:
+        """(2F, 2) ends of the face diagonals: of face f numbers 2f and 2f + 1."""
+        return self.faces[:, [0, 2, 1, 3]].reshape(-1, 2)
+
+    @cached_property
+    def diagonal_families(self) -> IntArray:
+        """(2F,) number of the family that each face diagonal belongs to.
+
+        In line at a regular vertex, and opposite each other around one, diagonals share a family.
+        """
+        key = np.sort(self.diagonal_edges, axis=1) @ np.array([self.vertex_count, 1])
+        order = np.argsort(key)
+
+        def number(one: IntArray, two: IntArray) -> IntArray:
+            pair = np.minimum(one, two) * self.vertex_count + np.maximum(one, two)
+            return order[np.searchsorted(key, pair, sorter=order)]
+
+        centre, d1, d2, d3, d4 = self.diagonal_stars.T
+        _, n1, n2, n3, n4 = self.stars.T
+        joined = [
+            (number(centre, d1), number(centre, d3)),
+            (number(centre, d2), number(centre, d4)),
+            (number(n1, n2), number(n3, n4)),
+            (number(n2, n3), number(n4, n1)),
+        ]
+        one, two = (np.concatenate(side) for side in zip(*joined, strict=True))
+        count = len(key)
         graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count))
         return connected_components(graph, directed=False)[1].astype(np.int64)
 

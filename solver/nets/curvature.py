@@ -8,9 +8,8 @@ from solver.analysis import measures, spheres
 from solver.errors import InputError
 from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
-from solver.nets.orthogonal import ORTHOGONALITY
+from solver.nets.orthogonal import ORTHOGONALITY, require_right_angles
 from solver.problem import Problem, of_mesh
-from solver.terms.orthogonality import Orthogonality
 from solver.terms.spherical_star import SphericalStar
 
 
@@ -20,7 +19,7 @@ def asymptotic(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.3.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
+    require_right_angles(problem, options, options.diagonal)
     return problem.require(
         SphericalStar(stars, curvature=0.0, name="asymptotic"),
         of_mesh(measures.asymptotic, diagonal=options.diagonal),
@@ -33,7 +32,7 @@ def cmc(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 10.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
+    require_right_angles(problem, options, options.diagonal)
     curvatures, _ = spheres.star_curvatures(problem.mesh, options.diagonal)
     mean = float(np.median(curvatures)) * problem.scale
     radius = options.radius
@@ -65,7 +64,7 @@ def snet(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 9.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
+    require_right_angles(problem, options, options.diagonal)
     return problem.require(
         SphericalStar(stars, name="snet"),
         of_mesh(spheres.snet, diagonal=options.diagonal),
@@ -81,8 +80,11 @@ NETS = (
         condition="equal diagonals, flat stars",
         purpose="minimal surfaces; straight lamellas upright on the surface",
         gives="A minimal surface with straight upright lamellas.",
-        measures=(ORTHOGONALITY, Measure("asymptotic", measures.asymptotic, "vertex")),
-        options=("diagonal",),
+        measures=(
+            ORTHOGONALITY,
+            Measure("asymptotic", measures.asymptotic, "vertex", across="vertex"),
+        ),
+        options=("diagonal", "singular"),
         shape="minimal",
         way=Way(evenness=(3.0, 30.0)),
     ),
@@ -96,8 +98,11 @@ NETS = (
         gives="Constant mean curvature; lamellas unroll to equal arcs.",
         abbreviation="CMC",
         colours="Mean curvature",
-        measures=(ORTHOGONALITY, Measure("cmc", spheres.cmc, "vertex", shown="CMC")),
-        options=("diagonal", "radius"),
+        measures=(
+            ORTHOGONALITY,
+            Measure("cmc", spheres.cmc, "vertex", across="vertex", shown="CMC"),
+        ),
+        options=("diagonal", "radius", "singular"),
         way=Way(evenness=(3.0, 30.0)),
     ),
     Net(
@@ -109,8 +114,11 @@ NETS = (
         condition="equal diagonals, stars on spheres",
         purpose="lamellas that are arcs",
         gives="Each vertex lies on one sphere with its neighbours.",
-        measures=(ORTHOGONALITY, Measure("snet", spheres.snet, "vertex", shown="Spherical stars")),
-        options=("diagonal",),
+        measures=(
+            ORTHOGONALITY,
+            Measure("snet", spheres.snet, "vertex", across="vertex", shown="Spherical stars"),
+        ),
+        options=("diagonal", "singular"),
         general=True,
     ),
 )

@@ -8,11 +8,10 @@ from solver.analysis import measures
 from solver.errors import InputError
 from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
-from solver.nets.orthogonal import ORTHOGONALITY
+from solver.nets.orthogonal import ORTHOGONALITY, require_right_angles
 from solver.problem import Problem, of_mesh
 from solver.terms.chebyshev import EqualEdges
 from solver.terms.isometry import Isometry
-from solver.terms.orthogonality import Orthogonality
 from solver.terms.star_angles import EqualAngleStar, GeodesicStar
 
 
@@ -22,7 +21,7 @@ def geodesic(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 6.
     """
     stars = options.stars(problem)
-    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
+    require_right_angles(problem, options, options.diagonal)
     return problem.require(
         GeodesicStar(stars), of_mesh(measures.geodesic, diagonal=options.diagonal)
     )
@@ -45,7 +44,7 @@ def chebyshev(problem: Problem, options: NetOptions) -> Problem:
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 7.
     """
-    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
+    require_right_angles(problem, options, options.diagonal)
     return _equal_edges(problem, options)
 
 
@@ -75,24 +74,31 @@ def isometric(problem: Problem, options: NetOptions) -> Problem:
 
 
 def _equal_edges(problem: Problem, options: NetOptions) -> Problem:
-    net = problem.mesh.connectivity
-    family = net.edge_families if options.per_family else np.zeros(len(net.edges), dtype=np.int64)
-    lengths = problem.mesh.edge_lengths / problem.scale
+    net, across = problem.mesh.connectivity, options.diagonal
+    edges = net.diagonal_edges if across else net.edges
+    family = np.zeros(len(edges), dtype=np.int64)
+    if options.per_family:
+        family = net.diagonal_families if across else net.edge_families
+    ends = problem.mesh.vertices[edges]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / problem.scale
     for number in range(int(family.max()) + 1):
         chosen = family == number
         name = "chebyshev" if number == 0 else f"chebyshev {number + 1}"
         if options.length is not None:
-            term = EqualEdges(net.edges[chosen], length=options.length / problem.scale, name=name)
+            term = EqualEdges(edges[chosen], length=options.length / problem.scale, name=name)
         else:
             shared = problem.scalar(float(lengths[chosen].mean()))
-            term = EqualEdges(net.edges[chosen], shared=shared, name=name)
-        problem.require(term, of_mesh(measures.equal_edges, chosen=chosen, length=options.length))
+            term = EqualEdges(edges[chosen], shared=shared, name=name)
+        measure = of_mesh(
+            measures.equal_edges, chosen=chosen, length=options.length, diagonal=across
+        )
+        problem.require(term, measure)
     return problem
 
 
-GEODESIC = Measure("geodesic", measures.geodesic, "vertex")
-EQUAL_ANGLES = Measure("equal angles", measures.equal_angles, "vertex")
-CHEBYSHEV = Measure("chebyshev", measures.chebyshev, "edge")
+GEODESIC = Measure("geodesic", measures.geodesic, "vertex", across="vertex")
+EQUAL_ANGLES = Measure("equal angles", measures.equal_angles, "vertex", across="vertex")
+CHEBYSHEV = Measure("chebyshev", measures.chebyshev, "edge", across="face")
 
 NETS = (
     Net(
@@ -104,7 +110,7 @@ NETS = (
         purpose="sheet bent from flat, ribs that unroll straight",
         gives="A developable surface: it is bent from flat sheet.",
         measures=(ORTHOGONALITY, GEODESIC),
-        options=("diagonal",),
+        options=("diagonal", "singular"),
         shape="developable",
         flat=True,
         way=Way(bent=True),
@@ -133,7 +139,7 @@ NETS = (
         purpose="rods or fabric of one mesh width",
         gives="A developable surface of squares, all edges equal.",
         measures=(ORTHOGONALITY, CHEBYSHEV),
-        options=("length", "per_family"),
+        options=("diagonal", "length", "per_family", "singular"),
         shape="developable",
         flat=True,
         way=Way(bent=True),
@@ -148,7 +154,7 @@ NETS = (
         purpose="sheet with a regular grid on it",
         gives="A developable surface of geodesic squares.",
         measures=(ORTHOGONALITY, GEODESIC, CHEBYSHEV),
-        options=("diagonal", "length", "per_family"),
+        options=("diagonal", "length", "per_family", "singular"),
         shape="developable",
         flat=True,
         way=Way(bent=True, rigid=True),

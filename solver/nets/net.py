@@ -6,6 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
+import numpy as np
+
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.options import NetOptions
 from solver.problem import Problem
@@ -19,14 +22,20 @@ class Measure:
 
     Attributes:
         name: word of reports and of the command line.
-        of: gives one dimensionless value each; of stars with the keyword ``diagonal``.
-        place: what a value belongs to; at a vertex it is a star's, and has a diagonal variant.
+        of: gives one dimensionless value each; of the diagonal meshes with the keyword
+            ``diagonal`` where ``across`` names a place.
+        place: what a value belongs to; at a vertex it is a star's.
+        across: what a value of the diagonal meshes belongs to; empty where nets ask it of the
+            mesh itself in all their variants.
+        square: it says where lines cross at right angles, which they cannot at singular vertices.
         shown: what fields and tables call it where that is more than its name in capitals.
     """
 
     name: str
     of: Callable[..., FloatArray]
     place: Literal["face", "edge", "vertex"]
+    across: Literal["", "face", "vertex"] = ""
+    square: bool = False
     shown: str = ""
 
     @property
@@ -35,9 +44,23 @@ class Measure:
         return self.shown or self.name.capitalize()
 
     def on(self, mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
-        """(n,) values, of stars those of the diagonal net where that is asked for."""
-        stars = diagonal and self.place == "vertex"
-        return self.of(mesh, diagonal=True) if stars else self.of(mesh)
+        """(n,) values, of the diagonal meshes where that is asked for and makes a difference."""
+        return self.of(mesh, diagonal=True) if diagonal and self.across else self.of(mesh)
+
+    def place_of(self, diagonal: bool) -> Literal["face", "edge", "vertex"]:
+        """What a value of the mesh, or of its diagonal meshes, belongs to."""
+        return (self.across or self.place) if diagonal else self.place
+
+    def left_out(self, mesh: QuadMesh, diagonal: bool = False) -> BoolArray:
+        """(n,) true for values that nets do not ask to vanish: right angles at singular vertices.
+
+        A net of an irregular mesh is smooth elsewhere and has no right angles there.
+        """
+        net = mesh.connectivity
+        at_stars = diagonal and bool(self.across)
+        if self.square:
+            return net.singular_stars if at_stars else net.singular_faces
+        return np.zeros(len(self.on(mesh, diagonal)), dtype=bool)
 
 
 class Easier(NamedTuple):

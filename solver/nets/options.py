@@ -17,6 +17,7 @@ _FORCES = {
     "compression": "compression only",
     "tension": "tension only",
 }
+_SINGULAR = {"exempt": "no right angles there", "include": "right angles there too"}
 
 
 def _offered(kind: Kind, meaning: str, **words: Any) -> dict[str, Any]:
@@ -39,6 +40,8 @@ class NetOptions:
         load_area: load of a unit of surface, in the same unit of force.
         load_length: weight of a unit of edge, in the same unit of force.
         forces: free, compression or tension: which forces the edges of a stress net may carry.
+        singular: exempt or include: whether right angles are asked of the faces at inner vertices
+            where more or fewer than four meet.
     """
 
     diagonal: bool = field(
@@ -142,6 +145,17 @@ class NetOptions:
             choices=tuple(_FORCES),
             shown=_FORCES,
             stored="AllowedForces",
+        ),
+    )
+    singular: str = field(
+        default="exempt",
+        metadata=_offered(
+            "choice",
+            "Right angles of faces at inner irregular vertices, which no smooth surface has there",
+            title="Irregular vertices",
+            brief="right angles at inner irregular vertices, which no smooth surface has there",
+            choices=tuple(_SINGULAR),
+            shown=_SINGULAR,
         ),
     )
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from solver.analysis import measures
 from solver.nets.net import Easier, Measure, Net, Way
 from solver.nets.options import NetOptions, stars_of
-from solver.nets.orthogonal import ORTHOGONALITY
+from solver.nets.orthogonal import ORTHOGONALITY, require_right_angles
 from solver.problem import Problem, of_mesh
 from solver.terms.face_angles import CircularFace
-from solver.terms.orthogonality import Orthogonality
 from solver.terms.planarity import Planarity
 from solver.terms.star_angles import ConicalStar
 
@@ -18,9 +17,8 @@ def principal(problem: Problem, options: NetOptions) -> Problem:
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.1.
     """
-    faces = problem.mesh.faces
-    problem.require(Orthogonality(faces), of_mesh(measures.orthogonality))
-    return problem.require(Planarity(faces), of_mesh(measures.planarity))
+    require_right_angles(problem, options)
+    return problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
 
 
 def circular(problem: Problem, options: NetOptions) -> Problem:
@@ -55,6 +53,7 @@ NETS = (
         purpose="flat panels on beams without twist",
         gives="Flat faces with right angles; torsion-free beams.",
         measures=(ORTHOGONALITY, PLANARITY),
+        options=("singular",),
         along_curvature=True,
     ),
     Net(

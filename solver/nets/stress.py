@@ -6,16 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from solver.analysis import measures
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.net import Easier, Net, Way
 from solver.nets.options import NetOptions
-from solver.problem import Problem, of_mesh
+from solver.nets.orthogonal import require_right_angles
+from solver.problem import Problem
 from solver.statics import Loads, refuse_mechanisms, start_densities, unbalanced
 from solver.terms.equilibrium import Equilibrium
-from solver.terms.orthogonality import Orthogonality
 
 # Supports that lie nearer to one line, in mean edges, do not hold a net.
 _LINE = 1e-3
@@ -52,7 +51,7 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
     density, loads = density / unit, replace(loads, scale=loads.scale / unit)
     shared = problem.scalars(density if sign == 0 else np.sqrt(np.abs(density)))
 
-    problem.require(Orthogonality(problem.mesh.faces), of_mesh(measures.orthogonality))
+    require_right_angles(problem, options)
 
     def left(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
         shape = (mesh.vertices - problem.centre) / problem.scale
@@ -132,7 +131,7 @@ NETS = (
         condition="equal diagonals, forces in balance at every free vertex",
         purpose="grid shells whose members carry the load without bending",
         gives="Edges along the principal stresses, in equilibrium.",
-        options=("load", "load_area", "load_length", "forces"),
+        options=("load", "load_area", "load_length", "forces", "singular"),
         supports="boundary",
         held="supports",
         way=Way(

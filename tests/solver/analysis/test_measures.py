@@ -136,4 +136,5 @@ def test_check_of_a_mesh_without_interior_vertices():
         "mean": 0.0,
         "worst": None,
         "where": "vertex",
+        "exempt": 0,
     }

@@ -81,7 +81,7 @@ def test_every_net_with_a_variant_has_measures_of_it():
     assert set(check(mesh)["measures"]) == set(all_measures())
     for net in NETS.values():
         if len(net.variants) == 2:
-            stars = [one for one in net.measures if one.place == "vertex"]
+            stars = [one for one in net.measures if one.across and not one.square]
             assert stars and (stars[0].on(mesh) != stars[0].on(mesh, diagonal=True)).any()
             assert closer_variant(mesh, net.name, False) is None
     assert np.isfinite([one.distance for one in advise(mesh)]).all()
