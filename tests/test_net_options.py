@@ -235,7 +235,10 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--net", "isometric", "--reference", "absent.obj"], "absent.obj: no such file"),
         (["--supports", "corners"], "--supports: only stress nets have it, not principal"),
         (["--net", "stress", "--supports", "boundary", "--fix", "5"], "give --fix or --supports"),
-        (["--net", "conical", "--diagonal"], "--diagonal: only geodesic, dog, geodesic-chebyshev"),
+        (
+            ["--net", "conical", "--diagonal"],
+            "--diagonal: only geodesic, dog, chebyshev, geodesic-chebyshev",
+        ),
         (["--radius", "3"], "--radius: only cmc nets have it"),
         (["--tension"], "--forces: only stress nets have it, not principal"),
         (["--forces", "pull"], "--forces: expected free, compression or tension, got 'pull'"),

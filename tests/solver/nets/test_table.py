@@ -82,6 +82,6 @@ def test_every_net_with_a_variant_has_measures_of_it():
     for net in NETS.values():
         if len(net.variants) == 2:
             stars = [one for one in net.measures if one.across and not one.square]
-            assert stars and (stars[0].on(mesh) != stars[0].on(mesh, diagonal=True)).any()
+            assert stars and stars[0].on(mesh).mean() != stars[0].on(mesh, diagonal=True).mean()
             assert closer_variant(mesh, net.name, False) is None
     assert np.isfinite([one.distance for one in advise(mesh)]).all()
