@@ -89,7 +89,8 @@ def option_values(source: Source, options: dict[str, Any]) -> dict[str, Any]:
     Raises:
         InputError: an option that the source does not have, or a value of the wrong kind.
     """
-    return {name: _option_value(source.option(name), value) for name, value in options.items()}
+    read = {name: _option_value(source.option(name), value) for name, value in options.items()}
+    return source.current(read)
 
 
 def _option_value(option: Option, value: Any) -> Any:

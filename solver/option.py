@@ -2,17 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from solver.errors import InputError
 
 Kind = Literal[
-    "length", "distance", "area", "angle", "percent", "number", "count",
+    "length", "distance", "area", "angle", "percent", "number", "direction", "count",
     "choice", "flag", "text", "points", "placement", "mesh",
 ]  # fmt: skip
 # Kinds of one number; an option that is a tuple has several of them.
-NUMBERS = ("length", "distance", "area", "angle", "percent", "number", "count")
+NUMBERS = ("length", "distance", "area", "angle", "percent", "number", "direction", "count")
+# Words for directions.
+AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _SUFFIXES = {2: ("Start", "End"), 3: ("X", "Y", "Z"), 4: ("First", "Second", "Third", "Fourth")}
+# The power of length that a kind of value is.
+_POWERS = {"length": 1, "distance": 1, "area": 2, "points": 1}
+
+
+def _same(value: Any) -> Any:
+    return value
+
+
+class Former(NamedTuple):
+    """What an option was called before, where scripts and documents may still do so.
+
+    Attributes:
+        name: its name then.
+        now: what a value of then is now.
+    """
+
+    name: str
+    now: Callable[[Any], Any] = _same
 
 
 @dataclass(frozen=True)
@@ -24,9 +48,9 @@ class Option:
         default: value, a tuple where there are several numbers; None where there is none, and of a
             length that is found where none is given.
         kind: ``length`` (not negative), ``distance``, ``area``, ``angle`` (degrees), ``percent``,
-            ``number``, ``count`` (whole), ``choice``, ``flag``, ``text``, ``points`` ((n, 3)),
-            ``placement`` (rotation (3, 3), origin (3,)) or ``mesh`` (one with the same faces).
-            Lengths are in mm, those of nets in the unit of the mesh.
+            ``number``, ``direction`` (three numbers, or ``x``, ``y``, ``z``), ``count`` (whole),
+            ``choice``, ``flag``, ``text``, ``points`` ((n, 3)), ``placement`` (rotation (3, 3),
+            origin (3,)) or ``mesh`` (one with the same faces). Defaults with a length are in mm.
         meaning: what it does, a sentence without its full stop.
         choices: words of a choice.
         suffixes: of the parts of a tuple, in property names.
@@ -36,6 +60,7 @@ class Option:
         brief: its meaning in the words of the command line, where these are others.
         shown: words of a form for each choice, for a box to tick (``yes``) or for none (``none``).
         stored: name of the property that holds it, where that does not follow from the name.
+        former: what it was called before.
     """
 
     name: str
@@ -50,6 +75,7 @@ class Option:
     brief: str = ""
     shown: Mapping[str, str] = field(default_factory=dict, hash=False)
     stored: str = ""
+    former: Former | None = None
 
     @property
     def parts(self) -> tuple[str, ...]:
@@ -75,3 +101,65 @@ class Option:
     def words(self) -> dict[str, str]:
         """What a form shows for each choice."""
         return {word: self.shown.get(word, word) for word in self.choices}
+
+    @property
+    def several(self) -> bool:
+        """Whether a value is a tuple of numbers."""
+        return self.kind in NUMBERS and isinstance(self.default, tuple)
+
+    def plain(self, value: Any) -> Any:
+        """A value in numbers where a word may stand for it."""
+        words = self.kind == "direction" and isinstance(value, str)
+        return AXES.get(value.strip().lower(), value) if words else value
+
+    def default_in(self, millimetres: float) -> Any:
+        """The default where the unit of length has so many mm."""
+        factor = millimetres ** -_POWERS.get(self.kind, 0)
+        if factor == 1.0 or self.default is None:
+            return self.default
+        if self.kind == "points":
+            return tuple(tuple(factor * x for x in point) for point in self.default)
+        if isinstance(self.default, tuple):
+            return tuple(factor * x for x in self.default)
+        return factor * self.default
+
+    def check(self, value: Any, unit: str = "mm") -> None:
+        """Refuse a value that is not of this kind.
+
+        Args:
+            value: of the option; of points, placements and meshes any.
+            unit: of its lengths.
+
+        Raises:
+            InputError: naming the option, what was expected and what came.
+        """
+        if self.kind == "choice" and value not in self.choices:
+            *others, last = self.choices
+            raise InputError(
+                f"{self.name}: expected {', '.join(others)} or {last}, got {str(value)[:40]!r}"
+            )
+        if self.kind == "flag" and not isinstance(value, (bool, np.bool_)):
+            raise InputError(f"{self.name}: expected True or False, got {value!r}")
+        if self.kind == "text" and not isinstance(value, str):
+            raise InputError(f"{self.name}: expected a text, got {value!r}")
+        if self.kind in NUMBERS and not (value is None and self.default is None):
+            self._check_numbers(value, unit)
+
+    def _check_numbers(self, value: Any, unit: str) -> None:
+        many = self.several and isinstance(value, (tuple, list))
+        numbers = tuple(value) if many else (value,)
+        count = len(self.default) if self.several else 1
+        if len(numbers) != count or not all(map(_is_number, numbers)):
+            words = f"{count} numbers" if count > 1 else "a number"
+            raise InputError(f"{self.name}: expected {words}, got {value!r}")
+        if self.kind == "count" and not all(item == int(item) >= 0 for item in numbers):
+            raise InputError(f"{self.name}: expected whole numbers from 0 on, got {value!r}")
+        if self.kind == "length" and self.default is None and not value > 0:
+            raise InputError(f"{self.name}: expected a positive length, got {value}")
+        if self.kind == "length" and min(numbers) < 0:
+            raise InputError(f"{self.name}: expected 0 {unit} or more, got {value!r}")
+
+
+def _is_number(value: Any) -> bool:
+    real = isinstance(value, (int, float, np.integer, np.floating))
+    return real and not isinstance(value, bool) and abs(value) < 1e300

@@ -47,9 +47,9 @@ TOKENS = [*NUMBERS, *COUNTS, "#", "\\", ",", ";", "\0", "\n", "\r", "f", "v", "O
 SOUND = {
     "name": ["sphere", "catenoid", "rectangle", "enneper", "translational"],
     "sampling": ["4x3", "5x5"],
-    "axes": ["9,5,2"],
+    "semi_axes": ["3,2.2,1.4"],
     "moving": ["lambda", "mu", "nu"],
-    "range": ["2.5,4", "0.1,0.5"],
+    "t_range": ["2.5,4", "0.1,0.5"],
     "distance": ["10", "-0.1"],
     "faces": ["9", "30"],
     "every": ["1", "2x1", "3x2"],

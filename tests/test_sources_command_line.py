@@ -9,6 +9,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.__main__ import main
+from freecad_ortho.sources import source
 from solver.analysis import measures
 from solver.mesh.grid import grid_of
 from solver.mesh.primitives import primitive
@@ -36,7 +37,7 @@ def test_multinet_keeps_its_contract(tmp_path, capsys, moving, curve):
     mesh = call(tmp_path, *words, "--sampling", "12x9").mesh
     assert (grid_of(mesh).numbers == np.arange(108).reshape(12, 9)).all()
     assert multi_net_residual(mesh).worst < 1e-14
-    assert "admissible t" in capsys.readouterr().out
+    assert "admissible from" in capsys.readouterr().out
     for step in (2, 3):
         part = mesh.vertices.reshape(12, 9, 3)[::step, ::step]
         spread = np.linalg.norm(part[:, :, None, None] - part[None, None], axis=4)
@@ -52,6 +53,54 @@ def test_multinet_range_reflection_place_and_unit(tmp_path):
     assert len(plain.mesh.faces) == 8 * 35
     np.testing.assert_allclose(moved.mesh.edge_lengths, plain.mesh.edge_lengths, atol=1e-12)
     np.testing.assert_allclose(moved.mesh.vertices.mean(axis=0), [-100, 0, 5], atol=1e-9)
+
+
+def test_semi_axes_and_t_are_said_as_in_a_document(tmp_path):
+    squares = ["--axes", "9,4,1", "--moving", "mu", "--range", "-3.5,-2", "--sampling", "6x5"]
+    plain = ["--semi-axes", "3,2,1", "--moving", "mu", "--t-range", "-3.5,-2", "--sampling", "6x5"]
+    in_mm = ["--semi-axes", "3000mm,2000mm,1000mm", "--moving", "mu", "--sampling", "6x5"]
+    in_mm += ["--t-range", "-3500000mm2,-2000000mm2", "--unit", "m"]
+    before = call(tmp_path, "multinet", *squares).mesh.vertices
+    assert (call(tmp_path, "multinet", *plain).mesh.vertices == before).all()
+    np.testing.assert_allclose(call(tmp_path, "multinet", *in_mm).mesh.vertices, before, atol=1e-12)
+    made = source("elliptic multi-net").make(
+        {
+            "semi_axes": (3e3, 2e3, 1e3),
+            "moving": "mu",
+            "t_range": (-3.5e6, -2e6),
+            "sampling": (6, 5),
+        }
+    )
+    np.testing.assert_allclose(made.mesh.vertices / 1000, before, atol=1e-12)
+
+
+def test_primitives_are_as_large_in_every_unit(tmp_path):
+    words = ["primitive", "cone", "--sampling", "9x4"]
+    metres = call(tmp_path, *words, "--unit", "m").mesh.vertices
+    assert (call(tmp_path, *words).mesh.vertices == metres).all()
+    feet = call(tmp_path, *words, "--unit", "ft", "--set", "height=1500mm").mesh.vertices
+    cone = call(tmp_path, *words, "--unit", "m", "--set", "height=1.5").mesh.vertices
+    np.testing.assert_allclose(0.3048 * feet, cone, atol=1e-12)
+
+
+def test_names_that_options_had_before_are_understood(tmp_path, wave):
+    def same(*pairs):
+        one, two = (call(tmp_path, *words).mesh for words in pairs)
+        return np.array_equal(one.vertices, two.vertices) and np.array_equal(one.faces, two.faces)
+
+    assert same(("diagonal", wave, "--boundary", "fill"), ("diagonal", wave, "--border", "fill"))
+    assert same(("mirror", wave, "--alone"), ("mirror", wave, "--image-only", "--normal", "1,0,0"))
+    assert same(
+        ("coarsen", wave, "--every", "3x2", "--drop-border"),
+        ("coarsen", wave, "--every", "3x2", "--no-keep-border"),
+    )
+    assert same(
+        ("formfind", wave, "--lift", "0,1;62,0.5", "--beam-load", "0,0,-1", "--border", "3"),
+        ("formfind", wave, "--lift", "0:1; 62:0.5", "--edge-load", "0,0,-1")
+        + ("--border-density", "3"),
+    )
+    conics = ("primitive", "confocal-conics", "--sampling", "9x5", "--set")
+    assert same((*conics, "squares=9,4"), (*conics, "semi_axes=3,2"))
 
 
 def test_multinet_by_formulas_values_and_points_agree(tmp_path):
@@ -74,8 +123,8 @@ def test_multinet_on_a_quadric_snaps_drawn_points(tmp_path):
     drawn.write_text("2.9 0.2 0.1\n2.2 1.4 0.4\n1.2 1.7 0.8\n0.3 1.5 1.1\n")
     words = ["multinet", "--axes", "9,4,2", "--quadric", "ellipsoid", "--curve", str(drawn)]
     words += ["--range", "-1,2", "--sampling", "7x5"]
-    assert main([*words, "-o", str(tmp_path / "no.obj")]) == 2
-    mesh = call(tmp_path, *words, "--snap").mesh
+    mesh = call(tmp_path, *words).mesh
+    assert (call(tmp_path, *words, "--snap").mesh.vertices == mesh.vertices).all()
     assert is_multi_net(mesh, 1e-14)
     near = np.linalg.norm(mesh.vertices[:, None] - np.loadtxt(drawn)[None, :1], axis=2).min()
     assert near < 0.3
@@ -116,7 +165,7 @@ def test_primitives_and_changes_of_meshes(tmp_path, wave):
     assert len(call(tmp_path, "coarsen", wave, "--every", "3x2").mesh.vertices) == 4 * 4
     assert len(call(tmp_path, "trim", wave, "--rows", "1,0,0,2").mesh.faces) == 7 * 4
     assert len(call(tmp_path, "trim", wave, "--rings", "1").mesh.faces) == 6 * 4
-    assert len(call(tmp_path, "diagonal", wave, "--which", "2").mesh.faces) == 18
+    assert len(call(tmp_path, "diagonal", wave, "--which", "second").mesh.faces) == 18
     assert len(call(tmp_path, "medial", wave).mesh.vertices) == 48
     assert len(call(tmp_path, "checkerboard", wave).mesh.faces) == 48 + 35
     swapped = call(tmp_path, "orient", wave, "--swap", "--reverse").mesh
@@ -134,7 +183,7 @@ def test_transform_weld_and_convert(tmp_path, wave):
     assert converted.unit == "m"
     barrel = tmp_path / "barrel.obj"
     api.write_mesh(barrel, primitive("catenoid", 24, 9), "m")
-    bent = call(tmp_path, "transform", str(barrel), "--moebius", "0,7,0.5", name="bent.obj").mesh
+    bent = call(tmp_path, "moebius", str(barrel), "--centre", "0,7,0.5", name="bent.obj").mesh
     assert measures.circular(bent).max() < 1e-11
     assert np.abs(bent.vertices - primitive("catenoid", 24, 9).vertices).max() > 0.05
     # Two halves in different units and formats become one net.
@@ -203,10 +252,10 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
         ),
         (
             "multinet --axes 9,5,2 --quadric cube --sampling 4x4",
-            "--quadric: expected one of ellipsoid",
+            "--quadric: expected ellipsoid, one-sheeted",
         ),
         (
-            "multinet --axes 9,5,2 --quadric ellipsoid --sampling 4x4",
+            "multinet --axes 9,5,2 --quadric ellipsoid --sampling 4x4 --curve wave",
             "--curve: expected a file of points on the",
         ),
         ("multinet --axes 9,5,2 --sampling 4x4", "one of the arguments --moving --quadric is"),
@@ -217,26 +266,36 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
             "--set radius: expected a finite number",
         ),
         ("primitive sphere --sampling 99999999x4", "--sampling: expected MxN"),
-        ("primitive rotational --sampling 4x4", "profile: expected points (radius, height)"),
-        ("diagonal WAVE --which 3", "--which: expected 1 or 2"),
+        ("primitive rotational --sampling 4x4 --set profile=nowhere.txt", "nowhere.txt: no such"),
+        (
+            "multinet --axes 9,5,2 --quadric ellipsoid --first-formula s",
+            "--first-formula: the multi",
+        ),
+        ("multinet --semi-axes 9,5m --moving mu", "--semi-axes: expected 3 finite numbers"),
+        ("diagonal WAVE --which 3", "--which: expected first or second"),
         ("subdivide WAVE --levels 0", "levels: expected at least 1"),
         ("subdivide WAVE --rule bezier", "--rule: expected plain or catmull-clark"),
-        ("coarsen WAVE --every 5", "coarsen: 48 faces do not divide into blocks"),
-        ("coarsen WAVE --every z", "--every: expected a finite number"),
-        ("trim WAVE", "trim: expected --rows or --rings"),
+        ("coarsen WAVE --every 0", "u: expected a step of at least 1"),
+        ("coarsen WAVE --every z", "--every: expected K|KxL"),
+        ("trim WAVE", "trim: expected rings or rows"),
         ("trim WAVE --rows 9,9,9,9", "u: expected to cut 0 to 7 of 8 rows"),
         ("trim WAVE --rows 1.5,0,0,0", "--rows: expected whole numbers"),
-        ("coarsen WAVE --every 2.5", "--every: expected a whole number"),
+        ("coarsen WAVE --every 2.5", "--every: expected K|KxL"),
         ("mirror WAVE --normal 0,0,0", "plane: expected a normal and a point of three"),
         ("mirror WAVE --point 2,0,0", "mirror: the mesh reaches across the plane,"),
         ("transform WAVE --scale 0", "scale: expected a positive number"),
         ("transform WAVE --move 1,2", "--move: expected 3 finite numbers"),
-        ("transform WAVE --invert 0,0,0,-1", "radius: expected a positive number"),
-        ("weld WAVE --tolerance 2", "--tolerance: expected 0 to 0.1"),
+        (
+            "transform WAVE --invert 0,0,0,-1",
+            "--invert: is a command of its own now; write inversion",
+        ),
+        ("inversion WAVE --centre 0,0,9 --radius 0", "radius: expected a positive number"),
+        ("weld WAVE --tolerance 0.01", "--tolerance: is a length; say its unit, as 0.01mm"),
+        ("weld WAVE --tolerance -1mm", "tolerance: expected 0 m or more"),
         ("weld WAVE nowhere.obj", "nowhere.obj: no such file"),
         ("formfind WAVE --supports roof", "supports: expected boundary, corners or vertex"),
         ("formfind WAVE --kind soap", "--kind: expected cables or membrane"),
-        ("formfind WAVE --supports 1 --lift 2,1", "--lift: vertex 2 is no support"),
+        ("formfind WAVE --supports 1 --lift 2,1", "lift: vertex 2 is no support"),
         ("formfind WAVE --density 0", "supports: 35 vertices hang on no support"),
         ("formfind nowhere.ply", "nowhere.ply: no such file"),
         ("convert nowhere.stl", "nowhere.stl: .stl holds triangles only"),
@@ -290,7 +349,7 @@ def test_offset_says_what_it_keeps(tmp_path, capsys):
         (["--distance", "nan"], "--distance: expected a finite number"),
         (["--distance", "0"], "distance: expected a finite number other than 0"),
         (["--distance", "-90000"], "folds the offset mesh at edge"),
-        (["--distance", "1", "--kind", "corner"], "kind: expected one of parallel, vertex"),
+        (["--distance", "1", "--kind", "corner"], "--kind: expected parallel, vertex"),
         (["--distance", "1", "--report", "OUT"], "is to hold both mesh and report"),
         (["--distance", "1", "--report", "/absent/r.json"], "/absent: does not exist"),
     ],

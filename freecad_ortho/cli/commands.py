@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from freecad_ortho import api
 from freecad_ortho.cli import (
     fabricating,
-    multinet,
     net_options,
     optimising,
     reporting,
@@ -64,7 +63,6 @@ def _parser() -> argparse.ArgumentParser:
     _add_input(fabricate)
     fabricating.add(fabricate)
     _add_check(commands.add_parser("check", help="measure a mesh against every net"))
-    multinet.add(commands.add_parser("multinet", help="an exact orthogonal multi-net"))
     sources.add(commands)
     return parser
 

@@ -4,24 +4,18 @@ from __future__ import annotations
 
 import argparse
 
-import numpy as np
-from scipy.spatial.transform import Rotation
-
+from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import values
+from freecad_ortho.sources.multinets import ELLIPTIC_NET, MULTI_NET
+from freecad_ortho.sources.source import Source
 from solver.errors import InputError
 from solver.io.points import read_points
 from solver.mesh.quadmesh import FloatArray
-from solver.multinet import MultiNet, Quadric, elliptic_net, multi_net, reflected
-from solver.multinet.elliptic import COORDINATES, EllipticSystem
-from solver.multinet.formula import formula
-from solver.multinet.polyline import Spline
 from solver.multinet.presets import PRESETS
 
-_SIGNS = {
-    "ellipsoid": (1, 1, 1),
-    "one-sheeted": (1, 1, -1),
-    "two-sheeted": (1, -1, -1),
-}
+# The option that says which of the two it is: the net of a curve in elliptic coordinates, or that
+# of a polyline on a quadric.
+_KINDS = {"moving": ELLIPTIC_NET, "quadric": MULTI_NET}
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -30,34 +24,17 @@ def add(parser: argparse.ArgumentParser) -> None:
         "Orthogonal multi-net: equal diagonals in every rectangle of parameter lines. "
         "Vertex (i, j), i along the curve, j along t, is number i*N + j."
     )
-    parser.add_argument(
-        "--axes",
-        required=True,
-        metavar="A,B,C",
-        help="squares of the semi-axes: a, b, c of x^2/a + y^2/b + z^2/c = 1, a > b > c",
-    )
-    what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument("--moving", metavar="lambda|mu|nu", help="elliptic coordinate that is t")
-    what.add_argument(
-        "--quadric",
-        metavar="|".join(_SIGNS),
-        help="quadric of the curve, t = 0 on it; the curve is then a file of points",
-    )
-    parser.add_argument(
-        "--curve",
-        default="wave",
-        metavar="PRESET|FILE|'FORMULA; FORMULA'",
-        help=f"{', '.join(PRESETS)} (default: wave); a file with x,y,z or with values of the two "
-        "other coordinates in each line; or two formulas of s from 0 to 1 for these values",
-    )
-    parser.add_argument("--closed", action="store_true", help="join the ends of a given curve")
-    parser.add_argument("--snap", action="store_true", help="move points onto the quadric first")
-    parser.add_argument("--range", metavar="T0,T1", help="first and last t")
-    parser.add_argument("--sampling", required=True, metavar="MxN", help="M along the curve")
-    parser.add_argument("--spacing", default="length", metavar="length|parameter")
-    parser.add_argument("--reflect", metavar="x,y,z", help="extend by mirror images, seams merged")
-    parser.add_argument("--rotate", metavar="X,Y,Z", help="degrees about x, then y, then z")
-    parser.add_argument("--centre", metavar="X,Y,Z", help="centre of the quadric")
+    which = parser.add_mutually_exclusive_group(required=True)
+    for name, entry in _KINDS.items():
+        arguments.add(which, entry.option(name), usual="")
+    offered = {option.name: option for entry in _KINDS.values() for option in entry.options}
+    for name, option in offered.items():
+        users = [kind for kind, entry in _KINDS.items() if _has(entry, name)]
+        if name not in _KINDS:
+            before = "" if len(users) == len(_KINDS) else f"with --{users[0]}: "
+            arguments.add(parser, option, before)
+    # Points are set onto the quadric in any case now.
+    parser.add_argument("--snap", action="store_true", help=argparse.SUPPRESS)
     values.add_output(parser)
     parser.set_defaults(run=run)
 
@@ -65,100 +42,50 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Build the net and write it."""
     values.refuse_unwritable(options.output)
-    m, n = values.sampling(options.sampling)
-    t_range = values.numbers("--range", options.range, 2) if options.range else None
-    net = _elliptic(options) if options.moving else _on_quadric(options)
-    if t_range is None and net.t_range is None:
-        low, high = net.admissible
-        raise InputError(f"--range: expected T0,T1 within {low:.6g} to {high:.6g}; add it")
-    ends = (t_range[0], t_range[1]) if t_range else None
-    mesh = net.sampled(m, n, ends, options.spacing)
-    if options.reflect:
-        mesh = reflected(mesh, options.reflect.replace(",", ""), net.quadric)
-    low, high = net.admissible
-    words = f"admissible t from {low:.6g} to {high:.6g}"
-    return values.write(options, mesh, options.unit, words)
+    entry = MULTI_NET if options.quadric else ELLIPTIC_NET
+    _take_apart(options, entry)
+    for other in _KINDS.values():
+        for option in other.options:
+            said = getattr(options, option.name, None) is not None
+            if said and not _has(entry, option.name):
+                flag = arguments.flag_of(option)
+                raise InputError(f"{flag}: the {entry.name} has no such option; leave it out")
+    unit = options.unit or "m"
+    made = entry.make(arguments.given(entry.options, options, unit), unit)
+    (said,) = made.remarks
+    # Numbers without a unit stay without one.
+    words = said if options.unit else said.replace(f" {unit}2", "")
+    return values.write(options, made.mesh, options.unit, words)
 
 
-def _placed(quadric: Quadric, options: argparse.Namespace) -> Quadric:
-    angles = values.numbers("--rotate", options.rotate, 3) if options.rotate else (0.0, 0.0, 0.0)
-    centre = values.numbers("--centre", options.centre, 3) if options.centre else (0.0, 0.0, 0.0)
-    turn = Rotation.from_euler("xyz", angles, degrees=True).as_matrix()
-    return Quadric(quadric.curvatures, turn @ quadric.rotation, np.array(centre))
+def _has(entry: Source, name: str) -> bool:
+    return name in entry.defaults
 
 
-def _elliptic(options: argparse.Namespace) -> MultiNet:
-    axes = values.numbers("--axes", options.axes, 3)
-    if options.moving not in COORDINATES:
-        raise InputError(f"--moving: expected lambda, mu or nu, got '{options.moving}'")
-    if options.curve in PRESETS:
-        chosen = PRESETS[options.curve]
-        net = elliptic_net(axes, options.moving, chosen.curve, unfolded=True, closed=chosen.closed)
-    elif ";" in options.curve:
-        net = _formulas(axes, options)
-    else:
-        net = _file(axes, options)
-    if not (options.rotate or options.centre):
-        return net
-    here, there = net.quadric, _placed(net.quadric, options)
-
-    def moved(s: FloatArray) -> FloatArray:
-        return there.from_frame(here.to_frame(net.curve(s)))
-
-    return MultiNet(there, moved, net.base, net.closed, net.t_range)
+def _take_apart(options: argparse.Namespace, entry: Source) -> None:
+    """Let ``--curve`` name a file, or two formulas, as well."""
+    text = options.curve
+    if text is None or (entry is ELLIPTIC_NET and text in entry.option("curve").choices):
+        return
+    if text in PRESETS:
+        raise InputError("--curve: expected a file of points on the quadric; presets need --moving")
+    options.curve = None
+    if ";" not in text:
+        columns = _points(text).shape[1]
+        setattr(options, "points" if columns == 3 or entry is MULTI_NET else "coordinates", text)
+        return
+    formulas = text.split(";")
+    if len(formulas) != 2:
+        raise InputError(f"--curve: expected two formulas separated by ';', got {len(formulas)}")
+    options.curve, (options.first_formula, options.second_formula) = "formulas", formulas
 
 
-def _formulas(axes: tuple[float, ...], options: argparse.Namespace) -> MultiNet:
-    texts = options.curve.split(";")
-    if len(texts) != 2:
-        raise InputError(f"--curve: expected two formulas separated by ';', got {len(texts)}")
-    one, two = (formula(text, ("s", "a", "b", "c")) for text in texts)
-    a, b, c = axes
-
-    def curve(s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        return one(s=s, a=a, b=b, c=c), two(s=s, a=a, b=b, c=c)
-
-    return elliptic_net(axes, options.moving, curve, closed=options.closed)
-
-
-def _file(axes: tuple[float, ...], options: argparse.Namespace) -> MultiNet:
-    """Curve through the points or the coordinate values of a file."""
+def _points(path: str) -> FloatArray:
     try:
-        rows = read_points(options.curve, (2, 3))
+        return read_points(path, (2, 3))
     except InputError as error:
         if "no such file" in str(error):
             raise InputError(
-                f"--curve: '{options.curve}' is neither a file nor one of {', '.join(PRESETS)}"
+                f"--curve: '{path}' is neither a file nor one of {', '.join(PRESETS)}"
             ) from None
         raise
-    if rows.shape[1] == 2:
-        spline = Spline(rows, options.closed)
-
-        def curve(s: FloatArray) -> tuple[FloatArray, FloatArray]:
-            pairs = spline(s)
-            return pairs[:, 0], pairs[:, 1]
-
-        return elliptic_net(axes, options.moving, curve, closed=options.closed)
-    system = EllipticSystem(*axes)
-    found = system.coordinates(rows)
-    moving = COORDINATES.index(options.moving)
-    net = elliptic_net(axes, options.moving, lambda s: (s, s), closed=options.closed)
-    # The points count by their two other coordinates and signs, wherever on the third they lie.
-    found[:, moving] = net.base
-    signs = np.where(rows < 0, -1.0, 1.0)
-    base = system.points(found, signs)
-    through = multi_net(net.quadric, base, closed=options.closed)
-    return MultiNet(net.quadric, through.curve, net.base, options.closed, net.t_range)
-
-
-def _on_quadric(options: argparse.Namespace) -> MultiNet:
-    if options.quadric not in _SIGNS:
-        raise InputError(f"--quadric: expected one of {', '.join(_SIGNS)}, got '{options.quadric}'")
-    squares = np.array(values.numbers("--axes", options.axes, 3))
-    if not (squares > 0).all():
-        raise InputError(f"--axes: expected three positive numbers, got {options.axes}")
-    quadric = _placed(Quadric(np.array(_SIGNS[options.quadric]) / squares), options)
-    if options.curve in PRESETS:
-        raise InputError("--curve: expected a file of points on the quadric; presets need --moving")
-    points = read_points(options.curve)
-    return multi_net(quadric, points, closed=options.closed, snap=options.snap)

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 
 from freecad_ortho import api
+from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
+from freecad_ortho.sources import source
 from freecad_ortho.units import millimetres_per
-from solver.errors import InputError
 from solver.io.atomic import write_text
-from solver.offset.offset_mesh import KINDS
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -23,10 +22,8 @@ def add(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("input", metavar="IN.obj")
     values.add_up(parser)
-    parser.add_argument(
-        "--distance", type=float, required=True, metavar="MM", help="along the normals, or negative"
-    )
-    parser.add_argument("--kind", default="parallel", metavar="|".join(KINDS))
+    for option in source("offset").options:
+        arguments.add(parser, option, length="MM")
     parser.add_argument("--report", metavar="R.json", help="write the distances, in mm")
     values.add_output(parser)
     parser.set_defaults(run=run)
@@ -35,11 +32,11 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Write the offset mesh and say what its distance is."""
     values.refuse_unwritable(options.output, options.report)
-    if not math.isfinite(options.distance):
-        raise InputError(f"--distance: expected a finite number of mm, got {options.distance}")
+    entry = source("offset")
+    told = entry.defaults | arguments.given(entry.options, options)
     loaded = reporting.load(options)
     scale = millimetres_per(loaded.unit)
-    found = api.offset_mesh(loaded.near.scaled(scale), options.distance, options.kind)
+    found = api.offset_mesh(loaded.near.scaled(scale), **told)
     if options.report:
         report = {
             "kind": found.kind,

@@ -8,20 +8,27 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+from scipy.spatial.transform import Rotation
+
 from freecad_ortho.cli import values
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import InputError
 from solver.io.points import read_points
+from solver.mesh.quadmesh import FloatArray
 from solver.option import NUMBERS, Option
 
 # What stands for a value in the help, a letter for each where there are several.
 _WRITTEN = {
     "length": "L", "distance": "L", "area": "A", "angle": "DEG", "percent": "PERCENT",
-    "number": "N", "count": "N", "text": "TEXT", "points": "FILE", "mesh": "FILE",
+    "number": "N", "direction": "x|y|z|X,Y,Z", "count": "N", "text": "TEXT", "points": "FILE",
+    "mesh": "FILE",
 }  # fmt: skip
 _LETTERS = {2: "A,B", 3: "X,Y,Z"}
+_PLACING = {"rotate": "turn by angles about x, then y, then z", "centre": "where it is put"}
 # A number and the unit behind it.
-_QUANTITY = re.compile(r"\s*([-+.\d]+(?:e[-+]?\d+)?)\s*([a-z°]+)(\^?2)?\s*", re.IGNORECASE)
+_QUANTITY = re.compile(r"\s*([-+.\d]+(?:e[-+]?\d+)?)\s*(?:([a-z°]+)(\^?2)?)?\s*", re.IGNORECASE)
+_POWERS = {"length": 1, "distance": 1, "area": 2}
 _ANGLES = {"deg": 1.0, "°": 1.0, "rad": math.degrees(1.0)}
 
 
@@ -42,70 +49,96 @@ def add(
         length: what stands for a length.
     """
     words = (before + _explained(option)).replace("%", "%%")
+    flag, former = flag_of(option), option.former
+    if former is not None:
+        flags = {"action": "store_true", "default": None} if option.kind == "flag" else {}
+        group.add_argument(f"--{_dashed(former.name)}", help=argparse.SUPPRESS, **flags)
     if option.kind == "flag":
         action = "store_false" if option.default else "store_true"
-        group.add_argument(
-            flag_of(option), dest=option.name, action=action, default=None, help=words
-        )
+        group.add_argument(flag, dest=option.name, action=action, default=None, help=words)
         return
-    usual = option.absent or (shown(option.default) if usual is None else usual)
+    if option.kind == "placement":
+        for part, what in _PLACING.items():
+            group.add_argument(f"--{part}", metavar="X,Y,Z", help=what)
+        return
+    usual = option.absent or (_usual(option, length) if usual is None else usual)
     words += f" (default: {usual})" if usual else ""
-    group.add_argument(
-        flag_of(option), dest=option.name, metavar=_metavar(option, length), help=words
-    )
+    group.add_argument(flag, dest=option.name, metavar=_metavar(option, length), help=words)
 
 
 def flag_of(option: Option) -> str:
     """The argument that sets it: of what is on by default the one that puts it off."""
     off = "no-" if option.kind == "flag" and option.default else ""
-    return f"--{off}{option.name.replace('_', '-')}"
+    return f"--{off}{_dashed(option.name)}"
 
 
 def given(
-    options: Iterable[Option], arguments: argparse.Namespace, unit: str = "mm"
+    options: Iterable[Option],
+    arguments: argparse.Namespace,
+    unit: str = "mm",
+    bare: str | None = None,
 ) -> dict[str, Any]:
     """Values of those options that were given, by name.
 
     Args:
         options: any that were added.
         arguments: as they were parsed.
-        unit: of lengths that are given without one, and of the values.
+        unit: of the values.
+        bare: that of lengths that are given without one, by default the same.
 
     Raises:
         InputError: a text that says no such value.
     """
-    found = {option: getattr(arguments, option.name) for option in options}
-    return {
-        option.name: text if option.kind == "flag" else read(option, text, unit)
-        for option, text in found.items()
-        if text is not None
-    }
+    found = {}
+    for option in options:
+        text, former = getattr(arguments, option.name, None), option.former
+        if option.kind == "placement":
+            text = _placing(arguments, unit, bare)
+        elif text is not None and option.kind != "flag":
+            text = read(option, text, unit, bare)
+        elif former is not None and (then := getattr(arguments, former.name)) is not None:
+            if option.kind != "flag":
+                then = read(option, then, unit, bare, f"--{_dashed(former.name)}")
+            text = former.now(then)
+        if text is not None:
+            found[option.name] = text
+    return found
 
 
-def read(option: Option, text: str, unit: str = "mm", name: str | None = None) -> Any:
+def read(
+    option: Option,
+    text: str,
+    unit: str = "mm",
+    bare: str | None = None,
+    name: str | None = None,
+) -> Any:
     """The value that a text stands for; of a mesh the text itself.
 
     Args:
         option: whose value it is.
         text: ``12``, ``0.3m``, ``1,2,3``, a word, a path.
-        unit: of lengths that come without one, and of the value.
+        unit: of the value.
+        bare: that of lengths that come without one, by default the same.
         name: what the option is called in a refusal.
 
     Raises:
         InputError: the text says no such value.
     """
     name = name or flag_of(option)
+    text = ",".join(map(str, option.plain(text))) if option.plain(text) is not text else text
     if option.kind == "choice":
         return _word(name, text, option.choices)
     if option.kind == "points":
         return read_points(text, (2, 3))
     if option.kind not in NUMBERS:
         return text
-    several = isinstance(option.default, tuple)
-    if option.kind == "count" and several and len(option.default) == 2:
-        return values.sampling(text, name)
+    several = option.several
+    if _is_pair(option):
+        if option.written and text.isdecimal():
+            return (int(text), int(text))
+        return values.sampling(text, name, option.written or "MxN")
     parts = text.split(",")
-    plain = ",".join(_plain(part, option.kind, unit) for part in parts)
+    plain = ",".join(_plain(part, option.kind, unit, bare or unit) for part in parts)
     if option.kind == "count":
         found = values.whole_numbers(name, plain, len(option.default) if several else 1)
     else:
@@ -113,13 +146,43 @@ def read(option: Option, text: str, unit: str = "mm", name: str | None = None) -
     return found if several else found[0]
 
 
-def shown(default: Any) -> str:
-    """A default as it would be typed; nothing where there is none."""
-    if default is None or default is False or default == ():
+def shown(value: Any) -> str:
+    """A value as it would be typed; nothing where there is none."""
+    if isinstance(value, tuple):
+        return ",".join(map(shown, value))
+    if value is None or value is False:
         return ""
-    if isinstance(default, tuple):
-        return ",".join(shown(part) for part in default)
-    return f"{default:g}" if isinstance(default, float) else str(default)
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def _usual(option: Option, length: str) -> str:
+    """The default; lengths that are in no one's unit in metres."""
+    zero = isinstance(option.default, tuple) and not any(option.default)
+    if option.absent or zero or option.kind in ("points", "placement"):
+        return option.absent
+    metres = length == "L" and option.kind in ("length", "distance")
+    if _is_pair(option):
+        return "{}x{}".format(*option.default)
+    words = shown(option.default_in(1000.0) if metres else option.default)
+    return f"{words} m" if metres and words else words
+
+
+def _dashed(name: str) -> str:
+    return name.replace("_", "-")
+
+
+def _placing(
+    arguments: argparse.Namespace, unit: str, bare: str | None
+) -> tuple[FloatArray, FloatArray] | None:
+    """Where something stands, if that was said."""
+    if all(getattr(arguments, part) is None for part in _PLACING):
+        return None
+    turn = Option("rotate", (0.0, 0.0, 0.0), "angle", _PLACING["rotate"])
+    place = Option("centre", (0.0, 0.0, 0.0), "distance", _PLACING["centre"])
+    said = given((turn, place), arguments, unit, bare)
+    angles = said.get("rotate", turn.default)
+    rotation = Rotation.from_euler("xyz", angles, degrees=True).as_matrix()
+    return rotation, np.array(said.get("centre", place.default))
 
 
 def _explained(option: Option) -> str:
@@ -132,10 +195,17 @@ def _metavar(option: Option, length: str) -> str:
     if option.written or option.choices:
         return option.written or "|".join(option.choices)
     count = len(option.default) if isinstance(option.default, tuple) else 0
-    if option.kind == "count" and count == 2:
+    if _is_pair(option):
         return "MxN"
+    if option.kind == "direction":
+        return _WRITTEN[option.kind]
     single = length if option.kind in ("length", "distance") else _WRITTEN[option.kind]
     return _LETTERS.get(count, single) if option.kind in NUMBERS else single
+
+
+def _is_pair(option: Option) -> bool:
+    """Whether it counts along u and along v."""
+    return option.kind == "count" and option.several and len(option.default) == 2
 
 
 def _word(name: str, text: str, choices: tuple[str, ...]) -> str:
@@ -147,19 +217,19 @@ def _word(name: str, text: str, choices: tuple[str, ...]) -> str:
     raise InputError(f"{name}: expected {', '.join(others)} or {last}, got '{text[:40]}'")
 
 
-def _plain(text: str, kind: str, unit: str) -> str:
-    """A number with a unit as one without; any other text as it is."""
+def _plain(text: str, kind: str, unit: str, bare: str) -> str:
+    """A number with or without a unit in the unit asked for; any other text as it is."""
     match = _QUANTITY.fullmatch(text)
     if match is None:
         return text
-    number, word, square = match[1], match[2].lower(), match[3]
+    number, word, square = match[1], (match[2] or "").lower(), match[3]
     factor = None
     if kind == "angle" and not square:
-        factor = _ANGLES.get(word)
-    elif kind in ("length", "distance", "area") and (kind == "area") == bool(square):
-        power = 2 if square else 1
-        factor = (MILLIMETRES.get(word, 0.0) / MILLIMETRES[unit]) ** power or None
+        factor = _ANGLES.get(word or "deg")
+    elif kind in _POWERS and (not word or (kind == "area") == bool(square)):
+        of = MILLIMETRES.get(word or bare)
+        factor = of and (of / MILLIMETRES[unit]) ** _POWERS[kind]
     try:
-        return text if factor is None else repr(float(number) * factor)
-    except ValueError:
+        return text if factor in (None, 1.0) and not word else repr(float(number) * factor)
+    except (TypeError, ValueError):
         return text

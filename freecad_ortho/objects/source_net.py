@@ -38,6 +38,7 @@ _KINDS = {
     "area": "App::PropertyFloat",
     "angle": "App::PropertyAngle",
     "number": "App::PropertyFloat",
+    "direction": "App::PropertyFloat",
     "percent": "App::PropertyFloat",
     "count": "App::PropertyInteger",
     "choice": "App::PropertyEnumeration",
@@ -117,7 +118,9 @@ class SourceNet(Net):
     def onDocumentRestored(self, feature: FreeCAD.DocumentObject) -> None:
         """Give an object from an older document the properties that came later."""
         super().onDocumentRestored(feature)
+        formers = _formers(feature)
         ensure(feature, _own_properties(source(feature.MadeBy)))
+        set_values(feature, formers)
         if feature.Outdated:
             outdated.watch()
             feature.touch()
@@ -319,6 +322,21 @@ def _store(feature: FreeCAD.DocumentObject, made: Made) -> None:
     feature.MadeFrom, feature.Outdated = _word(made.mesh), False
     said = outdated.notice(feature)
     feature.Remarks = [*made.remarks, *([said] if said else [])]
+
+
+def _formers(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
+    """Values of options that an older document has by their former names; these leave it."""
+    found = {}
+    for option in source(feature.MadeBy).options:
+        then = option.former and replace(option, name=option.former.name)
+        if then is None or not set(then.parts) <= set(feature.PropertiesList):
+            continue
+        kept = tuple(getattr(feature, part) for part in then.parts)
+        value = tuple(getattr(item, "Value", item) for item in kept)
+        found[option.name] = option.former.now(value if option.several else value[0])
+        for part in then.parts:
+            feature.removeProperty(part)
+    return found
 
 
 def _own_properties(entry: Source) -> list[Property]:

@@ -14,7 +14,7 @@ from solver.option import Option
 translate = FreeCAD.Qt.translate
 
 _UNITS = {"length": "mm", "distance": "mm", "area": "mm^2", "angle": "deg"}
-_PLAIN = ("number", "percent")
+_PLAIN = ("number", "direction", "percent")
 _MOST = 1e12
 # Room for a length of some metres with its unit, for a formula.
 _LEGIBLE = 120

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -12,7 +13,7 @@ from solver.errors import InputError
 from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.offset_mesh import KINDS, offset_mesh
-from solver.option import Option
+from solver.option import Former, Option
 
 _CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "This point stays where it is")
 
@@ -20,7 +21,7 @@ _CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "This point stays where 
 def _one(change: Callable[..., QuadMesh]) -> Callable[..., Made]:
     """A source's function from one that changes one mesh."""
 
-    def build(meshes: Sequence[QuadMesh], **options: Any) -> Made:
+    def build(meshes: Sequence[QuadMesh], unit: str, **options: Any) -> Made:
         return Made(change(meshes[0], **options))
 
     return build
@@ -72,15 +73,15 @@ def _moved(mesh: QuadMesh, **options: Any) -> QuadMesh:
     return transform.similarity(mesh, degrees=options.pop("turn"), **options)
 
 
-def _welded(meshes: Sequence[QuadMesh], tolerance: float) -> Made:
+def _welded(meshes: Sequence[QuadMesh], unit: str, tolerance: float) -> Made:
     whole = mirror.size_of(np.concatenate([mesh.vertices for mesh in meshes]))
     mesh = mirror.welded(meshes, max(tolerance / whole, mirror.SAME_PLACE))
     return Made(mesh, tuple(mirror.weld_remarks(meshes, mesh)))
 
 
-def _offset(meshes: Sequence[QuadMesh], distance: float, kind: str) -> Made:
+def _offset(meshes: Sequence[QuadMesh], unit: str, distance: float, kind: str) -> Made:
     found = offset_mesh(meshes[0], distance, kind)
-    return Made(found.mesh, (f"in mm: {found.message}",))
+    return Made(found.mesh, (f"in {unit}: {found.message}",))
 
 
 CHANGES = (
@@ -101,7 +102,7 @@ CHANGES = (
             Option("which", "first", "choice", "The first holds the first vertex",
                    ("first", "second")),
             Option("border", "drop", "choice", "Zigzag border, or closed by narrow quads",
-                   ("drop", "fill")),
+                   ("drop", "fill"), former=Former("boundary")),
         ),
         _one(_diagonal),
         "net",
@@ -136,8 +137,10 @@ CHANGES = (
         "Every k-th parameter line",
         (
             Option("every", (2, 2), "count", "Every so many lines of u and v stay",
-                   suffixes=("U", "V")),
-            Option("keep_border", True, "flag", "Keep the last line where the step misses it"),
+                   suffixes=("U", "V"), written="K|KxL"),
+            Option("keep_border", True, "flag", "Keep the last line where the step misses it",
+                   brief="leave the last line out where the step misses it",
+                   former=Former("drop_border", operator.not_)),
         ),
         _one(_coarsened),
         "net",
@@ -148,7 +151,7 @@ CHANGES = (
         (
             Option("rings", 1, "count", "Rings of faces at the border"),
             Option("rows", (0, 0, 0, 0), "count", "Rows at the starts and ends of u and v",
-                   suffixes=("UStart", "UEnd", "VStart", "VEnd")),
+                   suffixes=("UStart", "UEnd", "VStart", "VEnd"), written="U0,U1,V0,V1"),
         ),
         _one(_trimmed),
         "net",
@@ -157,9 +160,10 @@ CHANGES = (
         "mirror",
         "The net and its mirror image, the seam merged",
         (
-            Option("normal", (1.0, 0.0, 0.0), "number", "Normal of the plane"),
+            Option("normal", (1.0, 0.0, 0.0), "direction", "Normal of the plane"),
             Option("point", (0.0, 0.0, 0.0), "distance", "A point of the plane"),
-            Option("image_only", False, "flag", "The mirror image comes alone"),
+            Option("image_only", False, "flag", "The mirror image comes alone",
+                   former=Former("alone")),
         ),
         _one(_mirrored),
         "net",

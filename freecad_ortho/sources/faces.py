@@ -12,6 +12,7 @@ from solver.option import Option
 
 def _sampled(
     patches: Sequence[SurfacePatch],
+    unit: str,
     sampling: tuple[int, int],
     edge: float,
     spacing: str,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from solver.analysis.upright import side_remark
 from solver.errors import InputError
 from solver.formfinding import (
     CableNet,
+    FormFound,
     Loads,
     Membrane,
     Tension,
@@ -20,7 +22,7 @@ from solver.formfinding import (
 )
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
-from solver.option import Option
+from solver.option import Former, Option
 
 Vector = tuple[float, float, float]
 _NONE = (0.0, 0.0, 0.0)
@@ -28,8 +30,9 @@ _NONE = (0.0, 0.0, 0.0)
 _NAMED = 8
 
 
-def _formed(
-    meshes: Sequence[QuadMesh],
+def found(
+    mesh: QuadMesh,
+    *,
     kind: str,
     supports: str,
     lift: str,
@@ -41,59 +44,76 @@ def _formed(
     area_load: Vector,
     edge_load: Vector,
     pressure: float,
-) -> Made:
-    mesh = meshes[0]
+    **limits: Any,
+) -> tuple[FormFound, list[str]]:
+    """The form of the options, and what is to be said about the loads on the start.
+
+    Args:
+        mesh: the start.
+        kind: and the options after it: those of ``FORM``.
+        supports: vertices that are held.
+        lift: how far some of them go up first.
+        density: of the cables.
+        border_density: of those at the border, 0 for the same.
+        stress: of the membrane.
+        border_force: in the cable at its border.
+        vertex_load: at each vertex.
+        area_load: of the faces.
+        edge_load: of the edges.
+        pressure: along the normals.
+        limits: of ``solver.formfinding.find_form``.
+
+    Raises:
+        InputError: no such supports, or values of which there is no form.
+    """
     held = supported(mesh, supports.replace(" ", ""))
     mesh = lifted(mesh, held, lift)
-    densities = family_densities(mesh, density, density, border_density or None)
-    tension: Tension = CableNet(densities)
-    loads = Loads(vertex_load, area_load, edge_load, pressure)
+    side = side_remark(mesh, vertex_load, area_load, edge_load)
+    tension: Tension = CableNet(family_densities(mesh, density, density, border_density or None))
     if kind == "membrane":
         if lift.strip():
             mesh = find_form(mesh, held, tension).mesh
         tension = Membrane(stress, border_force)
-    found = find_form(mesh, held, tension, loads)
-    if not found.converged:
-        raise InputError(f"form-finding: {found.message}")
-    side = side_remark(mesh, vertex_load, area_load, edge_load)
-    pull = np.linalg.norm(found.reactions[held], axis=1).max()
-    return Made(
-        found.mesh,
-        (
-            f"{found.message}, unbalanced {found.unbalanced:.0e}; largest support force {pull:.3g}",
-            *([] if side is None else [side]),
-        ),
-    )
+    loads = Loads(vertex_load, area_load, edge_load, pressure)
+    return find_form(mesh, held, tension, loads, **limits), [] if side is None else [side]
 
 
-def lifted(mesh: QuadMesh, held: BoolArray, text: str, name: str = "lift") -> QuadMesh:
+def _formed(meshes: Sequence[QuadMesh], unit: str, **options: Any) -> Made:
+    form, remarks = found(meshes[0], **options)
+    if not form.converged:
+        raise InputError(f"form-finding: {form.message}")
+    pull = np.linalg.norm(form.reactions, axis=1).max()
+    words = f"{form.message}, unbalanced {form.unbalanced:.0e}; largest support force {pull:.3g}"
+    return Made(form.mesh, (words, *remarks))
+
+
+def lifted(mesh: QuadMesh, held: BoolArray, text: str) -> QuadMesh:
     """Raise supports before the form is found.
 
     Args:
         mesh: the start.
         held: (V,) which vertices are supports.
-        text: ``I,Z;I,Z ...``: numbers of supports and how far each goes up, in the mesh's unit.
-        name: what the option is called where it was given.
+        text: ``I:Z; I:Z ...``: numbers of supports and how far each goes up, in the mesh's unit.
 
     Raises:
         InputError: not such pairs, or a vertex that is no support.
     """
     points = mesh.vertices.copy()
     for pair in filter(None, (word.strip() for word in text.split(";"))):
-        # Documents of earlier versions have a colon.
-        number, _, height = pair.replace(":", ",").partition(",")
+        # Documents of earlier versions may have a comma.
+        number, _, height = pair.replace(",", ":").partition(":")
         try:
             vertex, rise = int(number), float(height)
         except ValueError:
             raise InputError(
-                f"{name}: expected VERTEX,HEIGHT such as 0,1500; 20,1500, got '{pair[:40]}'"
+                f"lift: expected VERTEX:HEIGHT such as 0:1500; 20:1500, got '{pair[:40]}'"
             ) from None
         if not 0 <= vertex < len(points) or not held[vertex]:
             supports = np.flatnonzero(held)
             known = ", ".join(map(str, supports[:_NAMED])) + ", ..." * (len(supports) > _NAMED)
-            raise InputError(f"{name}: vertex {vertex} is no support; these are: {known}")
+            raise InputError(f"lift: vertex {vertex} is no support; these are: {known}")
         if not np.isfinite(rise):
-            raise InputError(f"{name}: vertex {vertex} cannot be raised by {height}; mend it")
+            raise InputError(f"lift: vertex {vertex} cannot be raised by {height}; mend it")
         points[vertex, 2] += rise
     return mesh.with_vertices(points)
 
@@ -104,16 +124,23 @@ FORM = Source(
     (
         Option("kind", "cables", "choice", "Cables of given force density, or constant stress",
                ("cables", "membrane")),
-        Option("supports", "boundary", "text", "Held: boundary, corners or vertices as 0,5,12"),
-        Option("lift", "", "text", "Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900"),
+        Option("supports", "boundary", "text", "Held: boundary, corners or vertices as 0,5,12",
+               written="boundary|corners|I,J,K"),
+        Option("lift", "", "text", "Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900",
+               written="I:Z[;I:Z...]", brief="supports to raise first by Z, as '0:1.5;20:1.5'"),
         Option("density", 1.0, "number", "Force density of the cables, force / length"),
-        Option("border_density", 0.0, "number", "Force density of border cables; 0: the same"),
+        Option("border_density", 0.0, "number", "Force density of border cables; 0: the same",
+               former=Former("border")),
         Option("stress", 1.0, "number", "Stress of the membrane, force / length"),
-        Option("border_force", 0.0, "number", "Force in the membrane's border cable"),
+        Option("border_force", 0.0, "number", "Force in the membrane's border cable",
+               former=Former("cable")),
         Option("vertex_load", _NONE, "number", "Load at each vertex, force"),
-        Option("area_load", _NONE, "number", "Load of the faces, force / mm2"),
-        Option("edge_load", _NONE, "number", "Load of the edges, force / mm"),
-        Option("pressure", 0.0, "number", "Pressure along the normals, force / mm2"),
+        Option("area_load", _NONE, "number", "Load of the faces, force / mm2",
+               brief="load of the faces, force / area"),
+        Option("edge_load", _NONE, "number", "Load of the edges, force / mm",
+               brief="load of the edges, force / length", former=Former("beam_load")),
+        Option("pressure", 0.0, "number", "Pressure along the normals, force / mm2",
+               brief="pressure along the normals, force / area"),
     ),
     _formed,
     "net",

@@ -8,14 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freecad_ortho.sources.placing import PLACEMENT, Placing, placed
-from freecad_ortho.sources.primitives import sampling
+from freecad_ortho.sources.primitives import roots, sampling
 from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 from solver.multinet import MultiNet, Quadric, elliptic_net, multi_net, reflected
+from solver.multinet.elliptic import COORDINATES, EllipticSystem
 from solver.multinet.formula import formula
+from solver.multinet.polyline import Spline
 from solver.multinet.presets import PRESETS
-from solver.option import Option
+from solver.option import Former, Option
 
 QUADRICS = {
     "ellipsoid": (1.0, 1.0, 1.0),
@@ -28,9 +30,13 @@ _SPACING = Option(
     ("length", "parameter"),
 )  # fmt: skip
 _T_RANGE = Option(
-    "t_range", (0.0, 0.0), "area", "First and last t (0 and 0: clear of both ends)"
+    "t_range", (0.0, 0.0), "area", "First and last t (0 and 0: clear of both ends)",
+    written="T0,T1", former=Former("range"),
 )  # fmt: skip
-_REFLECT = Option("reflect", "", "text", "Axes to extend the net along by mirror images, as x,y")
+_SEMI_AXES = (9000.0, 6500.0, 4000.0)
+_REFLECT = Option(
+    "reflect", "", "text", "Axes to extend the net along by mirror images, as x,y", written="x,y,z"
+)
 
 
 def quadric_of(quadric: str, semi_axes: ArrayLike, placement: Placing) -> Quadric:
@@ -87,8 +93,8 @@ def automatic_range(net: MultiNet) -> tuple[float, float]:
 
 
 def _finished(
-    net: MultiNet, sampling: tuple[int, int], t_range: tuple[float, float], spacing: str,
-    reflect: str,
+    net: MultiNet, unit: str, sampling: tuple[int, int], t_range: tuple[float, float],
+    spacing: str, reflect: str,
 ) -> Made:  # fmt: skip
     ends = (float(t_range[0]), float(t_range[1]))
     if ends == (0.0, 0.0):
@@ -96,46 +102,83 @@ def _finished(
     mesh = net.sampled(*sampling, ends, spacing)
     if reflect.strip():
         mesh = reflected(mesh, reflect.replace(",", "").replace(" ", "").lower(), net.quadric)
-    low, high = net.admissible
-    return Made(mesh, (f"t from {ends[0]:.4g} to {ends[1]:.4g} mm2, {said_range(low, high)}",))
+    said = said_range(*net.admissible, unit)
+    return Made(mesh, (f"t from {ends[0]:.4g} to {ends[1]:.4g} {unit}2, {said}",))
 
 
-def said_range(low: float, high: float) -> str:
+def said_range(low: float, high: float, unit: str = "mm") -> str:
     """The admissible range of t in words."""
-    return f"admissible from {low:.4g} to {high:.4g} mm2" if np.isfinite(high) else (
-        f"admissible from {low:.4g} mm2 on"
+    return f"admissible from {low:.4g} to {high:.4g} {unit}2" if np.isfinite(high) else (
+        f"admissible from {low:.4g} {unit}2 on"
     )  # fmt: skip
 
 
 def _drawn(
-    sampling: tuple[int, int], t_range: tuple[float, float], spacing: str, reflect: str,
-    **given: Any,
+    unit: str, sampling: tuple[int, int], t_range: tuple[float, float], spacing: str,
+    reflect: str, **given: Any,
 ) -> Made:  # fmt: skip
-    return _finished(drawn_net(**given), sampling, t_range, spacing, reflect)
+    return _finished(drawn_net(**given), unit, sampling, t_range, spacing, reflect)
 
 
 def _elliptic(
-    semi_axes: tuple[float, float, float],
+    unit: str, semi_axes: tuple[float, float, float], placement: Placing,
+    sampling: tuple[int, int], t_range: tuple[float, float], spacing: str, reflect: str,
+    **given: Any,
+) -> Made:  # fmt: skip
+    net = elliptic(tuple(float(length) ** 2 for length in semi_axes), **given)
+    made = _finished(net, unit, sampling, t_range, spacing, reflect)
+    return Made(placed(made.mesh, placement), made.remarks)
+
+
+def elliptic(
+    squares: tuple[float, ...],
     moving: str,
     curve: str,
     first_formula: str,
     second_formula: str,
-    sampling: tuple[int, int],
-    t_range: tuple[float, float],
-    spacing: str,
-    reflect: str,
-    placement: Placing,
-) -> Made:
-    axes = tuple(float(length) ** 2 for length in semi_axes)
-    if curve == _FORMULAS:
-        names = dict(zip("abc", axes, strict=True))
-        one, two = (formula(text, ("s", "a", "b", "c")) for text in (first_formula, second_formula))
-        net = elliptic_net(axes, moving, lambda s: (one(s=s, **names), two(s=s, **names)))
-    else:
+    points: FloatArray,
+    coordinates: FloatArray,
+    closed: bool,
+) -> MultiNet:
+    """The multi-net of a curve in elliptic coordinates.
+
+    Args:
+        squares: of the semi-axes.
+        moving: the coordinate in the role of t.
+        curve: name of a preset, or "formulas".
+        first_formula: of s from 0 to 1, where formulas are asked for; the second likewise.
+        second_formula: for the second of the coordinates that stay.
+        points: (n, 3) points of a curve instead, of which these coordinates count.
+        coordinates: (n, 3) values of these two coordinates instead; the third column is nothing.
+        closed: a curve that is no preset returns to its start.
+
+    Raises:
+        InputError: semi-axes that do not fall, or no such curve.
+    """
+    if len(points):
+        return _through(squares, moving, points, closed)
+    if len(coordinates):
+        spline = Spline(coordinates[:, :2], closed)
+        return elliptic_net(squares, moving, lambda s: tuple(spline(s).T), closed=closed)
+    if curve != _FORMULAS:
         chosen = PRESETS[curve]
-        net = elliptic_net(axes, moving, chosen.curve, unfolded=True, closed=chosen.closed)
-    made = _finished(net, sampling, t_range, spacing, reflect)
-    return Made(placed(made.mesh, placement), made.remarks)
+        return elliptic_net(squares, moving, chosen.curve, unfolded=True, closed=chosen.closed)
+    names = dict(zip("abc", squares, strict=True))
+    one, two = (formula(text, ("s", "a", "b", "c")) for text in (first_formula, second_formula))
+    return elliptic_net(
+        squares, moving, lambda s: (one(s=s, **names), two(s=s, **names)), closed=closed
+    )
+
+
+def _through(squares: tuple[float, ...], moving: str, points: FloatArray, closed: bool) -> MultiNet:
+    """The net of points that count by their two other coordinates and their signs."""
+    system = EllipticSystem(*squares)
+    net = elliptic_net(squares, moving, lambda s: (s, s), closed=closed)
+    found = system.coordinates(points)
+    found[:, COORDINATES.index(moving)] = net.base
+    base = system.points(found, np.where(points < 0, -1.0, 1.0))
+    through = multi_net(net.quadric, base, closed=closed)
+    return MultiNet(net.quadric, through.curve, net.base, closed, net.t_range)
 
 
 MULTI_NET = Source(
@@ -143,14 +186,17 @@ MULTI_NET = Source(
     "Orthogonal multi-net of a polyline drawn on a quadric",
     (
         Option("quadric", "ellipsoid", "choice", "Quadric that carries the polyline",
-               tuple(QUADRICS)),
-        Option("semi_axes", (9000.0, 6500.0, 4000.0), "length", "Semi-axes of the quadric"),
+               tuple(QUADRICS), written="ellipsoid|one-sheeted|two-sheeted"),
+        Option("semi_axes", _SEMI_AXES, "length", "Semi-axes of the quadric",
+               written="A,B,C", former=Former("axes", roots)),
         sampling(24, 12),
         _T_RANGE,
         _SPACING,
-        Option("closed", False, "flag", "Join the last point with the first"),
+        Option("closed", False, "flag", "Join the last point with the first",
+               brief="join the ends of a given curve"),
         _REFLECT,
-        Option("points", (), "points", "Points of the polyline, in the frame of the quadric"),
+        Option("points", (), "points", "Points of the polyline, in the frame of the quadric",
+               brief="points of the curve, in the frame of the quadric"),
         PLACEMENT,
     ),
     _drawn,
@@ -160,13 +206,21 @@ ELLIPTIC_NET = Source(
     "elliptic multi-net",
     "Orthogonal multi-net in elliptic coordinates",
     (
-        Option("semi_axes", (9000.0, 6500.0, 4000.0), "length", "Semi-axes of lambda = 0, falling"),
+        Option("semi_axes", _SEMI_AXES, "length", "Semi-axes of lambda = 0, falling",
+               written="A,B,C", former=Former("axes", roots)),
         Option("moving", "lambda", "choice", "Elliptic coordinate in the role of t",
                ("lambda", "mu", "nu")),
         Option("curve", "wave", "choice", "Curve of the two other coordinates",
-               (*PRESETS, _FORMULAS)),
-        Option("first_formula", "-0.5*(b + c)", "text", "Formula of s for the first of them"),
-        Option("second_formula", "-b - (a - b)*s", "text", "Formula of s for the second"),
+               (*PRESETS, _FORMULAS),
+               brief="curve of the two other coordinates; also a file of points or coordinates, "
+               "or 'FORMULA; FORMULA'"),
+        Option("first_formula", "-0.5*(b + c)", "text", "Formula of s for the first of them",
+               written="FORMULA"),
+        Option("second_formula", "-b - (a - b)*s", "text", "Formula of s for the second",
+               written="FORMULA"),
+        Option("points", (), "points", "Points of a curve in place of it, about the centre"),
+        Option("coordinates", (), "points", "Values of the two other coordinates in place of it"),
+        Option("closed", False, "flag", "Join the ends of a curve that is no preset"),
         sampling(24, 12),
         _T_RANGE,
         _SPACING,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import Any
 
 from freecad_ortho.sources.placing import PLACEMENT, placed
 from freecad_ortho.sources.source import Made, Source
 from solver.mesh.primitives import PRIMITIVES, Parameter, primitive
-from solver.option import Option
+from solver.option import Former, Kind, Option
 
 _METRE = 1000.0
 _LENGTHS = {
@@ -16,7 +18,7 @@ _LENGTHS = {
 }  # fmt: skip
 _DISTANCES = {"pitch", "rise", "cross_rise"}
 _ANGLES = {"angles", "angle", "latitudes"}
-_AREAS = {"squares", "t_range"}
+_AREAS = {"t_range"}
 _LINES = {
     "catenoid": ("principal", "asymptotic"),
     "enneper": ("asymptotic", "principal"),
@@ -35,9 +37,16 @@ _MEANINGS = {
     "profile": "Points (radius, height) that are turned about z",
     "reach": "How far the net reaches over the surface",
     "spine": "Points whose tangents make the sheet; empty for a helix",
-    "squares": "Squares of the semi-axes of the first ellipse",
     "t_range": "First and last t of the confocal family",
 }
+
+
+def roots(squares: Sequence[float]) -> tuple[float, ...]:
+    """Semi-axes of which the squares were given."""
+    return tuple(math.copysign(math.sqrt(abs(square)), square) for square in squares)
+
+
+_FORMER = {("confocal-conics", "semi_axes"): Former("squares", roots)}
 
 
 def primitive_sources() -> dict[str, Source]:
@@ -54,7 +63,7 @@ def _source(name: str) -> Source:
     entry = PRIMITIVES[name]
     options = tuple(_option(name, parameter) for parameter in entry.parameters)
 
-    def build(sampling: tuple[int, int], placement: Any, **parameters: Any) -> Made:
+    def build(unit: str, sampling: tuple[int, int], placement: Any, **parameters: Any) -> Made:
         for key, value in list(parameters.items()):
             if key in ("profile", "spine"):
                 points = value[:, :2] if key == "profile" and len(value) else value
@@ -71,11 +80,14 @@ def _option(name: str, parameter: Parameter) -> Option:
         return Option(key, _PROFILE if key == "profile" else (), "points", meaning)
     if parameter.kind == "word":
         return Option(key, default, "choice", meaning, _LINES[name])
-    kind = "length" if key in _LENGTHS else "number"
-    for names, other in ((_DISTANCES, "distance"), (_ANGLES, "angle"), (_AREAS, "area")):
+    kind: Kind = "length" if key in _LENGTHS else "number"
+    others: dict[Kind, set[str]] = {"distance": _DISTANCES, "angle": _ANGLES, "area": _AREAS}
+    for other, names in others.items():
         kind = other if key in names else kind
     scale = {"length": _METRE, "distance": _METRE, "area": _METRE**2}.get(kind, 1.0)
+    former = _FORMER.get((name, key))
     if isinstance(default, tuple):
-        return Option(key, tuple(scale * float(x) for x in default), kind, meaning)
+        value = tuple(scale * float(x) for x in default)
+        return Option(key, value, kind, meaning, former=former)
     assert isinstance(default, (int, float))
     return Option(key, scale * float(default), kind, meaning)

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.option import NUMBERS, Option
+from solver.option import Option
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,7 +19,7 @@ class Made:
     """What a source has made.
 
     Attributes:
-        mesh: the net, in mm.
+        mesh: the net.
         remarks: what a user should know about it, one sentence each.
     """
 
@@ -34,7 +35,7 @@ class Source:
         name: unique among all sources.
         meaning: one sentence.
         options: what it asks for, in the order of a form.
-        build: from the options by name (and ``meshes`` or ``patches``) to the net.
+        build: from the ``unit`` and the options by name (and ``meshes`` or ``patches``) to the net.
         needs: ``""``, ``net`` (one), ``nets`` (one or more) or ``faces`` (of CAD shapes).
     """
 
@@ -50,65 +51,61 @@ class Source:
         return {option.name: option.default for option in self.options}
 
     def option(self, name: str) -> Option:
-        """The option of a name.
+        """The option of a name, or of one that it had before.
 
         Raises:
             InputError: there is none.
         """
         for option in self.options:
-            if option.name == name:
+            if name in (option.name, option.former and option.former.name):
                 return option
         known = ", ".join(option.name for option in self.options) or "no options"
         raise InputError(f"{self.name}: has {known}, not '{name}'; choose one of these")
 
-    def make(self, given: Mapping[str, Any], **inputs: Any) -> Made:
+    def current(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """Values by the names that options have now.
+
+        Raises:
+            InputError: an option that there is not.
+        """
+        found = {}
+        for name, value in given.items():
+            option = self.option(name)
+            was = option.former if name != option.name else None
+            found[option.name] = option.plain(value if was is None else was.now(value))
+        return found
+
+    def make(self, given: Mapping[str, Any], unit: str = "mm", **inputs: Any) -> Made:
         """Make the net from given options and the defaults of the others.
+
+        Args:
+            given: values by name, lengths in ``unit``.
+            unit: that of the net, and of the meshes that it is made of.
+            inputs: ``meshes`` or ``patches``.
 
         Raises:
             InputError: an unknown option, or values that make no net.
         """
-        for name, value in given.items():
-            self._check(self.option(name), value)
-        values = {**self.defaults, **given}
+        scale = millimetres_per(unit)
+        values = {option.name: option.default_in(scale) for option in self.options}
+        values |= self.current(given)
         for option in self.options:
+            value = values[option.name]
+            option.check(value, unit)
             if option.kind == "points":
-                values[option.name] = _points(option.name, values[option.name])
+                values[option.name] = _points(option.name, value)
             elif option.kind == "placement":
-                rotation, origin = (np.asarray(x, dtype=float) for x in values[option.name])
+                rotation, origin = (np.asarray(x, dtype=float) for x in value)
                 values[option.name] = (rotation, origin)
-        return self.build(**values, **inputs)
-
-    def _check(self, option: Option, value: Any) -> None:
-        if option.kind == "choice" and value not in option.choices:
-            raise InputError(
-                f"{option.name}: expected one of {', '.join(option.choices)}, got {value!r}"
-            )
-        plain, words = {"flag": (bool, "True or False"), "text": (str, "a text")}.get(
-            option.kind, (object, "")
-        )
-        if not isinstance(value, plain):
-            raise InputError(f"{option.name}: expected {words}, got {value!r}")
-        if option.kind not in NUMBERS:
-            return
-        several = isinstance(option.default, tuple)
-        count = len(option.default) if several else 1
-        numbers = tuple(value) if several and isinstance(value, (tuple, list)) else (value,)
-        if len(numbers) != count or not all(_is_number(item) for item in numbers):
-            words = f"{count} numbers" if several else "a number"
-            raise InputError(f"{option.name}: expected {words}, got {value!r}")
-        if option.kind == "count" and not all(item == int(item) >= 0 for item in numbers):
-            raise InputError(f"{option.name}: expected whole numbers from 0 on, got {value!r}")
-        if option.kind == "length" and min(numbers) < 0:
-            raise InputError(f"{option.name}: expected 0 mm or more, got {value!r}")
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e300
+        return self.build(unit=unit, **values, **inputs)
 
 
 def _points(name: str, value: Any) -> FloatArray:
     try:
-        return np.asarray(value, dtype=np.float64).reshape(-1, 3)
+        points = np.asarray(value, dtype=np.float64)
+        if points.ndim == 2 and points.shape[1] == 2:
+            points = np.pad(points, ((0, 0), (0, 1)))
+        return points.reshape(-1, 3)
     except (TypeError, ValueError) as error:
         raise InputError(
             f"{name}: expected points of three numbers, got {str(value)[:40]}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -161,7 +160,7 @@ class NetOptions:
 
     def __post_init__(self) -> None:
         for option in OPTIONS.values():
-            _refuse(option, getattr(self, option.name))
+            option.check(getattr(self, option.name))
         if not 0 < self.angle < 180:
             raise InputError(f"angle: expected degrees between 0 and 180, got {self.angle}")
 
@@ -183,18 +182,6 @@ class NetOptions:
 OPTIONS: dict[str, Option] = {
     item.name: Option(item.name, item.default, **item.metadata) for item in fields(NetOptions)
 }
-
-
-def _refuse(option: Option, value: Any) -> None:
-    """Say what is wrong with a value."""
-    if option.kind == "length" and value is not None and not (math.isfinite(value) and value > 0):
-        raise InputError(f"{option.name}: expected a positive length, got {value}")
-    if option.kind == "number" and not math.isfinite(value):
-        raise InputError(f"{option.name}: expected a number, got {value}")
-    if option.kind == "choice" and value not in option.choices:
-        *most, last = option.choices
-        words = f"{', '.join(most)} or {last}"
-        raise InputError(f"{option.name}: expected {words}, got '{value}'")
 
 
 def stars_of(problem: Problem) -> IntArray:

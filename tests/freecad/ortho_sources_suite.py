@@ -389,6 +389,33 @@ class TestChanges(SourceCase):
         self.assertEqual(net.Width.Value, 1000.0)
         self.assertTrue(source_net.is_source_net(net))
 
+    def test_an_older_document_has_squares_of_semi_axes(self):
+        net = api.add_primitive("confocal-conics", sampling=(9, 5))
+        for end, square in (("Start", 9e6), ("End", 4e6)):
+            net.removeProperty(f"SemiAxes{end}")
+            net.addProperty("App::PropertyFloat", f"Squares{end}")
+            setattr(net, f"Squares{end}", square)
+        net.Proxy.onDocumentRestored(net)
+        self.assertEqual((net.SemiAxesStart.Value, net.SemiAxesEnd.Value), (3000.0, 2000.0))
+        self.assertNotIn("SquaresStart", net.PropertiesList)
+        self.document.recompute()
+        macro = api.add_primitive("confocal-conics", sampling=(9, 5), squares=(9e6, 4e6))
+        self.assertEqual(tools.vertices(net).tobytes(), tools.vertices(macro).tobytes())
+
+    def test_a_direction_may_be_the_name_of_an_axis(self):
+        net = api.change_net(self.flat(), "mirror", normal="z", point=(0, 0, 1000), image_only=True)
+        self.assertEqual((net.NormalX, net.NormalY, net.NormalZ), (0.0, 0.0, 1.0))
+        self.assertTrue((tools.vertices(net)[:, 2] == 2000.0).all())
+
+    def test_an_elliptic_net_may_follow_points(self):
+        curve = api.add_elliptic_net(sampling=(12, 5))
+        points = tools.vertices(curve).reshape(12, 5, 3)[:, 2]
+        net = api.add_elliptic_net(sampling=(12, 5), points=points.tolist())
+        self.assertLess(multi_net_residual(convert.quad_mesh(net)).worst, 1e-12)
+        line = tools.vertices(net)
+        apart = np.linalg.norm(line[None] - points[:, None], axis=2).min(axis=1)
+        self.assertLess(apart.max(), 1000.0)
+
 
 class TestTriangles(SourceCase):
     def test_mesh_objects_and_files_are_read_alike(self):

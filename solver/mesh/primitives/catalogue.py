@@ -92,12 +92,13 @@ def _confocal_conics(
     m: int,
     n: int,
     *,
-    squares: tuple[float, float] = (4.0, 1.0),
+    semi_axes: tuple[float, float] = (2.0, 1.0),
     angles: tuple[float, float] = (0.0, 360.0),
     t_range: tuple[float, float] = (0.0, 4.0),
 ) -> QuadMesh:
     """Confocal ellipses x^2/(a + t) + y^2/(b + t) = 1 and their hyperbolas, flat; a multi-net."""
-    return confocal_conics(*squares, angles=angles, t_range=t_range).sampled(m, n)
+    a, b = (length**2 for length in semi_axes)
+    return confocal_conics(a, b, angles=angles, t_range=t_range).sampled(m, n)
 
 
 def _translational(
