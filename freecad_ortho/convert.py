@@ -89,18 +89,25 @@ def option_values(source: Source, options: dict[str, Any]) -> dict[str, Any]:
     Raises:
         InputError: an option that the source does not have, or a value of the wrong kind.
     """
-    read = {name: _option_value(source.option(name), value) for name, value in options.items()}
+    read = {name: option_value(source.option(name), value) for name, value in options.items()}
     return source.current(read)
 
 
-def _option_value(option: Option, value: Any) -> Any:
+def option_value(option: Option, value: Any) -> Any:
+    """A value as a macro gives it, plain, in mm and degrees.
+
+    Raises:
+        InputError: not a length, an angle, an area or points where that is wanted.
+    """
+    if value is None:
+        return None
     if option.kind == "placement":
         return placing(value) if isinstance(value, FreeCAD.Placement) else value
     if option.kind == "points":
         return rows(value)
     if option.kind in ("length", "distance", "angle", "area"):
         read = {"angle": degrees, "area": square_millimetres}.get(option.kind, millimetres)
-        if isinstance(option.default, tuple) and isinstance(value, (tuple, list)):
+        if option.several and isinstance(value, (tuple, list)):
             return tuple(read(item, option.name) for item in value)
         return read(value, option.name)
     return tuple(value) if isinstance(value, list) else value

@@ -13,6 +13,7 @@ from freecad_ortho import convert, preferences
 from freecad_ortho.objects import guides
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES
+from freecad_ortho.objects.option_properties import read, write
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import NETS
@@ -37,34 +38,6 @@ class _Plain:
     write: Callable[[Any], Any] = lambda value: value
 
 
-def _option(option: Option) -> _Plain:
-    """An option of nets."""
-    (name,) = option.parts
-    if option.kind == "length":
-        return _positive(option.name, name)
-    if option.kind == "choice":
-        return _choice(option.name, name, option.choices)
-    if option.kind == "mesh":
-        return _Plain(name, write=_reference)
-    if option.kind == "angle":
-        return _Plain(name, lambda quantity: quantity.Value, float)
-    return _Plain(name) if option.kind == "flag" else _Plain(name, write=float)
-
-
-def _positive(word: str, name: str) -> _Plain:
-    """A length of which zero stands for free."""
-
-    def write(value: Any) -> float:
-        if value is None:
-            return 0.0
-        length = convert.millimetres(value, word)
-        if not (np.isfinite(length) and length > 0):
-            raise InputError(f"{word}: expected a positive length, got {value}")
-        return length
-
-    return _Plain(name, lambda quantity: quantity.Value or None, write)
-
-
 def _weight(word: str) -> _Plain:
     """A weight of which a negative number stands for automatic."""
 
@@ -87,10 +60,13 @@ def _choice(word: str, name: str, choices: Iterable[str]) -> _Plain:
     return _Plain(name, str, write)
 
 
-def _reference(value: Any) -> Any:
-    if value is not None and not net_object.is_net(value):
-        raise InputError(f"reference: expected a Net, got {getattr(value, 'Label', value)}")
-    return value
+def _option_value(option: Option, value: Any) -> Any:
+    """The value of an option of nets as its properties hold it."""
+    if option.kind == "mesh" and value is not None and not net_object.is_net(value):
+        raise InputError(f"{option.name}: expected a Net, got {getattr(value, 'Label', value)}")
+    plain = convert.option_value(option, value)
+    option.check(plain)
+    return plain
 
 
 def _symmetry(text: str) -> str:
@@ -102,7 +78,6 @@ def _symmetry(text: str) -> str:
 
 _PLAIN = {
     "net": _choice("net", "NetType", NETS),
-    **{option.name: _option(option) for option in OPTIONS.values()},
     "symmetry": _Plain("MirrorPlanes", write=_symmetry),
     "fairness": _weight("fairness"),
     "closeness": _weight("closeness"),
@@ -119,6 +94,7 @@ Fix = str | Sequence[int | str]
 def words(net: FreeCAD.DocumentObject) -> dict[str, Any]:
     """All settings of a net as the keywords of :func:`freecad_ortho.api.optimise_net`."""
     found = {word: item.read(getattr(net, item.name)) for word, item in _PLAIN.items()}
+    found |= {word: read(net, option) for word, option in OPTIONS.items()}
     numbers = list(net.FixedVertices)
     found["fix"] = net.FixRule if not numbers else _fix_words(net.FixRule, numbers)
     places = (tuple(place) for place in net.HandlePlaces)
@@ -135,7 +111,9 @@ def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
         InputError: a setting that cannot be used.
     """
     for word, value in given.items():
-        if word in _PLAIN:
+        if word in OPTIONS:
+            write(net, OPTIONS[word], _option_value(OPTIONS[word], value))
+        elif word in _PLAIN:
             item = _PLAIN[word]
             setattr(net, item.name, item.write(value))
         elif word == "fix":
@@ -166,7 +144,7 @@ def divided(settings: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _is_kept(word: str) -> bool:
-    return word in _PLAIN or word in ("fix", "handles", "glide", "close_to")
+    return word in OPTIONS or word in _PLAIN or word in ("fix", "handles", "glide", "close_to")
 
 
 def held(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> np.ndarray:

@@ -24,7 +24,8 @@ from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, flat_patterns, outdated, places
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.objects.system_properties import options_of, property_values, values
+from freecad_ortho.objects.option_properties import stored
+from freecad_ortho.objects.system_properties import options_of, values
 from solver.errors import InputError
 
 if TYPE_CHECKING:
@@ -347,16 +348,11 @@ def _option_properties(
             raise InputError(
                 f"{name}: {system} have no such setting; there are {', '.join(options)}"
             )
-    given = {
-        name: convert.millimetres(value, name)
-        if options[name].kind == "length" and value is not None
-        else value
-        for name, value in sizes.items()
-    }
+    given = {name: convert.option_value(options[name], value) for name, value in sizes.items()}
     defaults = {option.name: option.default for option in SYSTEMS[system].options}
     SYSTEMS[system].of({**defaults, **present, **given})
     return {
         part: value
         for name, each in given.items()
-        for part, value in property_values(options[name], each).items()
+        for part, value in stored(options[name], each, titled=True).items()
     }

@@ -4,37 +4,15 @@ from __future__ import annotations
 
 import FreeCAD
 
+from freecad_ortho.objects.option_properties import properties
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
-from solver.option import Option
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 FIX_RULES = ("none", "corners", "boundary")
 AUTOMATIC = -1.0
-_KINDS = {
-    "flag": "App::PropertyBool",
-    "length": "App::PropertyLength",
-    "angle": "App::PropertyAngle",
-    "number": "App::PropertyFloat",
-    "choice": "App::PropertyEnumeration",
-    "mesh": "App::PropertyLinkHidden",
-}
-
-
-def _property(option: Option) -> Property:
-    return Property(
-        _KINDS[option.kind],
-        *option.parts,
-        "Target",
-        option.sentence,
-        # FreeCAD's own of the others is the same.
-        default=option.default if option.kind == "angle" else None,
-        choices=option.choices,
-        flags=OUTPUT,
-    )
-
 
 TARGET = (
     Property(
@@ -46,7 +24,7 @@ TARGET = (
         choices=NETS.keys(),
         flags=OUTPUT,
     ),
-    *map(_property, OPTIONS.values()),
+    *(item for option in OPTIONS.values() for item in properties(option, "Target", flags=OUTPUT)),
 )
 
 CONSTRAINTS = (

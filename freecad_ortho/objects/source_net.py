@@ -14,6 +14,7 @@ import numpy as np
 from freecad_ortho import convert
 from freecad_ortho.objects import cad_faces, outdated, places
 from freecad_ortho.objects.net import NET_PROPERTIES, Net
+from freecad_ortho.objects.option_properties import properties, read, write
 from freecad_ortho.objects.properties import (
     HIDDEN,
     OUTPUT,
@@ -24,29 +25,11 @@ from freecad_ortho.objects.properties import (
 from freecad_ortho.sources import Made, Source, source
 from solver.errors import InputError, OrthoError
 from solver.mesh.mirror import reversed_orientation
-from solver.option import Option
 
 if TYPE_CHECKING:
     from solver.mesh.quadmesh import QuadMesh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-
-_KINDS = {
-    "length": "App::PropertyLength",
-    "distance": "App::PropertyDistance",
-    # FreeCAD's area cannot be negative, t can.
-    "area": "App::PropertyFloat",
-    "angle": "App::PropertyAngle",
-    "number": "App::PropertyFloat",
-    "direction": "App::PropertyFloat",
-    "percent": "App::PropertyFloat",
-    "count": "App::PropertyInteger",
-    "choice": "App::PropertyEnumeration",
-    "flag": "App::PropertyBool",
-    "text": "App::PropertyString",
-    "points": "App::PropertyVectorList",
-    "placement": "App::PropertyPlacement",
-}
 
 _PROPERTIES = (
     *NET_PROPERTIES,
@@ -280,17 +263,14 @@ def _made(feature: FreeCAD.DocumentObject) -> Made:
 
 def values_of(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
     """The options of a net's source, plain values in mm and degrees."""
-    return {option.name: _read(feature, option) for option in source(feature.MadeBy).options}
+    return {option.name: read(feature, option) for option in source(feature.MadeBy).options}
 
 
 def set_values(feature: FreeCAD.DocumentObject, values: Mapping[str, Any]) -> None:
     """Write options into the properties; plain values in mm and degrees."""
     entry = source(feature.MadeBy)
     for name, value in values.items():
-        option = entry.option(name)
-        parts = value if len(option.parts) > 1 else (value,)
-        for part, item in zip(option.parts, parts, strict=True):
-            setattr(feature, part, _to_property(option, item))
+        write(feature, entry.option(name), value)
 
 
 def inputs(
@@ -331,9 +311,7 @@ def _formers(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
         then = option.former and replace(option, name=option.former.name)
         if then is None or not set(then.parts) <= set(feature.PropertiesList):
             continue
-        kept = tuple(getattr(feature, part) for part in then.parts)
-        value = tuple(getattr(item, "Value", item) for item in kept)
-        found[option.name] = option.former.now(value if option.several else value[0])
+        found[option.name] = option.former.now(read(feature, then))
         for part in then.parts:
             feature.removeProperty(part)
     return found
@@ -341,46 +319,9 @@ def _formers(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
 
 def _own_properties(entry: Source) -> list[Property]:
     """The properties that hold a source's options and links."""
-    properties = []
-    for option in entry.options:
-        many = len(option.parts) > 1
-        values = option.default if many else (option.default,)
-        for part, value in zip(option.parts, values, strict=True):
-            properties.append(
-                Property(
-                    _KINDS[option.kind],
-                    part,
-                    "Parameters",
-                    option.meaning,
-                    default=_to_property(option, value),
-                    choices=option.choices,
-                )
-            )
-    properties += [_NETS] if entry.needs in ("net", "nets") else []
-    return properties + ([_FACES] if entry.needs == "faces" else [])
-
-
-def _to_property(option: Option, value: Any) -> Any:
-    if option.kind == "points":
-        return convert.vectors(convert.rows(value))
-    if option.kind == "placement":
-        return convert.placement(value)
-    return value
-
-
-def _read(feature: FreeCAD.DocumentObject, option: Option) -> Any:
-    values = tuple(_plain(option, getattr(feature, part)) for part in option.parts)
-    return values if len(values) > 1 else values[0]
-
-
-def _plain(option: Option, value: Any) -> Any:
-    if option.kind in ("length", "distance", "angle"):
-        return value.Value
-    if option.kind == "points":
-        return convert.array(value)
-    if option.kind == "placement":
-        return convert.placing(value)
-    return value
+    made = [item for option in entry.options for item in properties(option, "Parameters")]
+    made += [_NETS] if entry.needs in ("net", "nets") else []
+    return made + ([_FACES] if entry.needs == "faces" else [])
 
 
 def require_inputs(

@@ -12,7 +12,7 @@ from freecad_ortho.fabrication import MATERIALS, SYSTEMS
 from freecad_ortho.objects import outdated, places
 from freecad_ortho.objects.limit_properties import limit_properties
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, choose, ensure
-from freecad_ortho.objects.system_properties import options_of, system_property
+from freecad_ortho.objects.system_properties import properties_of
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -209,7 +209,7 @@ def acquaint(feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
 def ensure_options(feature: FreeCAD.DocumentObject) -> None:
     """Give a structure the properties that its system's options need."""
     system = TITLES[feature.System]
-    ensure(feature, [system_property(option) for option in options_of(system)])
+    ensure(feature, properties_of(system))
     status = "Hidden" if system not in ON_BEAMS else "-Hidden"
     feature.setPropertyStatus("OnBeams", status)
     feature.setPropertyStatus("OnNodes", "-Hidden" if feature.System == PANELS else "Hidden")

@@ -51,6 +51,7 @@ class TestTable(DocumentCase):
             "load_area": 3.0,
             "load_length": 4.0,
             "forces": "tension",
+            "singular": "include",
             "symmetry": "",
             "fairness": 0.5,
             "closeness": 0.0,

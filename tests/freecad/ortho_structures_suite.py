@@ -2,10 +2,12 @@
 
 import inspect
 import json
+import math
 import time
 from unittest import mock
 
 import FreeCAD
+import numpy as np
 import ortho_suite_tools as tools
 from ortho_suite_cases import DocumentCase
 
@@ -36,6 +38,21 @@ class TestSettings(StructureCase):
                 self.assertIn(option.parts[0], feature.PropertiesList)
             self.assertEqual(len(feature.PartNames), len(feature.Shape.Solids), system)
             self.assertTrue(feature.Shape.isValid(), system)
+
+    def test_an_angle_is_one_and_that_of_an_older_document_still_counts(self):
+        louvres = api.add_structure(self.net, "louvres", tilt="0.5 rad")
+        self.assertEqual(louvres.getTypeIdOfProperty("Tilt"), "App::PropertyAngle")
+        self.assertAlmostEqual(louvres.Tilt.Value, math.degrees(0.5))
+        middles = [solid.BoundBox.ZLength for solid in louvres.Shape.Solids]
+        louvres.removeProperty("Tilt")
+        louvres.addProperty("App::PropertyFloat", "Tilt", "Structure")
+        louvres.Tilt = math.degrees(0.5)
+        louvres.Proxy.onDocumentRestored(louvres)
+        self.document.recompute()
+        again = [solid.BoundBox.ZLength for solid in louvres.Shape.Solids]
+        np.testing.assert_allclose(again, middles, rtol=1e-9)
+        api.change_structure(louvres, tilt=10.0)
+        self.assertEqual(louvres.Tilt, 10.0)
 
     def test_lines_of_a_family_alone(self):
         whole = api.add_structure(self.net, "beams")

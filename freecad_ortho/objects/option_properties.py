@@ -1,0 +1,97 @@
+"""Declared options as properties of document objects, and their values there and back."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+
+from freecad_ortho import convert
+from freecad_ortho.objects.properties import Property
+from solver.option import Option
+
+_KINDS = {
+    "length": "App::PropertyLength",
+    "distance": "App::PropertyDistance",
+    # FreeCAD's area cannot be negative, t can.
+    "area": "App::PropertyFloat",
+    "angle": "App::PropertyAngle",
+    "number": "App::PropertyFloat",
+    "direction": "App::PropertyFloat",
+    "percent": "App::PropertyFloat",
+    "count": "App::PropertyInteger",
+    "choice": "App::PropertyEnumeration",
+    "flag": "App::PropertyBool",
+    "text": "App::PropertyString",
+    "points": "App::PropertyVectorList",
+    "placement": "App::PropertyPlacement",
+    "mesh": "App::PropertyLinkHidden",
+}
+# What stands in a property where there is no value.
+_ABSENT: dict[str, Any] = {"length": 0.0, "text": "", "choice": "", "mesh": None}
+
+
+def properties(
+    option: Option, group: str, tooltip: str = "", flags: int = 0, titled: bool = False
+) -> list[Property]:
+    """The properties that hold an option.
+
+    Args:
+        option: any.
+        group: heading in the property editor.
+        tooltip: by default the sentence on the option.
+        flags: of the properties.
+        titled: words of a choice begin with a capital letter.
+    """
+    words = tuple(_titled(word) if titled else word for word in option.choices)
+    defaults = stored(option, option.default, titled)
+    return [
+        Property(
+            _KINDS[option.kind], part, group, tooltip or option.sentence, default, words, flags
+        )
+        for part, default in defaults.items()
+    ]
+
+
+def read(feature: FreeCAD.DocumentObject, option: Option) -> Any:
+    """The value of an option, plain, in mm and degrees; None where there is none."""
+    values = tuple(_plain(option, getattr(feature, part)) for part in option.parts)
+    return values if option.several else values[0]
+
+
+def stored(option: Option, value: Any, titled: bool = False) -> dict[str, Any]:
+    """What properties hold for a plain value, by their names."""
+    if value is None:
+        value = _ABSENT.get(option.kind, 0)
+    elif option.kind == "points":
+        value = convert.vectors(convert.rows(value))
+    elif option.kind == "placement":
+        value = convert.placement(value)
+    elif option.kind == "choice" and titled:
+        value = _titled(value)
+    values = value if option.several else (value,)
+    return dict(zip(option.parts, values, strict=True))
+
+
+def write(feature: FreeCAD.DocumentObject, option: Option, value: Any) -> None:
+    """Set the properties of an option."""
+    for part, item in stored(option, value).items():
+        setattr(feature, part, item)
+
+
+def _plain(option: Option, value: Any) -> Any:
+    if option.kind == "mesh":
+        return value
+    # What has no unit now may have had one when the document was made, and the other way round.
+    value = getattr(value, "Value", value)
+    if option.kind == "points":
+        return convert.array(value)
+    if option.kind == "placement":
+        return convert.placing(value)
+    if option.kind == "choice":
+        value = next((word for word in option.choices if _titled(word) == _titled(value)), value)
+    return None if option.default is None and not value else value
+
+
+def _titled(word: str) -> str:
+    return word[:1].upper() + word[1:]
