@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from freecad_ortho.mesh_files import ENDINGS, read_mesh_file, upright
 from solver.errors import InputError
-from solver.io.intake import refuse_missing_vertices
 from solver.mesh.connectivity import IntArray
+from solver.mesh.intake import refuse_missing_vertices
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -45,8 +46,8 @@ def read_triangles(
             f"{path}: reading this format needs trimesh; install it or export OBJ or PLY"
         ) from None
     try:
-        mesh = trimesh.load(os.fspath(path), force="mesh")
-        vertices, faces = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces)
+        mesh: Any = trimesh.load(os.fspath(path), force="mesh")
+        vertices, faces = np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces)
     except Exception as error:  # trimesh raises whatever its many readers raise
         reason = (str(error).splitlines() or ["damaged"])[0][:80]
         raise InputError(f"{path}: cannot be read ({reason}); export OBJ or PLY") from None

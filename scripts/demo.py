@@ -25,8 +25,8 @@ from freecad_ortho.fabrication.files import FILES as FABRICATION_FILES
 from freecad_ortho.units import MILLIMETRES
 from solver.errors import OrthoError
 from solver.io.atomic import staged_folder
-from solver.io.intake import quad_mesh
 from solver.io.obj import read_obj
+from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import QuadMesh
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -20,7 +20,7 @@ from solver.nearest import NearestNet, nearness, off_surface
 from solver.plan import Attempt, Way, alone
 from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
-from solver.summary import summarise
+from solver.summary import Course, summarise
 
 # The last phase takes as many steps as there were before it, and so many where those were fewer.
 _NEARER_STEPS = 24
@@ -184,7 +184,21 @@ class Optimisation:
 
     def outcome(self) -> Outcome:
         """Best mesh so far and its report; the status is ``stopped`` while steps are left."""
-        return summarise(self, self._found())
+        course = Course(
+            self.original,
+            self.status or STOPPED,
+            self.history,
+            self.attempts,
+            self.max_steps,
+            self.seconds_setup,
+            self.backend,
+            self.descent.layout.solver.remark,
+            self.remarks,
+            self.held,
+            self.origin,
+            self.surface,
+        )
+        return summarise(course, self._found())
 
     def _found(self) -> Candidate:
         return self._best.so_far() or self._judged()

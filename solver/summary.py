@@ -2,19 +2,30 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
+from solver.analysis.start import Remark
 from solver.candidate import Candidate, spread_of
+from solver.mesh.closest import TriangleSurface
+from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.seams import seams
 from solver.nearest import off_surface
 from solver.problem import Problem
-from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Report, with_article
-
-if TYPE_CHECKING:
-    from solver.run import Optimisation
+from solver.report import (
+    COLLAPSED,
+    CONVERGED,
+    STALLED,
+    STOPPED,
+    Outcome,
+    Report,
+    StepRecord,
+    with_article,
+)
 
 
 # What was not joined and is now further apart than this many mean edges has come apart.
@@ -23,18 +34,50 @@ _OPENED = 1e-4
 _THIN = 1e-2
 
 
-def summarise(run: Optimisation, best: Candidate) -> Outcome:
-    """Put the outcome of ``run``, whose best shape is ``best``, into an :class:`Outcome`."""
+@dataclass(frozen=True)
+class Course:
+    """How a run went.
+
+    Attributes:
+        original: the net from its start.
+        status: how it ended; ``stopped`` while it goes on.
+        history: a record for each step.
+        attempts: how many were made.
+        max_steps: how many steps there were to be at most.
+        seconds_setup: before the first step.
+        backend: name of the sparse solver.
+        backend_says: what is out of the ordinary about how it does so, "" for nothing.
+        remarks: what stood in the way before the first step.
+        held: what keeps vertices from moving freely, such as "fixed vertices".
+        origin: what coordinates were measured from.
+        surface: the design surface, about the origin.
+    """
+
+    original: Problem
+    status: str
+    history: Sequence[StepRecord]
+    attempts: int
+    max_steps: int
+    seconds_setup: float
+    backend: str
+    backend_says: str
+    remarks: Sequence[Remark]
+    held: Sequence[str]
+    origin: LocalOrigin
+    surface: TriangleSurface | None
+
+
+def summarise(run: Course, best: Candidate) -> Outcome:
+    """Put how a run went, and the best shape of it, into an :class:`Outcome`."""
     problem, history = run.original, run.history
     start = problem.mesh
     used = start.connectivity.referenced
     moved = np.linalg.norm(best.mesh.vertices - start.vertices, axis=1)[used] / start.mean_edge
-    status = run.status or STOPPED
     report = Report(
         net=problem.net,
-        status=status,
-        message=_message(run, best, status),
-        warnings=[*map(str, run.remarks), *filter(None, [run.descent.layout.solver.remark])],
+        status=run.status,
+        message=_message(run, best),
+        warnings=[*map(str, run.remarks), *filter(None, [run.backend_says])],
         vertices=len(start.vertices),
         faces=len(start.faces),
         variables=problem.variables,
@@ -64,25 +107,25 @@ def summarise(run: Optimisation, best: Candidate) -> Outcome:
     return Outcome(run.origin.back_mesh(best.mesh), report)
 
 
-def _message(run: Optimisation, best: Candidate, status: str) -> str:
+def _message(run: Course, best: Candidate) -> str:
     steps = len(run.history)
-    if status == CONVERGED:
+    if run.status == CONVERGED:
         if not steps:
             return f"the mesh is {with_article(run.original.net)} net already: worst {_worst(best)}"
         return f"{run.original.net} net reached: worst {_worst(best)} after {steps} steps"
-    remedies = _remedies(run, best, status)
+    remedies = _remedies(run, best)
     advice = "; try: " + "; ".join(remedies) if remedies else ""
-    if status == COLLAPSED:
+    if run.status == COLLAPSED:
         return (
             f"{run.original.net} net reached as {_remains(best.mesh)} only: after {steps} steps "
             f"nothing is left of the shape{advice}"
         )
-    verb = "ended" if status == STOPPED else "no further progress"
+    verb = "ended" if run.status == STOPPED else "no further progress"
     where = f" at {best.worst_place}" if best.worst_place else ""
     return f"{verb} after {steps} steps, worst {_worst(best)}{where}{advice}"
 
 
-def _remedies(run: Optimisation, best: Candidate, status: str) -> list[str]:
+def _remedies(run: Course, best: Candidate) -> list[str]:
     """What to try, by what was asked and what came of it."""
     remedies = [remark.remedy for remark in run.remarks]
     if not best.sound:
@@ -94,11 +137,11 @@ def _remedies(run: Optimisation, best: Candidate, status: str) -> list[str]:
         remedies.append(" and ".join(trouble) + ": raise fairness or closeness")
     if not any(remark.cause == "border" for remark in run.remarks):
         remedies += [f"fewer {what} give the net room" for what in run.held]
-    if status == STOPPED and len(run.history) >= run.max_steps:
+    if run.status == STOPPED and len(run.history) >= run.max_steps:
         remedies.insert(0, f"more than {run.max_steps} steps")
-    if status == COLLAPSED and not remedies:
+    if run.status == COLLAPSED and not remedies:
         remedies.append("a border that is fixed or glides, or a surface to stay close to")
-    if status == STALLED and not remedies:
+    if run.status == STALLED and not remedies:
         remedies.append("more fairness, or a start mesh nearer to the net")
     return remedies
 

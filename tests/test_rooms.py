@@ -17,6 +17,16 @@ ROOMS = (
     "stand_in", "api", "cli", "commands", "panels",
 )  # fmt: skip
 
+# Inside the solver, from the ground up; nothing that a file imports, anywhere in it, is above it.
+LAYERS = (
+    "errors", "option", "tuning", "isolated", "mesh", "io", "multinet", "mesh.primitives", "offset",
+    "linear", "statics", "analysis", "terms", "report", "problem", "nets", "analysis.start",
+    "candidate", "plan",
+    "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "best", "summary",
+    "run", "optimise", "session", "solve", "analysis.advisor", "analysis.check",
+    "analysis.fields", "formfinding", "unroll",
+)  # fmt: skip
+
 IMPORT_ALL = """
 import importlib, pkgutil, sys
 
@@ -103,6 +113,39 @@ def test_rooms_import_downwards(room):
         for module in modules_at_import(ast.parse(path.read_text(encoding="utf-8"))):
             below = room_of(module)
             assert below is None or below <= ROOMS.index(room), f"{path} imports {module}"
+
+
+def layer_of(module):
+    """Number of the layer of the solver that a module is in, by the longest name that fits."""
+    name = module.removeprefix("solver").removeprefix(".")
+    fits = [layer for layer in LAYERS if f"{name}.".startswith(f"{layer}.")]
+    assert fits, f"solver.{name} is in no layer; name it in LAYERS"
+    return LAYERS.index(max(fits, key=len))
+
+
+def every_import(path):
+    """Modules of the solver that a file imports, anywhere in it."""
+    for item in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(item, ast.ImportFrom) and item.module.partition(".")[0] == "solver":
+            for alias in item.names:
+                inner = Path(*item.module.split("."), alias.name)
+                is_module = (ROOT / inner).is_dir() or (ROOT / inner).with_suffix(".py").is_file()
+                yield f"{item.module}.{alias.name}" if is_module else item.module
+        elif isinstance(item, ast.Import):
+            yield from (alias.name for alias in item.names if alias.name.startswith("solver."))
+
+
+def test_layers_of_the_solver_import_downwards():
+    seen = set()
+    for path in sorted((ROOT / "solver").rglob("*.py")):
+        module = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
+        if module == "solver":
+            continue
+        here = layer_of(module)
+        seen.add(here)
+        for other in every_import(path):
+            assert layer_of(other) <= here, f"{module} imports {other}, which is above it"
+    assert len(seen) == len(LAYERS), "a layer is empty"
 
 
 @pytest.mark.parametrize("door", ["Init.py", "InitGui.py"])

@@ -1,7 +1,7 @@
 """Wavefront OBJ files with quads kept as quads.
 
 Reading gives plain arrays and remarks; whether they make a usable mesh is decided by
-:func:`solver.io.intake.quad_mesh`.
+:func:`solver.mesh.intake.quad_mesh`.
 """
 
 from __future__ import annotations

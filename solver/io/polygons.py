@@ -7,11 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 from solver.errors import InputError
-from solver.io.intake import quad_mesh
 from solver.io.json_mesh import read_json, write_json
 from solver.io.obj import ObjData, read_obj, write_obj
 from solver.io.off import read_off, write_off
 from solver.io.ply import read_ply, write_ply
+from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import QuadMesh
 
 READERS: dict[str, Callable[[str | os.PathLike[str]], ObjData]] = {
@@ -44,7 +44,7 @@ def read_polygons(path: str | os.PathLike[str]) -> ObjData:
 
 
 def quads_of(data: ObjData, path: str | os.PathLike[str]) -> tuple[QuadMesh, list[str]]:
-    """Make the contents of a file a quad mesh, as :func:`solver.io.intake.quad_mesh` does.
+    """Make the contents of a file a quad mesh, as :func:`solver.mesh.intake.quad_mesh` does.
 
     Raises:
         InputError: naming the file, and the line where that is known.

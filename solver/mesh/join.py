@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
-from solver.io.intake import quad_mesh
 from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.intake import quad_mesh
 from solver.mesh.merge import merged
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.errors import InputError
-from solver.io.intake import SAME_PLACE as SAME_PLACE
-from solver.io.intake import quad_mesh
 from solver.mesh.grid import grid_mesh, grid_of
+from solver.mesh.intake import SAME_PLACE as SAME_PLACE
+from solver.mesh.intake import quad_mesh
 from solver.mesh.merge import merged
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import MEETING, meeting, seams

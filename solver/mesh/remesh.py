@@ -21,12 +21,12 @@ from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
 from solver.errors import InputError
-from solver.io.intake import quad_mesh
 from solver.isolated import Isolated, LibraryError
 from solver.mesh.border import Border, set_back
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import IntArray
+from solver.mesh.intake import quad_mesh
 from solver.mesh.mirror import SAME_PLACE, size_of
 from solver.mesh.openings import Loops, Misfit, far_loop, other_loops
 from solver.mesh.quadmesh import FloatArray, QuadMesh

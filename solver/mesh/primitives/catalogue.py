@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.errors import InputError
-from solver.io.intake import refuse_empty_faces
+from solver.mesh.intake import refuse_empty_faces
 from solver.mesh.primitives.developable import cone, cylinder, tangent_developable
 from solver.mesh.primitives.limits import positive
 from solver.mesh.primitives.minimal import catenoid, enneper, helicoid, scherk

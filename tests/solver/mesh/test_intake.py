@@ -9,8 +9,8 @@ import pytest
 
 from solver.errors import InputError, OutputError
 from solver.io.atomic import staged_folder, write_text
-from solver.io.intake import quad_mesh, refuse_missing_vertices
 from solver.io.obj import read_obj, write_obj
+from solver.mesh.intake import quad_mesh, refuse_missing_vertices
 from tests.conftest import grid_faces, wavy_grid
 
 

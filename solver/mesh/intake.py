@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from solver.errors import InputError
-from solver.io.orientation import oriented
 from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.orientation import oriented
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import seams
 
