@@ -18,6 +18,7 @@ from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     import cadquery
+    from OCP.Geom import Geom_Surface
 
 _SAME_AREA = 1e-6
 # How far polylines stray from edges, in parts of the face's size.
@@ -72,10 +73,11 @@ def step_patches(path: str | os.PathLike[str], faces: Sequence[int] = ()) -> lis
     except ImportError:
         raise InputError(f"{path}: reading STEP needs cadquery; install it") from None
     try:
-        found = cadquery.importers.importStep(os.fspath(path)).faces().vals()
+        items = cadquery.importers.importStep(os.fspath(path)).faces().vals()
     except Exception as error:  # cadquery raises whatever its kernel raises
         reason = (str(error).splitlines() or ["damaged"])[0][:80]
         raise InputError(f"{path}: cannot be read as STEP ({reason}); export it again") from None
+    found = [item for item in items if isinstance(item, cadquery.Face)]
     if not found:
         raise InputError(f"{path}: holds no faces; export surfaces or solids")
     numbers = list(faces) or list(range(1, len(found) + 1))
@@ -121,7 +123,7 @@ def _patch(face: cadquery.Face, name: str) -> SurfacePatch:
     return SurfacePatch(evaluate, u, v, inside if trimmed else None, border, name, foot)
 
 
-def _is_trimmed(face: cadquery.Face, geometry: Any, ends: tuple[float, ...]) -> bool:
+def _is_trimmed(face: cadquery.Face, geometry: Geom_Surface, ends: tuple[float, ...]) -> bool:
     import cadquery
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
 

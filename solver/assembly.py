@@ -123,8 +123,8 @@ def _transposed_product(linearisation: Linearisation, linear: bool) -> FloatArra
     residual, jacobian = linearisation
     if linear and len(jacobian):
         # All elements of a linear term share one small Jacobian.
-        return residual @ jacobian[0]
-    return np.einsum("nm,nmk->nk", residual, jacobian)
+        return np.asarray(residual @ jacobian[0])
+    return np.asarray(np.einsum("nm,nmk->nk", residual, jacobian))
 
 
 def _alike(terms: Sequence[Term]) -> list[tuple[int, ...]]:

@@ -30,7 +30,7 @@ from solver.assembly import NormalEquations
 from solver.linear.backends import default_backend, symmetric_solver
 from solver.linear.threads import one_thread
 from solver.mesh.closest import Polyline, TriangleSurface
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, row_lengths
 from solver.point import Point
 from solver.problem import Problem
 from solver.terms.base import Linearisation, Term
@@ -112,7 +112,7 @@ def off_surface(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
     shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=1)
     points = np.einsum("sk,fkc->fsc", shares, mesh.vertices[mesh.faces]).reshape(-1, 3)
     feet, _ = surface.closest(points)
-    return np.linalg.norm(points - feet, axis=1)
+    return row_lengths(points - feet)
 
 
 class NearestNet:
@@ -250,4 +250,4 @@ class NearestNet:
 
 
 def _in_units_of(problem: Problem, points: FloatArray) -> FloatArray:
-    return (np.asarray(points, dtype=np.float64) - problem.centre) / problem.scale
+    return np.asarray((np.asarray(points, dtype=np.float64) - problem.centre) / problem.scale)

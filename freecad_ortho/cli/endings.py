@@ -24,9 +24,9 @@ def kept_whole() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    pressed: list[int] = []
+    pressed: list[signal.Signals] = []
     before = {
-        number: signal.signal(number, lambda number, frame: pressed.append(number))
+        number: signal.signal(number, lambda number, frame: pressed.append(signal.Signals(number)))
         for number in ENDING_SIGNALS
     }
     try:

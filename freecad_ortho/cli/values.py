@@ -21,7 +21,7 @@ from solver.mesh.quadmesh import QuadMesh
 
 def allow_negative_lists(parser: argparse.ArgumentParser) -> None:
     """Let ``--range -5,-2`` be a value: by default such a word is taken for an option."""
-    parser._negative_number_matcher = re.compile(r"^-[\d.]")  # type: ignore[attr-defined]
+    parser._negative_number_matcher = re.compile(r"^-[\d.]")
 
 
 def numbers(option: str, text: str, count: int) -> tuple[float, ...]:

@@ -115,7 +115,8 @@ def insertion(ways: Sequence[SlotWay]) -> FloatArray:
     directions = np.array([way.direction for way in ways])
     allowed = np.array([way.allowed for way in ways])
     mean = directions.sum(axis=0)
-    best = mean / np.linalg.norm(mean) if np.linalg.norm(mean) > 1e-9 else directions[0]
+    lone = np.linalg.norm(mean) <= 1e-9
+    best: FloatArray = directions[0] if lone else mean / np.linalg.norm(mean)
     least, here = math.inf, best
     for step in range(1, _STEPS):
         missed = angle_between(here, directions) - allowed

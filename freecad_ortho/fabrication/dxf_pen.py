@@ -47,7 +47,8 @@ class DxfPen:
     def line(self, layer: str, ends: FloatArray, hidden: bool = False) -> None:
         """Draw a straight line between two points (2, 2), mm; dashed on the plate's far side."""
         attributes = {"layer": layer} | ({"linetype": FAR_SIDE} if hidden else {})
-        self._space.add_line(*self._placed(ends).tolist(), dxfattribs=attributes)
+        start, end = self._placed(ends).tolist()
+        self._space.add_line(start, end, dxfattribs=attributes)
 
     def circle(self, layer: str, centre: FloatArray, radius: float) -> None:
         """Draw a circle about (2,), mm."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -55,6 +54,16 @@ def measure_words(field: str) -> tuple[str, str]:
     name, _, over = field.partition("_per_")
     name, _, unit = name.rpartition("_")
     return name.replace("_", " "), f"{unit}/{over}" if over else unit
+
+
+class _Built:
+    """The solid of a part, once it is built; it cannot leave its process."""
+
+    def __init__(self) -> None:
+        self.solid: cadquery.Solid | None = None
+
+    def __reduce__(self) -> tuple[type[_Built], tuple[()]]:
+        return _Built, ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +120,7 @@ class Part:
     note: str = ""
     height: float | None = None
     section_width: float | None = None
+    _built: _Built = field(default_factory=_Built, init=False, repr=False)
 
     @property
     def mass(self) -> float:
@@ -133,28 +143,26 @@ class Part:
         Its own coordinates are those of the body, its location is ``origin`` and ``frame``: so it
         keeps its digits far from the model's origin, and a plate lies flat when taken alone.
         """
-        return self._solid
-
-    @cached_property
-    def _solid(self) -> cadquery.Solid:
-        from freecad_ortho.fabrication.solids import placed
-
-        return placed(self.body.solid(), self.origin, self.frame)
+        if self._built.solid is None:
+            self._take(self.body.solid())
+        assert self._built.solid is not None
+        return self._built.solid
 
     def take_solid(self, data: bytes) -> None:
         """Take over the solid of the body as another process built it."""
-        from freecad_ortho.fabrication.solids import placed, solid_from_bytes
+        from freecad_ortho.fabrication.solids import solid_from_bytes
 
-        self.__dict__["_solid"] = placed(solid_from_bytes(data), self.origin, self.frame)
+        self._take(solid_from_bytes(data))
 
     @property
     def has_solid(self) -> bool:
         """True where the solid is built already."""
-        return "_solid" in self.__dict__
+        return self._built.solid is not None
 
-    def __getstate__(self) -> dict[str, Any]:
-        """Everything but the solid, which cannot leave its process."""
-        return {name: value for name, value in self.__dict__.items() if name != "_solid"}
+    def _take(self, solid: cadquery.Solid) -> None:
+        from freecad_ortho.fabrication.solids import placed
+
+        self._built.solid = placed(solid, self.origin, self.frame)
 
 
 def part_names(letter: str, count: int) -> list[str]:

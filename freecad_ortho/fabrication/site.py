@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from freecad_ortho.fabrication.systems.system import SystemParts
 
 FAMILY_CHOICES = (*FAMILIES, "both")
+Geometry = TypeVar("Geometry")
 # The CAD kernel tells points apart that are 1e-7 mm from each other; far longer edges lose that.
 _LONGEST_EDGE = 1e6
 
@@ -123,6 +124,19 @@ class Site:
         for line in self.chosen_lines:
             chosen[line.edges] = True
         return chosen
+
+    def geometry_of(self, system: str, kind: type[Geometry]) -> Geometry | None:
+        """What a system left to lie on, None where it was not built before.
+
+        Raises:
+            TypeError: it is of another kind.
+        """
+        if system not in self.done:
+            return None
+        found = self.done[system].geometry
+        if not isinstance(found, kind):
+            raise TypeError(f"{system}: left {type(found).__name__}, not {kind.__name__}")
+        return found
 
     @property
     def edge_family(self) -> list[str]:

@@ -94,6 +94,6 @@ def text_strokes(words: str, middle: FloatArray, size: float, angle: float) -> l
     lines = []
     for number, letter in enumerate(words.upper()):
         for line in filter(None, _GLYPHS.get(letter, _BOX).split("|")):
-            points = np.array([(int(x), int(y)) for x, y in line.split()], dtype=float)
+            points = np.array([[int(digit) for digit in pair] for pair in line.split()], np.float64)
             lines.append((points + [number * _ADVANCE, 0] - half) @ axes + middle)
     return lines

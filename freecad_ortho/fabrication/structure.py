@@ -244,10 +244,11 @@ def build(
     held = limits if isinstance(limits, Mapping) else dict.fromkeys(names, limits or Limits())
     local = LocalOrigin.of_mesh(mesh_mm)
     near = local.near_mesh(mesh_mm)
-    site = replace(Site.of(near, selection or Selection()), done=results)
+    site = Site.of(near, selection or Selection())
     for number, system in enumerate(systems):
         say(number / len(systems), system.name)
-        made = system.build(replace(site, material=materials[system.name]))
+        here = replace(site, material=materials[system.name], done=dict(results))
+        made = system.build(here)
         if not made.parts:
             raise InputError(f"{system.name}: nothing to build on this net; choose another system")
         _refuse_thickness(system.name, made.parts)

@@ -15,7 +15,8 @@ from typing import TypeVar
 from freecad_ortho.processes import end_with_parent
 from solver.errors import InputError
 
-Given, Made = TypeVar("Given"), TypeVar("Made")
+Given = TypeVar("Given")
+Made = TypeVar("Made")
 _CHUNK = 64
 
 
@@ -114,11 +115,13 @@ def _serve() -> None:
 def _plain_main() -> Iterator[None]:
     """Keep workers from running the main script again: all they do is imported by name."""
     main = sys.modules["__main__"]
-    kept = {name: main.__dict__.pop(name) for name in ("__file__",) if name in main.__dict__}
-    spec = getattr(main, "__spec__", None)
+    file, spec = getattr(main, "__file__", None), getattr(main, "__spec__", None)
+    if file is not None:
+        del main.__file__
     main.__spec__ = None
     try:
         yield
     finally:
-        main.__dict__.update(kept)
+        if file is not None:
+            main.__file__ = file
         main.__spec__ = spec

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from solver.mesh.connectivity import BoolArray
-from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.mesh.quadmesh import FloatArray, QuadMesh, row_lengths, unit_rows
 
 
 def orthogonality(
@@ -45,7 +45,7 @@ def diagonal_distances(mesh: QuadMesh) -> FloatArray:
     """(F,) distance between the lines of the diagonals, in the mesh's unit."""
     a, b, c, d = _corners(mesh)
     between = 0.5 * (a + c - b - d)
-    return np.abs(np.einsum("ij,ij->i", between, mesh.face_normals))
+    return np.asarray(np.abs(np.einsum("ij,ij->i", between, mesh.face_normals)))
 
 
 def circular(mesh: QuadMesh) -> FloatArray:
@@ -127,7 +127,7 @@ def geodesic(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
     Source: Wunderlich (1951), via Dellinger, Li, Wang (2023), definition 6.
     """
     cosines = np.cos(star_angles(mesh, diagonal))
-    return np.maximum(np.abs(cosines[:, 0] - cosines[:, 2]), np.abs(cosines[:, 1] - cosines[:, 3]))
+    return np.asarray(np.abs(cosines[:, :2] - cosines[:, 2:]).max(axis=1))
 
 
 def chebyshev(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
@@ -219,7 +219,7 @@ def star_spokes(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
 def _angles(one: FloatArray, two: FloatArray) -> FloatArray:
     """Angle between vectors by the half-angle form, exact for tiny and flat angles alike."""
     one, two = unit_rows(one), unit_rows(two)
-    return 2 * np.arctan2(np.linalg.norm(one - two, axis=-1), np.linalg.norm(one + two, axis=-1))
+    return np.asarray(2 * np.arctan2(row_lengths(one - two), row_lengths(one + two)))
 
 
 def _corners(mesh: QuadMesh) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
@@ -229,9 +229,9 @@ def _corners(mesh: QuadMesh) -> tuple[FloatArray, FloatArray, FloatArray, FloatA
 
 def _diagonal_product(mesh: QuadMesh) -> FloatArray:
     a, b, c, d = _corners(mesh)
-    return np.einsum("ij,ij->i", c - a, d - b)
+    return np.asarray(np.einsum("ij,ij->i", c - a, d - b))
 
 
 def _diagonal_lengths(mesh: QuadMesh) -> tuple[FloatArray, FloatArray]:
     a, b, c, d = _corners(mesh)
-    return np.linalg.norm(c - a, axis=1), np.linalg.norm(d - b, axis=1)
+    return row_lengths(c - a), row_lengths(d - b)

@@ -143,7 +143,7 @@ def _binary(
         nonlocal place
         values = np.frombuffer(content, order + kind, count, place)
         place += values.nbytes
-        return values.tolist()
+        return list(values.tolist())
 
     return _elements(elements, take)
 

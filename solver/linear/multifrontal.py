@@ -141,7 +141,7 @@ def _pivot(
 
 def _update(front: _Front, below: FloatArray, updates: dict[int, FloatArray]) -> FloatArray:
     """(b, b) what is to be added to the border, lower triangle; takes in that of the children."""
-    border = dsyrk(-1.0, below, lower=1)
+    border: FloatArray = dsyrk(-1.0, below, lower=1)
     for child in front.children:
         update = updates.pop(child.number)
         for there, here in child.to_border:

@@ -156,7 +156,8 @@ class Layout:
 
     def _column_start(self, node: IntArray, local: IntArray | int) -> IntArray:
         """First entry of column ``local`` of a node; each column is one entry shorter."""
-        return self._base[node] + local * self._height[node] - local * (local - 1) // 2
+        before = local * self._height[node] - local * (local - 1) // 2
+        return np.asarray(self._base[node] + before)
 
     def _block(self, one: IntArray, two: IntArray) -> tuple[IntArray, IntArray]:
         """Node of the column and offset of the block in it, for pairs of nodes."""

@@ -327,7 +327,7 @@ def _ends(hit: _Hit, corners: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np
 
 
 def _squares(vectors: FloatArray) -> FloatArray:
-    return np.einsum("ij,ij->i", vectors, vectors)
+    return np.asarray(np.einsum("ij,ij->i", vectors, vectors))
 
 
 def _points(points: ArrayLike, name: str, empty: bool = False) -> FloatArray:

@@ -155,7 +155,7 @@ class Connectivity:
         boundary = self.boundary_vertices
         inside = ~boundary & (self.face_valence == 4)
         rim = boundary & (self.face_valence == 2) & (self.edge_valence == 3)
-        return inside | rim
+        return np.asarray(inside | rim)
 
     @cached_property
     def singular(self) -> BoolArray:
@@ -256,7 +256,7 @@ class Connectivity:
             half = self._turned(half)
         found = np.stack(corners, axis=1)[(half == begin) & (half >= 0)]
         rival = found[:, 1:] if rows == columns else found[:, 2:3]
-        return found[found[:, 0] < rival.min(axis=1)]
+        return np.asarray(found[found[:, 0] < rival.min(axis=1)])
 
     def _turned(self, half: IntArray) -> IntArray:
         """Half-edge that turns left, inside the patch, at the end of each half-edge."""
@@ -298,8 +298,7 @@ class Connectivity:
         one = np.concatenate([sides[:, 0], sides[:, 1], edge_of[half]])
         two = np.concatenate([sides[:, 2], sides[:, 3], edge_of[self.continuation[half]]])
         count = len(self.edges)
-        graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count))
-        return connected_components(graph, directed=False)[1].astype(np.int64)
+        return _components(one, two, count)
 
     @cached_property
     def diagonal_edges(self) -> IntArray:
@@ -336,8 +335,13 @@ class Connectivity:
     def components(self) -> IntArray:
         """(F,) number of the connected component of each face."""
         left, right = self.edge_faces[~self.boundary_edges].T
-        graph = coo_array((np.ones(len(left)), (left, right)), shape=(len(self.faces),) * 2)
-        return connected_components(graph, directed=False)[1].astype(np.int64)
+        return _components(left, right, len(self.faces))
+
+
+def _components(one: IntArray, two: IntArray, count: int) -> IntArray:
+    """(count,) number of the component of each item, where ``one[k]`` is tied to ``two[k]``."""
+    graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
 
 
 def _next(half: IntArray) -> IntArray:

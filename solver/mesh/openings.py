@@ -79,7 +79,7 @@ class Loops:
         return f"at ({place}), {self.width(loop):.3g} wide"
 
     def _corners(self, loop: int) -> FloatArray:
-        return self.points[self.segments[self.loop == loop]].reshape(-1, 3)
+        return np.asarray(self.points[self.segments[self.loop == loop]].reshape(-1, 3))
 
 
 @dataclass(frozen=True)

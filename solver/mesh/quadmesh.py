@@ -66,7 +66,7 @@ class QuadMesh:
     def edge_lengths(self) -> FloatArray:
         """(E,) lengths in the order of ``connectivity.edges``."""
         start, end = self.connectivity.edges.T
-        return np.linalg.norm(self.vertices[end] - self.vertices[start], axis=1)
+        return row_lengths(self.vertices[end] - self.vertices[start])
 
     @property
     def mean_edge(self) -> float:
@@ -91,6 +91,11 @@ class QuadMesh:
         area = np.repeat(self.face_area_vectors, 4, axis=0)
         total = [np.bincount(corners, area[:, k], count) for k in range(3)]
         return unit_rows(np.stack(total, axis=1))
+
+
+def row_lengths(vectors: FloatArray) -> FloatArray:
+    """Length of each row of an array of vectors."""
+    return np.asarray(np.linalg.norm(vectors, axis=-1))
 
 
 def unit_rows(vectors: FloatArray) -> FloatArray:

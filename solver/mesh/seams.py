@@ -143,7 +143,7 @@ def _junctions(mesh: QuadMesh, reach: FloatArray) -> IntArray:
         on &= apart > np.maximum(reach[vertex], reach[ends[:, k]])
     owner = net.edge_faces[net.boundary_edges].max(axis=1)
     on &= (mesh.faces[owner[edge]] != vertex[:, None]).all(axis=1)
-    return np.column_stack([vertex, ends])[on]
+    return np.asarray(np.column_stack([vertex, ends])[on])
 
 
 def _doubles(faces: IntArray, pairs: IntArray, count: int) -> IntArray:

@@ -94,7 +94,7 @@ class EllipticSystem:
             self._check(name, values[..., k])
         squares = self.squares
         product = np.prod(squares[:, None] + values[..., None, :], axis=-1) / self._denominators
-        return np.asarray(signs) * np.sqrt(np.maximum(product, 0.0))
+        return np.asarray(np.asarray(signs) * np.sqrt(np.maximum(product, 0.0)))
 
     def coordinates(self, points: ArrayLike) -> FloatArray:
         """(..., 3) values of lambda, mu, nu of points.

@@ -267,4 +267,4 @@ def _add_symmetry(problem: Problem, axis: int) -> None:
 
 
 def _to_solver(problem: Problem, points: FloatArray) -> FloatArray:
-    return (np.asarray(points, dtype=np.float64) - problem.centre) / problem.scale
+    return np.asarray((np.asarray(points, dtype=np.float64) - problem.centre) / problem.scale)

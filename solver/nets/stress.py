@@ -66,7 +66,7 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
 
     def densities(scalars: FloatArray) -> list[float]:
         force = scalars[shared - shared[0]]
-        return np.asarray(real * (force if sign == 0 else sign * force**2)).tolist()
+        return list((real * (force if sign == 0 else sign * force**2)).tolist())
 
     problem.details["force_densities"] = densities
     return problem

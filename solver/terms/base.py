@@ -89,7 +89,7 @@ def points_of(x: FloatArray, unknowns: IntArray) -> FloatArray:
 
 def dot(a: FloatArray, b: FloatArray) -> FloatArray:
     """Row by row scalar product of two (n, 3) arrays: (n,)."""
-    return np.einsum("ij,ij->i", a, b)
+    return np.asarray(np.einsum("ij,ij->i", a, b))
 
 
 def length(a: FloatArray) -> FloatArray:

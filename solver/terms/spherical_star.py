@@ -192,7 +192,7 @@ def _by_spokes(
     factor = own + np.concatenate([-frame.turns, frame.turns], axis=2)
     factor *= (0.5 / star.mean)[:, None, None]
     shrink = (0.25 / star.mean)[:, None] * residual
-    result = factor[..., None] * towards[:, None]
+    result: FloatArray = factor[..., None] * towards[:, None]
     result -= shrink[:, :, None, None] * direction[:, None]
     return result
 

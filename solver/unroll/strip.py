@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray, unit_rows
+from solver.mesh.quadmesh import FloatArray, row_lengths, unit_rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class Strip:
     @cached_property
     def lengths(self) -> FloatArray:
         """(K - 1,) of the axis' edges."""
-        return np.linalg.norm(np.diff(self.points, axis=0), axis=1)
+        return row_lengths(np.diff(self.points, axis=0))
 
     @cached_property
     def along(self) -> FloatArray:

@@ -11,6 +11,7 @@ from freecad_ortho.fabrication.nesting import library
 from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.nesting.sheet import Placement, Sheet, turned
 from freecad_ortho.fabrication.nesting.skyline import Skyline
+from freecad_ortho.fabrication.nesting.strip import LIBRARY
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.workshop import Workshop
@@ -56,7 +57,7 @@ class _Item:
 def nest(
     parts: Sequence[Part],
     workshop: Workshop,
-    patterns: Sequence[FlatPattern] | None = None,
+    patterns: Sequence[FlatPattern | None] | None = None,
     progress: Progress | None = None,
 ) -> Nesting:
     """Lay the flat patterns of parts onto sheets, each material and thickness on its own.
@@ -64,7 +65,7 @@ def nest(
     Args:
         parts: those without a flat pattern are left out, and build-ups, which nobody cuts.
         workshop: with a sheet size.
-        patterns: one a part, to nest instead of the parts' own, e.g. compensated ones.
+        patterns: one a part that has one, to nest instead of the parts' own, e.g. compensated ones.
         progress: called with a fraction and words; may raise to stop.
 
     Raises:
@@ -114,14 +115,14 @@ def _placed(
         return boxes, ""
     if not library.is_there():
         return boxes, (
-            f"nesting: the library {library.LIBRARY} is not installed, so boxes were packed "
+            f"nesting: the library {LIBRARY} is not installed, so boxes were packed "
             "instead of outlines"
         )
     try:
         return min(boxes, _by_outlines(items, workshop, say), key=len), ""
     except LibraryError as error:
         return boxes, (
-            f"nesting: the library {library.LIBRARY} failed ({error}), so boxes were packed "
+            f"nesting: the library {LIBRARY} failed ({error}), so boxes were packed "
             "instead of outlines"
         )
 

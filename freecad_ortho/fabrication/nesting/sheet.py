@@ -92,7 +92,7 @@ def file_words(*words: str) -> str:
 def turned(points: FloatArray, angle_deg: float) -> FloatArray:
     """Points (N, 2) turned about the origin; quarter turns are exact."""
     quarter, rest = divmod(angle_deg, 90.0)
-    cosine, sine = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(quarter) % 4]
+    cosine, sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]
     if rest:
         cosine, sine = math.cos(math.radians(angle_deg)), math.sin(math.radians(angle_deg))
     return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]], dtype=float))

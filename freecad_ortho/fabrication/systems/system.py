@@ -35,7 +35,7 @@ class SystemParts:
         parts: in the order of their names.
         report: its section of ``report.json``, ready for JSON; lengths in mm.
         messages: anything out of the ordinary, in plain words.
-        geometry: arrays that systems built after this one may lie on.
+        geometry: arrays that systems built after this one may lie on, see ``Site.geometry_of``.
         joints: of the parts those to be printed, one of each shape.
         tables: lists of its own to write beside those of every structure.
         settings: of the system that made them; filled in by the structure.
@@ -44,7 +44,7 @@ class SystemParts:
     parts: tuple[Part, ...]
     report: dict[str, Any] = field(default_factory=dict)
     messages: tuple[str, ...] = ()
-    geometry: Any = None
+    geometry: object = None
     joints: tuple[Part, ...] = ()
     tables: tuple[Table, ...] = ()
     settings: System | None = None

@@ -4,7 +4,7 @@ Every function takes its counts first: ``m`` vertices along u, ``n`` along v; ve
 number ``i * n + j``. Lengths are in the model's unit, angles in degrees.
 """
 
-from solver.mesh.primitives.catalogue import PRIMITIVES, Parameter, Primitive, primitive
+from solver.mesh.primitives.catalogue import PRIMITIVES, Parameter, Primitive, Value, primitive
 from solver.mesh.primitives.developable import cone, cylinder, tangent_developable
 from solver.mesh.primitives.minimal import catenoid, enneper, helicoid, scherk
 from solver.mesh.primitives.plane import rectangle
@@ -16,6 +16,7 @@ __all__ = [
     "PRIMITIVES",
     "Parameter",
     "Primitive",
+    "Value",
     "catenoid",
     "cone",
     "cylinder",

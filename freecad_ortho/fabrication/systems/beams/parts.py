@@ -225,9 +225,8 @@ def _plain(name: str, outline: FloatArray, ends: list[str]) -> FlatPattern:
     """Outline of a flange seen from above, the edge running to the right."""
     low, high = outline.min(axis=0), outline.max(axis=0)
     middle = float(outline[:, 1].mean())
-    texts, label, size = _texts(
-        name, *np.sort(outline[:, 0])[[2, 3]], high[0], middle, float((high - low)[1]), ends
-    )
+    start, end = np.sort(outline[:, 0])[[2, 3]].tolist()
+    texts, label, size = _texts(name, start, end, high[0], middle, float((high - low)[1]), ends)
     return FlatPattern(outline, texts, label, size)
 
 

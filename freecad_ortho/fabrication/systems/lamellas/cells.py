@@ -172,4 +172,4 @@ class Rails:
         return float(last - first)
 
     def _along(self, places: FloatArray) -> FloatArray:
-        return np.interp(places, np.arange(len(self.lengths)), self.lengths)
+        return np.asarray(np.interp(places, np.arange(len(self.lengths)), self.lengths))

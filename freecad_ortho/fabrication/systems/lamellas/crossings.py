@@ -172,15 +172,14 @@ def _clear_of_bend(lamella: Lamella, slot: Slot, other: str) -> Slot:
 def _flat_axis(lamella: Lamella, station: int, other: Lamella, other_station: int) -> FloatArray:
     """(2,) direction of the line in which the two plates meet, upwards in the pattern."""
     strip = lamella.ribbon.strip
-    ruling = strip.flat_rulings[station]
+    ruling: FloatArray = strip.flat_rulings[station]
     if lamella.twisted:
         return ruling
     normal = strip.normals[station]
     line = np.cross(normal, other.ribbon.strip.normals[other_station])
     up, ahead = strip.rulings[station], np.cross(strip.rulings[station], normal)
     flat = (line @ up) * ruling + (line @ ahead) * np.array([ruling[1], -ruling[0]])
-    flat = flat / np.linalg.norm(flat)
-    return flat if flat @ ruling > 0 else -flat
+    return np.asarray(flat / np.linalg.norm(flat) * (1.0 if flat @ ruling > 0 else -1.0))
 
 
 def _half_width(

@@ -122,8 +122,8 @@ class _Pieces:
         self.points += [hole.centre + radius * _direction(angle) for angle in angles]
         for point, angle in zip(loop, angles, strict=True):
             # Along the bolt, which stands in the mitre plane, not square to each face.
-            if (station := crossed.get(angle, hole.station)) is not None:
-                self.station[point] = station
+            if (bend := crossed.get(angle, hole.station)) is not None:
+                self.station[point] = bend
         pairs = zip(loop, loop[1:] + loop[:1], strict=True)
         spans = zip(angles, [*angles[1:], angles[0] - 2 * np.pi], strict=True)
         for (start, end), (here, after) in zip(pairs, spans, strict=True):

@@ -20,6 +20,7 @@ from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_siz
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_size, rounded_down
+from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.panels.geometry import half_angle_tangents, inset
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
@@ -85,9 +86,8 @@ class Louvres(System):
         Raises:
             InputError: a gap that leaves nothing of a face, or plates that would touch.
         """
-        beside = 0.0
-        if "beams" in site.done:
-            beside = 2 * float(site.done["beams"].geometry.section_half)
+        beams = site.geometry_of("beams", BeamGeometry)
+        beside = 0.0 if beams is None else 2 * float(beams.section_half)
         middle, frame, flat = self._parallelograms(site)
         outline = inset(flat, np.full((len(flat), 4), (self.gap + beside) / 2))
         self._refuse(site, flat, outline)
@@ -193,7 +193,7 @@ def _angles(flat: FloatArray) -> FloatArray:
 def _differences(flat: FloatArray) -> FloatArray:
     """(F,) difference of the two side lengths, mm: zero for a rhombus."""
     lengths = np.linalg.norm(np.roll(flat, -1, axis=1) - flat, axis=2)
-    return np.abs(lengths[:, 0] - lengths[:, 1])
+    return np.asarray(np.abs(lengths[:, 0] - lengths[:, 1]))
 
 
 def _pattern(name: str, flat: FloatArray) -> FlatPattern:

@@ -77,7 +77,8 @@ class Corners:
 
     def gone(self, *rings: FloatArray) -> BoolArray:
         """(F,) true where the lines leave too little of a side of one of these outlines."""
-        return np.any([sum(self.shares(ring)) > _MOST for ring in rings], axis=(0, 2))
+        taken = np.array([np.add(*self.shares(ring)) for ring in rings])
+        return np.asarray((taken > _MOST).any(axis=(0, 2)))
 
     def refuse_meeting(self, *rings: FloatArray) -> None:
         """Refuse cuts that leave nothing of a side.

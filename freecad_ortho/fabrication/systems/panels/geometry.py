@@ -108,7 +108,7 @@ def panel_geometry(
     if stands is not None:
         lines = corner_cuts(planes, both, stands).spared(over_hubs).through(*rings)
     lines.refuse_meeting(*rings)
-    outline = rings[0] if inward is None else _wider(*rings, planes.flat)
+    outline = rings[0] if inward is None else _wider(rings[0], rings[1], planes.flat)
     low = np.concatenate([outline.min(axis=1), lower[:, None]], axis=1)
     origin = planes.middle + np.einsum("fd,fdk->fk", low, planes.frame)
     solid = [
@@ -217,7 +217,7 @@ def _lift(connectivity: Connectivity, beams: BeamGeometry, planes: Planes) -> Fl
         beams.points[:, RIGHT_TOP][connectivity.face_edges],
     )
     above = np.einsum("fcpk,fk->fcp", top - planes.middle[:, None, None], planes.frame[:, 2])
-    return np.maximum(above.max(axis=(1, 2)), 0.0)
+    return np.asarray(np.maximum(above.max(axis=(1, 2)), 0.0))
 
 
 def inset(polygon: FloatArray, distance: FloatArray) -> FloatArray:

@@ -13,6 +13,7 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
+from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.panels.bearing import bearings, least_bearing
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, panel_geometry
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
@@ -121,15 +122,14 @@ class Panels(System):
         Raises:
             InputError: a face that the gap or the hubs leave nothing of.
         """
-        mesh, beams = site.mesh, None
-        if "beams" in site.done:
-            beams = site.done["beams"].geometry
+        mesh, beams = site.mesh, site.geometry_of("beams", BeamGeometry)
+        if beams is not None:
             mesh = mesh.with_vertices(mesh.vertices + beams.levels[1] * site.axes.offsets)
         inward = _inward(site) if self.edge == "bevel" else None
-        stands = None
-        if "nodes" in site.done:
+        stands, hubs = None, site.geometry_of("nodes", dict)
+        if hubs is not None:
             cut = self.at_hubs == "cut" or beams is None
-            stands = Stands(site.done["nodes"].geometry, cut, self.clearance)
+            stands = Stands(hubs, cut, self.clearance)
         geometry = panel_geometry(mesh, self.levels, self.gap, beams, inward, stands)
         widths = None
         if beams is not None:

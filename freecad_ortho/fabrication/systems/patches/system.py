@@ -117,7 +117,8 @@ class Patches(System):
 
     def _fitting(self, mesh: QuadMesh, cuts: BoolArray) -> tuple[list[Piece], list[FlatPatch]]:
         """Pieces of the net and the same laid flat, cut along more lines until they fit a sheet."""
-        room, known = self._room, {}
+        room = self._room
+        known: dict[bytes, FlatPatch] = {}
         while True:
             pieces = pieces_of(mesh, cuts)
             for piece in pieces:
