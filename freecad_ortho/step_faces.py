@@ -13,8 +13,8 @@ from solver.errors import InputError
 from solver.io.reading import read_bytes
 from solver.mesh.border import closed_loops
 from solver.mesh.connectivity import BoolArray
-from solver.mesh.patch import SampledNet, SurfacePatch, sampled
 from solver.mesh.quadmesh import FloatArray
+from solver.mesh.sampling import ParametricSurface, SampledNet, sampled
 
 if TYPE_CHECKING:
     import cadquery
@@ -52,11 +52,13 @@ def net_from_step(
     Raises:
         InputError: no such file or face, or a face that cannot be sampled so.
     """
-    patches = [patch.part(u_part, v_part) for patch in step_patches(path, faces)]
-    return sampled(patches, counts=counts, edge=edge, spacing=spacing, outside=outside)
+    surfaces = [surface.part(u_part, v_part) for surface in step_surfaces(path, faces)]
+    return sampled(surfaces, counts=counts, edge=edge, spacing=spacing, outside=outside)
 
 
-def step_patches(path: str | os.PathLike[str], faces: Sequence[int] = ()) -> list[SurfacePatch]:
+def step_surfaces(
+    path: str | os.PathLike[str], faces: Sequence[int] = ()
+) -> list[ParametricSurface]:
     """Faces of a STEP file, numbered from 1; by default all.
 
     Raises:
@@ -84,10 +86,10 @@ def step_patches(path: str | os.PathLike[str], faces: Sequence[int] = ()) -> lis
     for number in numbers:
         if not 1 <= number <= len(found):
             raise InputError(f"faces: {path} has faces 1 to {len(found)}, not {number}")
-    return [_patch(found[number - 1], f"face {number}") for number in numbers]
+    return [_surface(found[number - 1], f"face {number}") for number in numbers]
 
 
-def _patch(face: cadquery.Face, name: str) -> SurfacePatch:
+def _surface(face: cadquery.Face, name: str) -> ParametricSurface:
     from OCP.BRepAdaptor import BRepAdaptor_Surface
     from OCP.BRepTopAdaptor import BRepTopAdaptor_FClass2d
     from OCP.gp import gp_Pnt, gp_Pnt2d
@@ -120,7 +122,7 @@ def _patch(face: cadquery.Face, name: str) -> SurfacePatch:
 
     trimmed = _is_trimmed(face, geometry, (*u, *v))
     border = _border(face) if trimmed else ()
-    return SurfacePatch(evaluate, u, v, inside if trimmed else None, border, name, foot)
+    return ParametricSurface(evaluate, u, v, inside if trimmed else None, border, name, foot)
 
 
 def _is_trimmed(face: cadquery.Face, geometry: Geom_Surface, ends: tuple[float, ...]) -> bool:

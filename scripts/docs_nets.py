@@ -36,7 +36,7 @@ from solver.analysis import measures
 from solver.mesh.primitives import primitive
 from solver.nets import NETS, Net
 from solver.report import CONVERGED, Outcome
-from solver.statics import Loads, start_densities, unbalanced
+from solver.statics import VerticalLoads, start_densities, unbalanced
 from tests.conftest import SHARED, demo_roof, wavy_grid
 from tests.meshes import bent_sheet, deformed, hanging_net, helicoid, noisy, scherk, unduloid
 
@@ -103,7 +103,7 @@ def imbalance(mesh: QuadMesh) -> np.ndarray:
     supports = net.boundary_vertices
     free = np.flatnonzero(~supports & net.referenced)
     points = (mesh.vertices - mesh.vertices.mean(axis=0)) / mesh.mean_edge
-    loads = Loads(net, per_vertex=1.0).at(points.ravel())
+    loads = VerticalLoads(net, per_vertex=1.0).at(points.ravel())
     densities = start_densities(net, points, loads, supports, 0)
     left = np.full(len(points), np.nan)
     left[free] = unbalanced(net, points, densities, loads, free)

@@ -1,7 +1,7 @@
-"""Normal equations of a sum of terms: pattern and scatter positions once, numbers every step.
+"""Normal equations of a sum of terms: sparsity and scatter positions once, numbers every step.
 
-Only the lower triangle of the symmetric matrix is kept. How the pattern is found and numbered is
-:mod:`solver.linear.pattern`'s business.
+Only the lower triangle of the symmetric matrix is kept. How the sparsity is found and numbered is
+:mod:`solver.linear.sparsity`'s business.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.linear.pattern import Layout, Pattern
+from solver.linear.sparsity import Numbering, Sparsity
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 from solver.terms.base import Linearisation, Term
@@ -46,17 +46,17 @@ class NormalEquations:
         self.terms = tuple(terms)
         members = _alike(self.terms)
         stencils = [self.terms[group[0]].unknowns for group in members]
-        layout = Layout(stencils, free, points, reorder)
-        self.pattern: Pattern = layout.pattern
+        numbering = Numbering(stencils, free, points, reorder)
+        self.sparsity: Sparsity = numbering.sparsity
         self._groups = [
-            _group(group, unknowns, layout)
+            _group(group, unknowns, numbering)
             for group, unknowns in zip(members, stencils, strict=True)
         ]
         self._constant: dict[int, FloatArray] = {}
 
     def matrix(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
         """(nnz,) lower triangle of the sum of ``weight * J^T J``."""
-        data = np.zeros(len(self.pattern.indices))
+        data = np.zeros(len(self.sparsity.indices))
         for group in self._groups:
             used = tuple(k for k in group.members if weights[k] > 0)
             moving = tuple(k for k in used if not self.terms[k].linear)
@@ -71,7 +71,7 @@ class NormalEquations:
 
     def gradient(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
         """(n,) the sum of ``weight * J^T r`` over the free unknowns."""
-        size = self.pattern.size
+        size = self.sparsity.size
         total = np.zeros(size + 1)
         for group in self._groups:
             used = [k for k in group.members if weights[k] > 0]
@@ -95,7 +95,7 @@ class NormalEquations:
             chunk = slice(begin, begin + _CHUNK)
             columns = np.ascontiguousarray(jacobian[chunk].transpose(1, 2, 0))
             _multiply_columns(columns, blocks[:, chunk])
-        entries = len(self.pattern.indices)
+        entries = len(self.sparsity.indices)
         sums = np.bincount(group.scatter, blocks.ravel(), minlength=entries + 1)
         return sums[:entries].astype(np.float64, copy=False)
 
@@ -139,10 +139,10 @@ def _alike(terms: Sequence[Term]) -> list[tuple[int, ...]]:
     return [tuple(group) for group in groups]
 
 
-def _group(members: tuple[int, ...], unknowns: IntArray, layout: Layout) -> _Group:
+def _group(members: tuple[int, ...], unknowns: IntArray, numbering: Numbering) -> _Group:
     first, second = np.triu_indices(unknowns.shape[1])
     return _Group(
         members=members,
-        rows=layout.rows(unknowns).ravel(),
-        scatter=layout.positions(unknowns, first, second).T.ravel(),
+        rows=numbering.rows(unknowns).ravel(),
+        scatter=numbering.positions(unknowns, first, second).T.ravel(),
     )

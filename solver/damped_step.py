@@ -64,7 +64,7 @@ class Stepper:
         tuning, matrix, gradient = self._tuning, here.matrix, here.gradient
         # Below this, changes of the energy are rounding and say nothing.
         rounding = 1e-26 * max(1, len(gradient))
-        diagonal = here.system.pattern.indptr[:-1]
+        diagonal = here.system.sparsity.indptr[:-1]
         values = matrix[diagonal]
         self._solving, rejected = 0.0, False
         self._last_weights, self._reused = here.weights.copy(), 0

@@ -46,7 +46,7 @@ class Layout:
             # rslab orders the unknowns itself.
             reorder=backend == "scipy",
         )
-        self.solver = symmetric_solver(self.system.pattern, backend)
+        self.solver = symmetric_solver(self.system.sparsity, backend)
         self.stepper = Stepper(self.solver, problem.tuning)
         self.relaxation = Relaxation(self.solver, problem.tuning)
 

@@ -143,14 +143,14 @@ class NearestNet:
         system = NormalEquations(
             terms, problem.free, problem.mesh.vertices, reorder=name == "scipy"
         )
-        self._along, self._across = (symmetric_solver(system.pattern, name) for _ in range(2))
+        self._along, self._across = (symmetric_solver(system.sparsity, name) for _ in range(2))
         self._count = len(problem.constraints)
         self._net = np.array([1.0] * self._count + [0.0] * len(wishes))
         self._wished = np.array([0.0] * self._count + [wish.weight for wish in wishes])
         self.problem = problem
         self.point = Point.at(system, terms, x.copy()).followed()
         self.damping = _DAMPING_MIN
-        self.finished = not wishes or not len(system.pattern.unknowns)
+        self.finished = not wishes or not len(system.sparsity.unknowns)
 
     @property
     def mesh(self) -> QuadMesh:
@@ -199,7 +199,7 @@ class NearestNet:
         free = _TANGENT * back(here.weighed(self._wished).gradient)
         gradient = net.gradient + _SHARE * free
         both = here.weighed(self._net + _SHARE * self._wished)
-        matrix, diagonal = both.matrix, here.system.pattern.indptr[:-1]
+        matrix, diagonal = both.matrix, here.system.sparsity.indptr[:-1]
         values = matrix[diagonal]
         solving, limit = time.perf_counter() - begin, max(_NEAR_NET, self._worst(here))
         refused = False
@@ -241,7 +241,7 @@ class NearestNet:
     def _back(self, net: Point, tangent: float) -> Callable[[FloatArray], FloatArray]:
         """Factors of the constraints' own matrix: they answer with moves of least length."""
         matrix = net.matrix
-        matrix[net.system.pattern.indptr[:-1]] += tangent
+        matrix[net.system.sparsity.indptr[:-1]] += tangent
         return self._along.factor(matrix)
 
     def _worst(self, point: Point) -> float:

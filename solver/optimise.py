@@ -40,7 +40,7 @@ def optimise(
 
     Args:
         mesh: the start, in any unit; it is not changed.
-        net: name of the recipe, see ``solver.nets.NETS``.
+        net: name of the net, see ``solver.nets.NETS``.
         callback: called after each step; returning True stops.
         settings: any of the keyword arguments of :func:`start_optimisation`.
 
@@ -76,8 +76,8 @@ def start_optimisation(
 
     Args:
         mesh: the start, in any unit; it is not changed.
-        net: name of the recipe, see ``solver.nets.NETS``.
-        fairness: start weight of straight parameter lines, by default the recipe's.
+        net: name of the net, see ``solver.nets.NETS``.
+        fairness: start weight of straight parameter lines, by default that of every net.
         closeness: start weight of staying near the start.
         multi: start weight of orthogonality of neighbouring pairs of faces.
         isometry: start weight of faces keeping their shape, for sheets that only bend; by default

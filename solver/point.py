@@ -62,13 +62,13 @@ class Point:
     def full(self, move: FloatArray) -> FloatArray:
         """A move of the free unknowns as a flat vector of all."""
         full = np.zeros(len(self.x))
-        full[self.system.pattern.unknowns] = move
+        full[self.system.sparsity.unknowns] = move
         return full
 
     def moved(self, move: FloatArray) -> Point:
         """The point (n,) free unknowns on; terms that weigh nothing keep their last values."""
         there = self.x.copy()
-        there[self.system.pattern.unknowns] += move
+        there[self.system.sparsity.unknowns] += move
         return replace(self, x=there, linearisations=self.linearised(there, self.weights))
 
     def linearised(self, x: FloatArray, weights: FloatArray) -> list[Linearisation]:

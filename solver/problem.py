@@ -58,7 +58,7 @@ class Problem:
     mean edge of the start mesh, so that millimetres and metres take the same steps.
 
     Args:
-        net: name of the recipe.
+        net: name of the net.
         mesh: the start, in model units.
         fixed: (V,) true for vertices that must not move; they are eliminated.
         may_flatten: whether a plane is a shape as good as any other.

@@ -62,7 +62,7 @@ class Relaxation:
     def _direction(self, here: Point) -> FloatArray:
         """Minus the gradient through the inverse of the matrix as memory corrects it."""
         matrix, gradient = here.matrix, here.gradient
-        matrix[here.system.pattern.indptr[:-1]] += self._tuning.relaxation_damping
+        matrix[here.system.sparsity.indptr[:-1]] += self._tuning.relaxation_damping
         try:
             solve = self._solver.factor(matrix)
         except SingularSystemError:

@@ -64,7 +64,7 @@ class Report:
     """Outcome of an optimisation in numbers; ``as_dict`` is the contract of ``report.json``.
 
     Attributes:
-        net: name of the recipe.
+        net: name of the net.
         status: converged; collapsed, where it is the net but nothing is left of its shape; stalled;
             or stopped.
         message: one sentence: what happened and what to do next.

@@ -27,7 +27,7 @@ class Session:
             handles finds. Only where several nets fit the same handles, as with a sheet that can
             buckle to either side, it is the one in sight.
         handles: vertices that may be dragged; they start where they are.
-        net: name of the recipe.
+        net: name of the net.
         constraints: gliding, symmetry and the like; its handles are replaced.
         settings: any of the other keyword arguments of ``solver.start_optimisation``.
 

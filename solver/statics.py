@@ -17,7 +17,7 @@ _LEAST = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Loads:
+class VerticalLoads:
     """Vertical loads in multiples of the mean load at the start, downwards.
 
     Args:

@@ -42,8 +42,8 @@ def test_a_box_is_closed_and_looks_outward(files):
 
 def test_a_hole_across_the_seam_is_met(files):
     # The mantle is the largest face.
-    patches = range(1, 4)
-    nets = [api.net_from_step(files["drilled"], [k], edge=200.0).mesh for k in patches]
+    surfaces = range(1, 4)
+    nets = [api.net_from_step(files["drilled"], [k], edge=200.0).mesh for k in surfaces]
     mesh = max(nets, key=lambda net: len(net.faces))
     np.testing.assert_allclose(np.hypot(*mesh.vertices[:, :2].T), 1000, atol=0.5)
     rim = mesh.vertices[mesh.connectivity.boundary_vertices]

@@ -120,10 +120,10 @@ def _sheets(document: FreeCAD.Document) -> None:
     u, v = np.meshgrid(np.linspace(-1, 1, 21), np.linspace(-0.8, 0.8, 17), indexing="ij")
     x, y = u + 0.1 * v, v - 0.1 * u
     points = np.stack([x, y, 0.4 * x**2 + 0.2 * y**2 + 0.1 * x * y], axis=2)
-    for number, recipe in enumerate(("geodesic", "chebyshev")):
+    for number, name in enumerate(("geodesic", "chebyshev")):
         shifted = points + [0.0, 2.0 * number, 0.0]
-        net = net_object.create(document, grid_mesh(_METRE * shifted), recipe.capitalize())
-        optimise_net(net, net=recipe, fix="corners", fairness=10.0)
+        net = net_object.create(document, grid_mesh(_METRE * shifted), name.capitalize())
+        optimise_net(net, net=name, fix="corners", fairness=10.0)
         _show_orthogonality(net, legend=number == 0)
 
 

@@ -10,7 +10,7 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import convert, preferences
-from freecad_ortho.objects import guides
+from freecad_ortho.objects import constraints
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES
 from freecad_ortho.objects.option_properties import read, write
@@ -99,8 +99,8 @@ def words(net: FreeCAD.DocumentObject) -> dict[str, Any]:
     found["fix"] = net.FixRule if not numbers else _fix_words(net.FixRule, numbers)
     places = (tuple(place) for place in net.HandlePlaces)
     found["handles"] = dict(zip(net.Handles, places, strict=True))
-    found["glide"] = guides.glide_words(net)
-    found["close_to"] = guides.references(net.CloseTo)
+    found["glide"] = constraints.glide_words(net)
+    found["close_to"] = constraints.references(net.CloseTo)
     return found
 
 
@@ -122,9 +122,9 @@ def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
             vertices, places = _handles(value)
             net.Handles, net.HandlePlaces = vertices, places
         elif word == "glide":
-            guides.store_glide(net, value)
+            constraints.store_glide(net, value)
         elif word == "close_to":
-            guides.store_close_to(net, value)
+            constraints.store_close_to(net, value)
         else:
             raise InputError(f"settings: there is no '{word}'; see the page on nets")
 
@@ -156,7 +156,7 @@ def for_solver(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> dict[str, Any]:
     """Keyword arguments of ``solver.start_optimisation`` from the properties of a net.
 
     Raises:
-        InputError: a guide that has gone, or settings that do not fit the mesh.
+        InputError: a shape that has gone, or settings that do not fit the mesh.
     """
     return solver_settings(words(net), mesh, net)
 
@@ -167,7 +167,7 @@ def solver_settings(
     """Keyword arguments of ``solver.start_optimisation`` from all that :func:`words` names.
 
     Raises:
-        InputError: a guide that has gone, or settings that do not fit the mesh.
+        InputError: a shape that has gone, or settings that do not fit the mesh.
     """
     # Which solver is a matter of the machine and its user, not of the net.
     settings: dict[str, Any] = preferences.solver_settings()
@@ -182,10 +182,10 @@ def solver_settings(
     handles = values["handles"]
     if handles:
         handles = _drawn(handles, mesh, fixed_vertices(mesh, fix, asked))
-    constraints = Constraints(
+    wanted = Constraints(
         handles=handles,
-        glide=guides.glides(values["glide"], mesh, net),
-        close_to=guides.close_to(values["close_to"], mesh, net),
+        glide=constraints.glides(values["glide"], mesh, net),
+        close_to=constraints.close_to(values["close_to"], mesh, net),
         symmetry=values["symmetry"],
     )
     settings.update(
@@ -193,8 +193,8 @@ def solver_settings(
         fix=fix,
         options=NetOptions(**options),
     )
-    if handles or constraints.glide or constraints.close_to or constraints.symmetry:
-        settings["constraints"] = constraints
+    if handles or wanted.glide or wanted.close_to or wanted.symmetry:
+        settings["constraints"] = wanted
     return settings
 
 

@@ -146,7 +146,7 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
     Args:
         target: the Net.
         settings: what is given is kept in the Net's properties, the rest is taken from there:
-            ``net`` (name of the recipe); ``fix`` (``none``, ``corners``, ``boundary``, numbers, or
+            ``net`` (name of the net); ``fix`` (``none``, ``corners``, ``boundary``, numbers, or
             a list of both); ``glide`` (list of ``boundary``, ``z=0`` or ``(object, "Edge1")``, with
             vertices as a third entry); ``close_to`` (the same kind of list); ``handles`` (places in
             mm by vertex); ``symmetry``; ``diagonal``, ``angle``, ``radius``, ``length``,

@@ -165,7 +165,7 @@ def _change(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
     before = {name: getattr(target, name) for name in properties}
     try:
         structure_object.set_properties(target, properties)
-        if target.BuiltFrom != build.recipe([target]):
+        if target.BuiltFrom != build.fingerprint([target]):
             with progress(_change_title(target)) as say:
                 structure_object.rebuild(target, say)
     except BaseException:

@@ -29,7 +29,7 @@ class DifferentPattern:
 
 def different_patterns(production: Production) -> tuple[DifferentPattern, ...]:
     """Every flat pattern once, in the order of the parts."""
-    equal_to = production.families.equal_to
+    equal_to = production.groups.equal_to
     patterns = production.named_patterns
     counts = Counter(equal_to.get(name, name) for name in patterns)
     result = []

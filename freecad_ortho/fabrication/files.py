@@ -162,7 +162,7 @@ def write_lists(folder: Path, production: Production, project: str = "") -> list
     Raises:
         OSError: a file cannot be written.
     """
-    equal_to = production.families.equal_to
+    equal_to = production.groups.equal_to
     parts = production.structure.parts
     write_parts(folder / "parts.csv", parts, production.verdicts, equal_to, production.places)
     place = production.structure.place

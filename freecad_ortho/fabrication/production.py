@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
-from freecad_ortho.fabrication.families import Families, families
+from freecad_ortho.fabrication.groups import Groups, groups_of
 from freecad_ortho.fabrication.kerf import compensated
 from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.nesting import Nesting, Sheet, nest, too_large_words
@@ -38,7 +38,7 @@ class Production:
         workshop: what they are cut from and with.
         patterns: flat pattern of each part, compensated for the kerf; None where it has none.
         nodes: vertices at which parts meet.
-        families: equal parts and nodes.
+        groups: equal parts and nodes.
         nesting: patterns on sheets, empty without a sheet size.
         stock: bars that long parts are sawn from.
         clashes: what the clash check found.
@@ -48,7 +48,7 @@ class Production:
     workshop: Workshop
     patterns: tuple[FlatPattern | None, ...]
     nodes: tuple[Node, ...]
-    families: Families
+    groups: Groups
     nesting: Nesting
     stock: Stock
     clashes: ClashCheck
@@ -143,7 +143,7 @@ class Production:
             **self.structure.report(),
             "messages": list(self.messages),
             "verdict": {"passed": len(parts) - len(failed), "failed": failed},
-            "families": self.families.report(),
+            "families": self.groups.report(),
             "clash_check": self.clashes.report(),
             "stock": _stock_report(self.stock, self.workshop),
             "sheets": self._sheet_report(),
@@ -210,7 +210,7 @@ def produce(
     places = nesting.places
     bars = stock_list([part for part in parts if part.name not in places], chosen)
     joints = nodes(structure.site, parts)
-    equal = families(parts, joints)
+    equal = groups_of(parts, joints)
     say(0.6, "clash check")
     clashes = check_clashes(parts, executor, lambda done: say(0.6 + 0.4 * done, "clash check"))
     say(1.0, "clash check")

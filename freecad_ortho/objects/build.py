@@ -80,7 +80,7 @@ def _placed(whole: Structure, features: Sequence[FreeCAD.DocumentObject]) -> Str
     return replace(whole, place=seen[0].less(-origin), origin=origin + far)
 
 
-def recipe(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:
+def fingerprint(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:
     """A word that is another where :func:`structure` would give other parts.
 
     Args:

@@ -16,8 +16,8 @@ from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.mesh.border import closed_loops
 from solver.mesh.connectivity import BoolArray, IntArray
-from solver.mesh.patch import SurfacePatch
 from solver.mesh.quadmesh import FloatArray
+from solver.mesh.sampling import ParametricSurface
 
 if TYPE_CHECKING:
     import Part
@@ -72,7 +72,7 @@ def _is_name(value: Any) -> bool:
     return isinstance(value, str) or (several and len(value) > 0)
 
 
-def surface_patch(feature: FreeCAD.DocumentObject, name: str) -> SurfacePatch:
+def parametric_surface(feature: FreeCAD.DocumentObject, name: str) -> ParametricSurface:
     """One face as functions of its parameters, in mm; normals as those of the face."""
     face = _face(feature, name)
     first, last, low, high = face.ParameterRange
@@ -96,7 +96,7 @@ def surface_patch(feature: FreeCAD.DocumentObject, name: str) -> SurfacePatch:
         )
 
     trimmed = _is_trimmed(face)
-    return SurfacePatch(
+    return ParametricSurface(
         evaluate,
         (first, last),
         (low, high),

@@ -136,11 +136,11 @@ class FlatPatterns(outdated.Following):
         """Lay the patterns out."""
         rebuild(feature)
 
-    def recipe(self, feature: FreeCAD.DocumentObject) -> str:
+    def fingerprint(self, feature: FreeCAD.DocumentObject) -> str:
         """A word that stands for all that the patterns are laid out from."""
         from freecad_ortho.objects import build
 
-        return build.recipe(feature.Structures, _workshop(feature))
+        return build.fingerprint(feature.Structures, _workshop(feature))
 
     def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
         """The structures whose parts are shown."""
@@ -175,7 +175,7 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     with outdated.timed(feature):
         _lay_out(feature, build.structure(feature.Structures), _workshop(feature))
     feature.Outdated, feature.Notice = False, outdated.notice(feature)
-    feature.BuiltFrom = build.recipe(feature.Structures, _workshop(feature))
+    feature.BuiltFrom = build.fingerprint(feature.Structures, _workshop(feature))
     drawings.redraw(feature)
 
 

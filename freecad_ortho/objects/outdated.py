@@ -100,7 +100,7 @@ class Following(Persistent):
         """Build the shape."""
         raise NotImplementedError
 
-    def recipe(self, feature: FreeCAD.DocumentObject) -> str:
+    def fingerprint(self, feature: FreeCAD.DocumentObject) -> str:
         """A word that stands for all that the shape is built from."""
         raise NotImplementedError
 
@@ -110,7 +110,7 @@ class Following(Persistent):
 
     def _is_as_before(self, feature: FreeCAD.DocumentObject, known: str) -> bool:
         """Tell whether it is touched only to bear the mark of what it stands on."""
-        return bool(feature.Notice == known and feature.BuiltFrom == self.recipe(feature))
+        return bool(feature.Notice == known and feature.BuiltFrom == self.fingerprint(feature))
 
     def _waits(self, feature: FreeCAD.DocumentObject) -> bool:
         if feature.Shape.isNull():
@@ -126,7 +126,7 @@ class Following(Persistent):
     def _mark(self, feature: FreeCAD.DocumentObject) -> None:
         """Say that it waits, unless it is touched only and nothing has changed."""
         before = feature.Outdated
-        feature.Outdated = feature.BuiltFrom != self.recipe(feature)
+        feature.Outdated = feature.BuiltFrom != self.fingerprint(feature)
         if feature.Outdated and not before:
             FreeCAD.Console.PrintMessage(
                 FreeCAD.Qt.translate(

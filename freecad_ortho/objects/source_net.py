@@ -293,7 +293,7 @@ def inputs(
             places.moved_mesh(convert.quad_mesh(net), places.between(target, net)) for net in nets
         ]
     if faces:
-        result["patches"] = [cad_faces.surface_patch(*face) for face in faces]
+        result["surfaces"] = [cad_faces.parametric_surface(*face) for face in faces]
     return result
 
 

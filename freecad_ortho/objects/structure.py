@@ -134,11 +134,11 @@ class Structure(outdated.Following):
         """Build the solids."""
         rebuild(feature)
 
-    def recipe(self, feature: FreeCAD.DocumentObject) -> str:
+    def fingerprint(self, feature: FreeCAD.DocumentObject) -> str:
         """A word that stands for all that the solids are built from."""
         from freecad_ortho.objects import build
 
-        return build.recipe([feature])
+        return build.fingerprint([feature])
 
     def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
         """The beams that the parts lie on, the nodes that they stay clear of."""
@@ -241,7 +241,7 @@ def rebuild(
         feature.BuiltAt = stands
         feature.Placement = by_hand.multiply(stands)
     feature.Outdated, feature.Notice = False, outdated.notice(feature)
-    feature.BuiltFrom = build.recipe([feature])
+    feature.BuiltFrom = build.fingerprint([feature])
     feature.PartNames = [part.name for part in structure.parts]
     feature.Verdicts = list(structure.verdicts)
     report = structure.report()

@@ -11,7 +11,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad_ortho.commands import messages
-from freecad_ortho.objects import guides
+from freecad_ortho.objects import constraints
 from freecad_ortho.panels.fields import NARROW, ChoiceField, form_rows
 from freecad_ortho.panels.vertex_picker import VertexPicker
 from freecad_ortho.view.mouse import Mouse
@@ -93,9 +93,9 @@ class ConstraintBox:
             return
         try:
             if self._picking == _GLIDE:
-                guides.glides([entry], self._mesh(), self._net)
+                constraints.glides([entry], self._mesh(), self._net)
             else:
-                guides.require_surface(entry)
+                constraints.require_surface(entry)
         except OrthoError as error:
             messages.show_status(str(error))
             return
@@ -183,13 +183,13 @@ class ConstraintBox:
                 self.handles.pop(int(key), None)
             else:
                 entries = self.glide if kind == _GLIDE else self.close_to
-                entries[:] = [entry for entry in entries if guides.describe(entry) != key]
+                entries[:] = [entry for entry in entries if constraints.describe(entry) != key]
         self._show()
 
     def _show(self) -> None:
         self.list.clear()
-        rows = [(_GLIDE, guides.describe(entry)) for entry in self.glide]
-        rows += [(_NEAR, guides.describe(entry)) for entry in self.close_to]
+        rows = [(_GLIDE, constraints.describe(entry)) for entry in self.glide]
+        rows += [(_NEAR, constraints.describe(entry)) for entry in self.close_to]
         rows += [(_HANDLE, str(vertex)) for vertex in self.handles]
         words = {
             _GLIDE: translate("Ortho", "glide on {}"),

@@ -13,7 +13,7 @@ from PySide import QtCore
 from freecad_ortho import convert, documents, preferences
 from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import net_settings
-from freecad_ortho.objects import guides
+from freecad_ortho.objects import constraints
 from freecad_ortho.objects.net_settings import ALL
 from freecad_ortho.panels.live import Live
 from freecad_ortho.panels.watch import NetWatch
@@ -279,7 +279,7 @@ class Editing:
 
     def _reference_surface(self) -> TriangleSurface:
         """The faces that the net stays near, else the shape it has now."""
-        near = guides.reference_surface(self._net, self._mesh)
+        near = constraints.reference_surface(self._net, self._mesh)
         return TriangleSurface.from_quads(self._mesh) if near is None else near
 
     def _aimed(self, ray: Ray, place: FloatArray) -> FloatArray:

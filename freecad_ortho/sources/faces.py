@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from freecad_ortho.sources.primitives import sampling as sampling_option
 from freecad_ortho.sources.source import Made, Source
-from solver.mesh.patch import SurfacePatch, sampled
+from solver.mesh.sampling import ParametricSurface, sampled
 from solver.option import Option
 
 
 def _sampled(
-    patches: Sequence[SurfacePatch],
+    surfaces: Sequence[ParametricSurface],
     unit: str,
     sampling: tuple[int, int],
     edge: float,
@@ -20,7 +20,7 @@ def _sampled(
     u_part: tuple[float, float],
     v_part: tuple[float, float],
 ) -> Made:
-    chosen = [patch.part(u_part, v_part) for patch in patches]
+    chosen = [surface.part(u_part, v_part) for surface in surfaces]
     made = sampled(
         chosen,
         counts=None if edge else sampling,

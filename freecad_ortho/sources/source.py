@@ -35,7 +35,7 @@ class Source:
         name: unique among all sources.
         meaning: one sentence.
         options: what it asks for, in the order of a form.
-        build: from the ``unit`` and the options by name (and ``meshes`` or ``patches``) to the net.
+        build: from the ``unit`` and the options by name (and ``meshes`` or ``surfaces``) to the net.
         needs: ``""``, ``net`` (one), ``nets`` (one or more) or ``faces`` (of CAD shapes).
     """
 
@@ -81,7 +81,7 @@ class Source:
         Args:
             given: values by name, lengths in ``unit``.
             unit: that of the net, and of the meshes that it is made of.
-            inputs: ``meshes`` or ``patches``.
+            inputs: ``meshes`` or ``surfaces``.
 
         Raises:
             InputError: an unknown option, or values that make no net.

@@ -14,7 +14,7 @@ from solver.mesh.quadmesh import FloatArray
 _SIZE = 9
 HANDLE, CHOSEN, HOVERED, HELD = 0, 1, 2, 3
 _COLOURS = np.array([(0.95, 0.60, 0.10), (0.85, 0.10, 0.12), (1.0, 0.95, 0.45), (0.20, 0.45, 0.85)])
-_GUIDE = (0.85, 0.10, 0.12)
+_PULL = (0.85, 0.10, 0.12)
 
 
 class Handles:
@@ -33,7 +33,7 @@ class Handles:
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX
         self._line_points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
-        for node in (nodes.unpickable(), nodes.unlit(), self._guides(), self._frame()):
+        for node in (nodes.unpickable(), nodes.unlit(), self._pulls(), self._frame()):
             self.root.addChild(node)
         for node in (self._colours, binding, self._marker_points, self._markers):
             self.root.addChild(node)
@@ -69,9 +69,9 @@ class Handles:
         """Show no rectangle."""
         self._frame_switch.whichChild = coin.SO_SWITCH_NONE
 
-    def _guides(self) -> coin.SoSeparator:
+    def _pulls(self) -> coin.SoSeparator:
         colour = coin.SoBaseColor()
-        colour.rgb = _GUIDE
+        colour.rgb = _PULL
         style = coin.SoDrawStyle()
         style.lineWidth = 2.0
         self._lines.numVertices.deleteValues(0)

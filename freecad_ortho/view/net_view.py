@@ -10,7 +10,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho import convert, preferences
-from freecad_ortho.objects.guides import reference_surface
+from freecad_ortho.objects.constraints import reference_surface
 from freecad_ortho.objects.net import colour_field
 from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon

@@ -26,7 +26,7 @@ class Advice:
     """How a mesh relates to one net.
 
     Attributes:
-        net: name of the recipe.
+        net: name of the net.
         diagonal: whether the star property is asked of the diagonal net.
         distance: mean of the net's measures, the largest of its parts, dimensionless.
         beyond: the same without right angles of the edges, which nearly every net asks for:

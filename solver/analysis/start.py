@@ -55,7 +55,7 @@ def start_remarks(
 
     Args:
         mesh: the start.
-        net: name of the recipe.
+        net: name of the net.
         diagonal: whether the star property is asked of the diagonal net.
         held: (V,) true for vertices that are fixed or glide along a curve; none by default.
     """

@@ -1,1 +1,1 @@
-"""Sparse symmetric systems: their pattern, its numbering, and their factorisation."""
+"""Sparse symmetric systems: where they have entries, their numbering, and their factorisation."""

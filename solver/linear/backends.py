@@ -1,6 +1,6 @@
-"""Sparse symmetric systems whose pattern never changes.
+"""Symmetric systems whose sparsity never changes.
 
-The analysis of the pattern is done once; each call factors new numbers. ``scipy`` stands for the
+The analysis of the sparsity is done once; each call factors new numbers. ``scipy`` stands for the
 method of :mod:`solver.linear.multifrontal`, on LAPACK from scipy. The package ``rslab`` takes large
 systems where it is installed: it uses all cores.
 """
@@ -14,7 +14,7 @@ from typing import Protocol
 from solver.errors import InputError
 from solver.linear.guarded import GuardedRslab
 from solver.linear.multifrontal import Multifrontal
-from solver.linear.pattern import Pattern
+from solver.linear.sparsity import Sparsity
 from solver.mesh.quadmesh import FloatArray
 
 BACKENDS = ("scipy", "rslab")
@@ -24,7 +24,7 @@ _RSLAB_PAYS = 60_000
 
 
 class SymmetricSolver(Protocol):
-    """Solves A x = b for matrices of one pattern.
+    """Solves A x = b for matrices of one sparsity.
 
     Attributes:
         remark: what is out of the ordinary about how it does so, "" for nothing.
@@ -40,7 +40,7 @@ class SymmetricSolver(Protocol):
         """
 
 
-def symmetric_solver(pattern: Pattern, backend: str) -> SymmetricSolver:
+def symmetric_solver(sparsity: Sparsity, backend: str) -> SymmetricSolver:
     """Return the solver that ``backend`` names.
 
     Raises:
@@ -50,7 +50,7 @@ def symmetric_solver(pattern: Pattern, backend: str) -> SymmetricSolver:
         raise InputError(f"sparse solver: expected one of {', '.join(BACKENDS)}, got '{backend}'")
     if backend == "rslab" and not _rslab_installed():
         raise InputError("sparse solver: rslab is not installed; pip install rslab, or use scipy")
-    return GuardedRslab(pattern) if backend == "rslab" else Multifrontal(pattern)
+    return GuardedRslab(sparsity) if backend == "rslab" else Multifrontal(sparsity)
 
 
 def default_backend(unknowns: int) -> str:

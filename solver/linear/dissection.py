@@ -1,6 +1,6 @@
 """Nested dissection: an order of elimination in which a sparse factorisation fills in little.
 
-The nodes of a graph are halved by a plane; as few as possible next to it become a separator that
+The bundles of a graph are halved by a plane; as few as possible next to it become a separator that
 is eliminated after both halves; and the halves are treated alike until they are small. All parts of
 one level are split together, so that the cost hardly depends on their number.
 
@@ -24,10 +24,10 @@ _LEAF = 100
 
 
 class Dissection(NamedTuple):
-    """Nodes in parts; a part is eliminated after all parts below it.
+    """Bundles in parts; a part is eliminated after all parts below it.
 
     Attributes:
-        order: (n,) nodes in the order of elimination.
+        order: (n,) bundles in the order of elimination.
         begins: (p + 1,) first place in ``order`` of each part, and n.
     """
 
@@ -36,12 +36,12 @@ class Dissection(NamedTuple):
 
 
 def dissect(graph: csc_array, points: FloatArray, weights: IntArray) -> Dissection:
-    """Dissect a graph whose nodes lie in space.
+    """Dissect a graph whose bundles lie in space.
 
     Args:
-        graph: (n, n) symmetric, with an entry where two nodes meet; its values do not matter.
-        points: (n, 3) where the nodes are; any place is right, neighbours near each other best.
-        weights: (n,) unknowns of each node; those with none count for nothing.
+        graph: (n, n) symmetric, with an entry where two bundles meet; its values do not matter.
+        points: (n, 3) where the bundles are; any place is right, neighbours near each other best.
+        weights: (n,) unknowns of each bundle; those with none count for nothing.
     """
     count = graph.shape[0]
     path = np.ones(count, dtype=np.int64)
@@ -49,43 +49,43 @@ def dissect(graph: csc_array, points: FloatArray, weights: IntArray) -> Dissecti
     column = np.repeat(np.arange(count), np.diff(graph.indptr))
     links = np.stack([graph.indices.astype(np.int64), column])
     links = links[:, (links[0] != links[1]) & (weights[links] > 0).all(axis=0)]
-    nodes = np.flatnonzero(weights > 0)
+    bundles = np.flatnonzero(weights > 0)
     while True:
-        part = np.unique(path[nodes], return_inverse=True)[1]
-        large = np.bincount(part, weights[nodes])[part] > _LEAF
-        nodes = nodes[large]
-        if not len(nodes):
+        part = np.unique(path[bundles], return_inverse=True)[1]
+        large = np.bincount(part, weights[bundles])[part] > _LEAF
+        bundles = bundles[large]
+        if not len(bundles):
             return _in_order(path, along)
         links = links[:, (path[links[0]] == path[links[1]])]
-        side, along[nodes] = _split(nodes, path, links, points, weights)
+        side, along[bundles] = _split(bundles, path, links, points, weights)
         kept = side < 2
-        path[nodes[kept]] = 2 * path[nodes[kept]] + side[kept]
-        nodes = nodes[kept]
+        path[bundles[kept]] = 2 * path[bundles[kept]] + side[kept]
+        bundles = bundles[kept]
 
 
 def _split(
-    nodes: IntArray, path: IntArray, links: IntArray, points: FloatArray, weights: IntArray
+    bundles: IntArray, path: IntArray, links: IntArray, points: FloatArray, weights: IntArray
 ) -> tuple[IntArray, FloatArray]:
     """Halve every part across its longest direction.
 
     Returns:
         (k,) 0 or 1 for the halves, 2 for the separator; (k,) places along the separator.
     """
-    part = np.unique(path[nodes], return_inverse=True)[1]
-    weight = weights[nodes]
+    part = np.unique(path[bundles], return_inverse=True)[1]
+    weight = weights[bundles]
     total: FloatArray = np.bincount(part, weight).astype(np.float64)
-    offset, axes = _principal_axes(points[nodes], part, weight, total)
+    offset, axes = _principal_axes(points[bundles], part, weight, total)
     across, along = np.einsum("kc,kdc->dk", offset, axes[part, :2])
     sequence = np.lexsort((across, part))
-    passed = np.empty(len(nodes))
+    passed = np.empty(len(bundles))
     passed[sequence] = np.cumsum(weight[sequence])
     before = np.cumsum(total) - total
     half = (passed - before[part] > 0.5 * total[part]).astype(np.int64)
     side = np.zeros(len(path), dtype=np.int64)
-    side[nodes] = half
+    side[bundles] = half
     cut = links[:, side[links[0]] < side[links[1]]]
     side[_lightest_cover(cut, weights)] = 2
-    return side[nodes], along
+    return side[bundles], along
 
 
 def _principal_axes(
@@ -106,7 +106,7 @@ def _principal_axes(
 
 
 def _lightest_cover(links: IntArray, weights: IntArray) -> IntArray:
-    """Nodes of the least weight that leave no link (2, m) without one of them.
+    """Bundles of the least weight that leave no link (2, m) without one of them.
 
     By the theorem of König, in the form for weights: they are a least cut between a source that
     feeds every left end and a sink that drains every right end.

@@ -10,8 +10,8 @@ from scipy.sparse.linalg import splu
 
 from solver.errors import SingularSystemError
 from solver.isolated import Isolated, LibraryError
-from solver.linear.pattern import Pattern
 from solver.linear.rslab_factors import RslabFactors
+from solver.linear.sparsity import Sparsity
 from solver.mesh.quadmesh import FloatArray
 
 # Largest backward error of a solution that is taken; a sound one is 1e-10 and below.
@@ -24,13 +24,13 @@ class GuardedRslab:
     """LDL^T by rslab in a process of its own; after its first failure by SuperLU.
 
     Args:
-        pattern: of the lower triangle.
+        sparsity: of the lower triangle.
     """
 
-    def __init__(self, pattern: Pattern) -> None:
-        self._pattern = pattern
-        self._library = Isolated(RslabFactors, pattern.indptr, pattern.indices)
-        self._limit = _SECONDS + _SECONDS_EACH * pattern.size
+    def __init__(self, sparsity: Sparsity) -> None:
+        self._sparsity = sparsity
+        self._library = Isolated(RslabFactors, sparsity.indptr, sparsity.indices)
+        self._limit = _SECONDS + _SECONDS_EACH * sparsity.size
         self._factored: FloatArray | None = None
         self.remark = ""
 
@@ -94,9 +94,9 @@ class GuardedRslab:
 
     def _matrix(self, lower: FloatArray) -> csc_array:
         """The whole symmetric matrix."""
-        size, pattern = self._pattern.size, self._pattern
-        half = csc_array((lower, pattern.indices, pattern.indptr), shape=(size, size))
-        diagonal = lower[pattern.indptr[:-1]]
+        size, sparsity = self._sparsity.size, self._sparsity
+        half = csc_array((lower, sparsity.indices, sparsity.indptr), shape=(size, size))
+        diagonal = lower[sparsity.indptr[:-1]]
         places = np.arange(size + 1)
         return csc_array(half + half.T - csc_array((diagonal, places[:-1], places), half.shape))
 

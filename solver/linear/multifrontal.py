@@ -20,7 +20,7 @@ from scipy.linalg.blas import dsyrk, dtrsm, dtrsv
 from scipy.linalg.lapack import dpotrf
 
 from solver.errors import SingularSystemError
-from solver.linear.pattern import Pattern
+from solver.linear.sparsity import Sparsity
 from solver.linear.threads import one_thread
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
@@ -73,16 +73,16 @@ class _Front:
 
 
 class Multifrontal:
-    """Factors matrices of one pattern that was numbered by nested dissection.
+    """Factors matrices of one sparsity that was numbered by nested dissection.
 
     Args:
-        pattern: of the lower triangle, with its parts.
+        sparsity: of the lower triangle, with its parts.
     """
 
     remark = ""
 
-    def __init__(self, pattern: Pattern) -> None:
-        self._fronts = list(_fronts(pattern))
+    def __init__(self, sparsity: Sparsity) -> None:
+        self._fronts = list(_fronts(sparsity))
 
     def factor(self, lower: FloatArray) -> Callable[[FloatArray], FloatArray]:
         """Factor the lower triangle (nnz,); return the function that solves for right sides (n,).
@@ -149,21 +149,21 @@ def _update(front: _Front, below: FloatArray, updates: dict[int, FloatArray]) ->
     return border
 
 
-def _fronts(pattern: Pattern) -> Iterator[_Front]:
+def _fronts(sparsity: Sparsity) -> Iterator[_Front]:
     """Find the fronts, in the order of elimination."""
     borders: list[IntArray] = []
-    below: list[list[int]] = [[] for _ in pattern.parts[1:]]
-    for number, (begin, end) in enumerate(itertools.pairwise(pattern.parts.tolist())):
-        entries = slice(int(pattern.indptr[begin]), int(pattern.indptr[end]))
-        rows = pattern.indices[entries]
+    below: list[list[int]] = [[] for _ in sparsity.parts[1:]]
+    for number, (begin, end) in enumerate(itertools.pairwise(sparsity.parts.tolist())):
+        entries = slice(int(sparsity.indptr[begin]), int(sparsity.indptr[end]))
+        rows = sparsity.indices[entries]
         touched = np.concatenate([rows, *(borders[child] for child in below[number])])
         border = np.unique(touched[touched >= end])
-        column = np.repeat(np.arange(end - begin), np.diff(pattern.indptr[begin : end + 1]))
+        column = np.repeat(np.arange(end - begin), np.diff(sparsity.indptr[begin : end + 1]))
         children = [_child(k, borders[k], begin, end, border) for k in below[number]]
         borders.append(border)
         if len(border):
             # The elimination tree: all of the border meets in the part where it begins.
-            parent = np.searchsorted(pattern.parts, border[0], side="right") - 1
+            parent = np.searchsorted(sparsity.parts, border[0], side="right") - 1
             below[parent].append(number)
         places = _places(rows, column, begin, end, border)
         yield _Front(number, begin, end, border, entries, places, children)

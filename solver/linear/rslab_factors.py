@@ -12,7 +12,7 @@ from solver.mesh.quadmesh import FloatArray
 
 
 class RslabFactors:
-    """LDL^T factors of matrices of one pattern, analysed once; one matrix at a time.
+    """LDL^T factors of matrices of one sparsity, analysed once; one matrix at a time.
 
     Args:
         indptr: (n + 1,) start of each column of the lower triangle.

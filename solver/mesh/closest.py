@@ -219,21 +219,21 @@ class _BoxTree:
         waiting = [np.arange(k, min(k + block, len(points))) for k in range(0, len(points), block)]
         while waiting:
             chosen = waiting.pop()
-            index, node = chosen, np.zeros(len(chosen), dtype=np.int64)
+            index, box = chosen, np.zeros(len(chosen), dtype=np.int64)
             for level, (lower, upper) in enumerate(zip(self._lower, self._upper, strict=True)):
                 if level:
                     index = np.repeat(index, 2)
-                    node = np.repeat(2 * node, 2)
-                    node[1::2] += 1
+                    box = np.repeat(2 * box, 2)
+                    box[1::2] += 1
                 here = points[index]
-                gap = np.maximum(np.maximum(lower[node] - here, here - upper[node]), 0.0)
+                gap = np.maximum(np.maximum(lower[box] - here, here - upper[box]), 0.0)
                 near = np.einsum("ij,ij->i", gap, gap) <= reach[index]
-                index, node = index[near], node[near]
+                index, box = index[near], box[near]
                 if len(index) > _PAIRS and len(chosen) > 1:
                     waiting += np.array_split(chosen, 2)
                     break
             else:
-                yield index, self._order[node]
+                yield index, self._order[box]
 
 
 def _halve(groups: IntArray, middles: FloatArray) -> IntArray:

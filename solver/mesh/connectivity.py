@@ -228,10 +228,10 @@ class Connectivity:
         return np.unique(lines, axis=0)
 
     @cached_property
-    def double_patches(self) -> IntArray:
+    def face_pairs(self) -> IntArray:
         """(P, 4) outer corners a, c, b, d of each pair of neighbouring faces.
 
-        ``a - c`` and ``b - d`` are the diagonals of the one-by-two patch.
+        ``a - c`` and ``b - d`` are the diagonals of the one-by-two rectangle.
         """
         half = np.flatnonzero((self.twins >= 0) & (self.twins > np.arange(4 * len(self.faces))))
         twin = self.twins[half]
@@ -241,11 +241,11 @@ class Connectivity:
         f = self._half_edges[_next(_next(twin)), 1]
         return np.stack([a, f, d, e], axis=1)
 
-    def patches(self, rows: int, columns: int) -> IntArray:
-        """(P, 4) corners, in cyclic order, of all patches of ``rows`` x ``columns`` faces.
+    def rectangles(self, rows: int, columns: int) -> IntArray:
+        """(P, 4) corners, in cyclic order, of all rectangles of ``rows`` x ``columns`` faces.
 
         Walks along parameter lines and keeps the walks that come back to where they began. Each
-        patch is found from two corners, a square one from four; one of them is kept.
+        rectangle is found from two corners, a square one from four; one of them is kept.
         """
         half = np.arange(4 * len(self.faces))
         begin, corners = half, []
@@ -259,7 +259,7 @@ class Connectivity:
         return np.asarray(found[found[:, 0] < rival.min(axis=1)])
 
     def _turned(self, half: IntArray) -> IntArray:
-        """Half-edge that turns left, inside the patch, at the end of each half-edge."""
+        """Half-edge that turns left, inside the rectangle, at the end of each half-edge."""
         return np.where(half >= 0, _next(half), -1)
 
     @cached_property

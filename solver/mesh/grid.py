@@ -110,7 +110,7 @@ def grid_of(mesh: QuadMesh) -> Grid:
 def _not_a_grid() -> InputError:
     return InputError(
         "mesh: expected grid type (rows and columns only), got irregular vertices, holes or "
-        "several components; cut it into patches of grid type first"
+        "several components; cut it into pieces of grid type first"
     )
 
 

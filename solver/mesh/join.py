@@ -1,4 +1,4 @@
-"""Patches joined along seams whose vertices nearly meet."""
+"""Meshes joined along seams whose vertices nearly meet."""
 
 from __future__ import annotations
 
@@ -12,34 +12,34 @@ from solver.mesh.intake import quad_mesh
 from solver.mesh.merge import merged
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
-# Vertices of two patches are one where they are mutually nearest within this part of an edge.
+# Vertices of two meshes are one where they are mutually nearest within this part of an edge.
 _REACH = 0.35
 
 
-def joined(patches: Sequence[QuadMesh], sizes: Sequence[float]) -> tuple[QuadMesh, int]:
-    """One mesh of patches whose border vertices nearly meet, orientation made consistent.
+def joined(meshes: Sequence[QuadMesh], sizes: Sequence[float]) -> tuple[QuadMesh, int]:
+    """One mesh of several whose border vertices nearly meet, orientation made consistent.
 
-    Border vertices of different patches become one where each is the other's nearest within a third
-    of the shorter border edge there; it lies where the earlier patch has it.
+    Border vertices of different meshes become one where each is the other's nearest within a third
+    of the shorter border edge there; it lies where the earlier one has it.
 
     Args:
-        patches: at least two meshes.
-        sizes: of the patches, in the model's unit; vertices that meet at the thousandth of it
+        meshes: at least two meshes.
+        sizes: of the meshes, in the model's unit; vertices that meet at the thousandth of it
             always become one.
 
     Returns:
-        The mesh, and how many border vertices lie near another patch without being joined.
+        The mesh, and how many border vertices lie near another mesh without being joined.
 
     Raises:
         InputError: a face that collapses, or edges with more than two faces.
     """
-    offsets = np.cumsum([0] + [len(patch.vertices) for patch in patches])
-    points = np.concatenate([patch.vertices for patch in patches])
-    borders = [np.flatnonzero(patch.connectivity.boundary_vertices) for patch in patches]
-    reach = np.concatenate([_shortest_border_edges(patch) for patch in patches])
+    offsets = np.cumsum([0] + [len(one.vertices) for one in meshes])
+    points = np.concatenate([one.vertices for one in meshes])
+    borders = [np.flatnonzero(one.connectivity.boundary_vertices) for one in meshes]
+    reach = np.concatenate([_shortest_border_edges(one) for one in meshes])
     pairs, near = [], np.zeros(len(points), dtype=bool)
-    for a in range(len(patches)):
-        for b in range(a + 1, len(patches)):
+    for a in range(len(meshes)):
+        for b in range(a + 1, len(meshes)):
             one, two = borders[a] + offsets[a], borders[b] + offsets[b]
             if not (len(one) and len(two)):
                 continue
@@ -48,7 +48,7 @@ def joined(patches: Sequence[QuadMesh], sizes: Sequence[float]) -> tuple[QuadMes
             near |= _beside(points, one, two, reach)
     links = np.concatenate(pairs) if pairs else np.zeros((0, 2), dtype=np.int64)
     kept, number = merged(links, len(points))
-    faces = np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=False)])
+    faces = np.concatenate([p.faces + o for p, o in zip(meshes, offsets, strict=False)])
     mesh = quad_mesh(points[kept], number[faces].tolist())[0]
     met = np.zeros(len(points), dtype=bool)
     met[links.ravel()] = True

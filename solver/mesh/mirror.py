@@ -77,32 +77,32 @@ def reflection(mesh: QuadMesh, normal: ArrayLike, point: ArrayLike = (0, 0, 0)) 
     return QuadMesh.from_arrays(image, mesh.faces[:, [1, 0, 3, 2]])
 
 
-def welded(patches: Sequence[QuadMesh], tolerance: float = MEETING) -> QuadMesh:
-    """One mesh of several patches, vertices at the same place merged, orientation made consistent.
+def welded(meshes: Sequence[QuadMesh], tolerance: float = MEETING) -> QuadMesh:
+    """One mesh of several, vertices at the same place merged, orientation made consistent.
 
-    Vertices keep the order in which the patches are given; a merged vertex stays at the place and
+    Vertices keep the order in which the meshes are given; a merged vertex stays at the place and
     number of its first copy. Where other than four faces meet there is an irregular vertex. No
     vertex is merged with one as far away as half the shortest edge at either.
 
     Args:
-        patches: at least one mesh, which may be joined with itself.
+        meshes: at least one mesh, which may be joined with itself.
         tolerance: merge distance as a part of the size of the whole.
 
     Raises:
-        InputError: no patch, or edges with more than two faces.
+        InputError: no mesh, or edges with more than two faces.
     """
-    if not patches:
-        raise InputError("weld: expected at least one patch, got none")
-    vertices = np.concatenate([patch.vertices for patch in patches])
-    offsets = np.cumsum([0] + [len(patch.vertices) for patch in patches[:-1]])
-    faces = np.concatenate([p.faces + o for p, o in zip(patches, offsets, strict=True)])
+    if not meshes:
+        raise InputError("weld: expected at least one mesh, got none")
+    vertices = np.concatenate([one.vertices for one in meshes])
+    offsets = np.cumsum([0] + [len(one.vertices) for one in meshes[:-1]])
+    faces = np.concatenate([p.faces + o for p, o in zip(meshes, offsets, strict=True)])
     kept, number = merged(meeting(vertices, faces, tolerance), len(vertices))
     return quad_mesh(vertices[kept], number[faces].tolist())[0]
 
 
-def weld_remarks(patches: Sequence[QuadMesh], whole: QuadMesh) -> list[str]:
-    """What is to be said about a mesh made of patches by :func:`welded`, in plain words."""
-    count = sum(len(patch.vertices) for patch in patches) - len(whole.vertices)
+def weld_remarks(meshes: Sequence[QuadMesh], whole: QuadMesh) -> list[str]:
+    """What is to be said about a mesh made of several by :func:`welded`, in plain words."""
+    count = sum(len(one.vertices) for one in meshes) - len(whole.vertices)
     parts = int(whole.connectivity.components.max()) + 1
     said = [f"{count} vertices merged" if count != 1 else "1 vertex merged"]
     said += [f"{parts} separate components"] if parts > 1 else []

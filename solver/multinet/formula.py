@@ -62,38 +62,38 @@ def formula(text: str, names: tuple[str, ...]) -> Callable[..., FloatArray]:
     return value
 
 
-def _check(node: ast.expr, text: str, names: tuple[str, ...]) -> None:
-    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
-        _check(node.left, text, names)
-        _check(node.right, text, names)
-    elif isinstance(node, ast.UnaryOp) and type(node.op) in _OPERATORS:
-        _check(node.operand, text, names)
-    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
-        if node.func.id not in _FUNCTIONS or node.keywords:
-            raise _unknown(node.func.id, text, names)
-        _check(node.args[0], text, names)
-    elif isinstance(node, ast.Name):
-        if node.id not in (*names, "pi"):
-            raise _unknown(node.id, text, names)
-    elif not (isinstance(node, ast.Constant) and type(node.value) in (int, float)):
-        raise _unknown(ast.unparse(node)[:20], text, names)
+def _check(part: ast.expr, text: str, names: tuple[str, ...]) -> None:
+    if isinstance(part, ast.BinOp) and type(part.op) in _OPERATORS:
+        _check(part.left, text, names)
+        _check(part.right, text, names)
+    elif isinstance(part, ast.UnaryOp) and type(part.op) in _OPERATORS:
+        _check(part.operand, text, names)
+    elif isinstance(part, ast.Call) and isinstance(part.func, ast.Name) and len(part.args) == 1:
+        if part.func.id not in _FUNCTIONS or part.keywords:
+            raise _unknown(part.func.id, text, names)
+        _check(part.args[0], text, names)
+    elif isinstance(part, ast.Name):
+        if part.id not in (*names, "pi"):
+            raise _unknown(part.id, text, names)
+    elif not (isinstance(part, ast.Constant) and type(part.value) in (int, float)):
+        raise _unknown(ast.unparse(part)[:20], text, names)
 
 
-def _unknown(part: str, text: str, names: tuple[str, ...]) -> InputError:
+def _unknown(word: str, text: str, names: tuple[str, ...]) -> InputError:
     return InputError(
-        f"formula: '{part}' in '{text[:40]}' is not allowed; use {', '.join(names)}, pi, "
+        f"formula: '{word}' in '{text[:40]}' is not allowed; use {', '.join(names)}, pi, "
         f"+ - * / ** and {', '.join(_FUNCTIONS)}"
     )
 
 
-def _value(node: ast.expr, given: Mapping[str, FloatArray | float]) -> FloatArray | float:
-    if isinstance(node, ast.BinOp):
-        return _OPERATORS[type(node.op)](_value(node.left, given), _value(node.right, given))
-    if isinstance(node, ast.UnaryOp):
-        return _OPERATORS[type(node.op)](_value(node.operand, given))
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-        return _FUNCTIONS[node.func.id](np.asarray(_value(node.args[0], given)))
-    if isinstance(node, ast.Name):
-        return given[node.id]
-    assert isinstance(node, ast.Constant)
-    return np.asarray(node.value, dtype=np.float64)
+def _value(part: ast.expr, given: Mapping[str, FloatArray | float]) -> FloatArray | float:
+    if isinstance(part, ast.BinOp):
+        return _OPERATORS[type(part.op)](_value(part.left, given), _value(part.right, given))
+    if isinstance(part, ast.UnaryOp):
+        return _OPERATORS[type(part.op)](_value(part.operand, given))
+    if isinstance(part, ast.Call) and isinstance(part.func, ast.Name):
+        return _FUNCTIONS[part.func.id](np.asarray(_value(part.args[0], given)))
+    if isinstance(part, ast.Name):
+        return given[part.id]
+    assert isinstance(part, ast.Constant)
+    return np.asarray(part.value, dtype=np.float64)

@@ -1,4 +1,4 @@
-"""One file a net or a small family: recipe, options, measures, words; the table has them all."""
+"""One file a net or a few of a kind: recipe, options, measures, words; the table has them all."""
 
 from solver.nets.net import Easier, Measure, Net, Way
 from solver.nets.table import NETS, all_measures, net_named, nets_with, register, unregister

@@ -13,7 +13,7 @@ from solver.nets.net import Easier, Net, Way
 from solver.nets.options import NetOptions
 from solver.nets.orthogonal import require_right_angles
 from solver.problem import Problem
-from solver.statics import Loads, refuse_mechanisms, start_densities, unbalanced
+from solver.statics import VerticalLoads, refuse_mechanisms, start_densities, unbalanced
 from solver.terms.equilibrium import Equilibrium
 
 # Supports that lie nearer to one line, in mean edges, do not hold a net.
@@ -87,9 +87,9 @@ def _refuse_one_line(problem: Problem) -> None:
             )
 
 
-def _loads(problem: Problem, options: NetOptions, free: IntArray) -> Loads:
+def _loads(problem: Problem, options: NetOptions, free: IntArray) -> VerticalLoads:
     """Loads as asked, scaled so that their mean over the free vertices is one at the start."""
-    raw = Loads(
+    raw = VerticalLoads(
         problem.mesh.connectivity,
         per_vertex=options.load,
         per_area=options.load_area * problem.scale**2,

@@ -9,7 +9,7 @@ import numpy as np
 
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.statics import Loads
+from solver.statics import VerticalLoads
 from solver.terms.base import Linearisation, Size, coordinates_of, points_of
 
 
@@ -36,7 +36,7 @@ class Equilibrium:
     centres: IntArray
     neighbours: IntArray
     densities: IntArray
-    loads: Loads
+    loads: VerticalLoads
     sign: int = 0
     load: FloatArray | None = None
     name: str = "equilibrium"

@@ -11,7 +11,7 @@ from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho.fabrication import Beams, FlatPattern, Hole, Panels, Workshop, build, write
 from freecad_ortho.fabrication.clash import check_clashes
-from freecad_ortho.fabrication.families import families
+from freecad_ortho.fabrication.groups import groups_of
 from freecad_ortho.fabrication.kerf import compensated
 from freecad_ortho.fabrication.nodes import nodes
 from freecad_ortho.fabrication.part import measure_words
@@ -54,7 +54,7 @@ def test_nodes_of_a_plane_grid(plane):
         assert list(node.parts) == expected
     inside = next(node for node in found if node.vertex == 5)
     assert inside.neighbours == (1, 4, 9, 6)
-    assert families(structure.parts, found).report()["nodes"]["different"] == 3
+    assert groups_of(structure.parts, found).report()["nodes"]["different"] == 3
 
 
 def test_angles_of_nodes_are_those_between_the_edges(roof):
@@ -71,7 +71,7 @@ def test_angles_of_nodes_are_those_between_the_edges(roof):
 
 def test_families_of_a_plane_grid(plane):
     structure = build(plane, [Beams(200, 12), Panels(20, 15)])
-    equal = families(structure.parts, nodes(structure.site, structure.parts))
+    equal = groups_of(structure.parts, nodes(structure.site, structure.parts))
     assert [len(group) for group in equal.lengths["beam"]] == [31]
     assert [len(group) for group in equal.shapes["panel"]] == [12]
     # Beams inside, and those of the rim that are mitred on their left or on their right alone.
@@ -82,7 +82,7 @@ def test_families_of_a_plane_grid(plane):
 def test_no_member_of_a_family_is_beyond_the_tolerance(roof):
     structure = build(roof, [Beams(200, 12), Panels(20, 15)])
     parts = {part.name: part for part in structure.parts}
-    equal = families(structure.parts, nodes(structure.site, structure.parts))
+    equal = groups_of(structure.parts, nodes(structure.site, structure.parts))
     for groups in equal.lengths.values():
         assert sorted(name for group in groups for name in group) == sorted(
             name for name in parts if name[0] == groups[0][0][0]

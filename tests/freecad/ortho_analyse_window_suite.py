@@ -12,7 +12,7 @@ from PySide import QtGui
 
 from freecad_ortho import api, convert
 from freecad_ortho.commands import dialogs
-from freecad_ortho.objects import guides
+from freecad_ortho.objects import constraints
 from freecad_ortho.panels import check_panel, display_panel
 from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import reason_words
@@ -146,7 +146,7 @@ class TestReference(AnalyseCase):
         self.document.recompute()
         net = api.net_from_faces([(cylinder, "Face1")])
         api.show_net(net, "Gap to reference")
-        reference = guides.reference_surface(net, convert.quad_mesh(net))
+        reference = constraints.reference_surface(net, convert.quad_mesh(net))
         values = field(convert.quad_mesh(net), "Gap to reference", reference).values
         self.assertLess(values.max(), 1.0)
         moved = [FreeCAD.Vector(p.x * 1.1, p.y * 1.1, p.z) for p in net.Vertices]

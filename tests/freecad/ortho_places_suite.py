@@ -13,7 +13,7 @@ from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api, convert
 from freecad_ortho.fabrication.step import read_step
-from freecad_ortho.objects import cad_faces, guides, places
+from freecad_ortho.objects import cad_faces, constraints, places
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
 
@@ -343,7 +343,7 @@ class TestInParts(PlaceCase):
         rim = convert.quad_mesh(self.net).connectivity.boundary_loops[0]
         wire = Part.makePolygon([FreeCAD.Vector(*points[k]) for k in rim[:2]])
         edge = self.shape(wire, "Guide")
-        (glide,) = guides.glides([(edge, "Edge1")], convert.quad_mesh(self.net), self.net)
+        (glide,) = constraints.glides([(edge, "Edge1")], convert.quad_mesh(self.net), self.net)
         self.assertTrue(set(rim[:2].tolist()) <= set(glide.vertices.tolist()))
         np.testing.assert_allclose(
             np.sort(glide.points[[0, -1]], axis=0),
@@ -351,7 +351,7 @@ class TestInParts(PlaceCase):
             atol=1e-6,
         )
         other = self.imported(name="other", **SMALL)
-        points, _ = guides.close_to([(other, "")], convert.quad_mesh(self.net), self.net)
+        points, _ = constraints.close_to([(other, "")], convert.quad_mesh(self.net), self.net)
         seen = placed(points, self.outer.Placement, self.inner.Placement)
         np.testing.assert_allclose(
             np.sort(seen, axis=0), np.sort(tools.vertices(other), axis=0), atol=1e-6

@@ -49,7 +49,7 @@ def dense(system, linearisations, free, weights=WEIGHTS):
         for unknowns, r, j in zip(term.unknowns, residual, jacobian, strict=True):
             matrix[np.ix_(unknowns, unknowns)] += weight * j.T @ j
             gradient[unknowns] += weight * j.T @ r
-    order = system.pattern.unknowns
+    order = system.sparsity.unknowns
     assert sorted(order) == np.flatnonzero(free).tolist()
     return matrix[np.ix_(order, order)], gradient[order]
 
@@ -65,7 +65,7 @@ def test_matrix_and_gradient_equal_the_dense_sums(system):
     equations, linearisations, free = system
     matrix, gradient = dense(equations, linearisations, free)
     assert np.allclose(
-        unpacked(equations.pattern, equations.matrix(linearisations, WEIGHTS)),
+        unpacked(equations.sparsity, equations.matrix(linearisations, WEIGHTS)),
         matrix,
         rtol=0,
         atol=1e-12,
@@ -79,7 +79,7 @@ def test_a_weight_of_zero_leaves_a_term_out(system):
     weights = np.array([1.0, 0.0, 0.0, 0.0])
     matrix, gradient = dense(equations, linearisations, free, weights)
     data = equations.matrix(broken, weights)
-    assert np.allclose(unpacked(equations.pattern, data), matrix, rtol=0, atol=1e-12)
+    assert np.allclose(unpacked(equations.sparsity, data), matrix, rtol=0, atol=1e-12)
     assert np.allclose(equations.gradient(broken, weights), gradient, rtol=0, atol=1e-12)
 
 
@@ -94,8 +94,8 @@ def test_solvers_solve(system, backend):
     equations, linearisations, free = system
     matrix, gradient = dense(equations, linearisations, free)
     data = equations.matrix(linearisations, WEIGHTS)
-    data[equations.pattern.indptr[:-1]] += 0.5
-    solver = symmetric_solver(equations.pattern, backend)
+    data[equations.sparsity.indptr[:-1]] += 0.5
+    solver = symmetric_solver(equations.sparsity, backend)
     for right in (gradient, 2 * gradient + 1):
         solution = solver.factor(data)(right)
         wanted = np.linalg.solve(matrix + 0.5 * np.eye(len(matrix)), right)
@@ -104,4 +104,4 @@ def test_solvers_solve(system, backend):
 
 def test_unknown_solver_is_refused(system):
     with pytest.raises(InputError, match="expected one of scipy, rslab"):
-        symmetric_solver(system[0].pattern, "magic")
+        symmetric_solver(system[0].sparsity, "magic")

@@ -42,7 +42,7 @@ class Valley:
 def stepped(goal: float, bend: bool):
     terms, x = [Valley(goal)], np.zeros(3)
     system = NormalEquations(terms, np.ones(3, dtype=bool), np.zeros((1, 3)))
-    stepper = Stepper(symmetric_solver(system.pattern, "scipy"), Tuning())
+    stepper = Stepper(symmetric_solver(system.sparsity, "scipy"), Tuning())
     return stepper.step(Point.at(system, terms, x), DAMPING, bend=bend).point
 
 

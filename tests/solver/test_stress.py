@@ -10,7 +10,7 @@ import pytest
 
 from solver import InputError, NetOptions, QuadMesh, optimise, start_optimisation
 from solver.analysis import measures
-from solver.statics import Loads, start_densities, unbalanced
+from solver.statics import VerticalLoads, start_densities, unbalanced
 from tests.conftest import grid_faces, shared_mesh
 from tests.meshes import hanging_net, right_angles
 
@@ -33,7 +33,7 @@ def test_orthogonal_and_balanced_to_machine_precision(name, loading):
     assert (mesh.vertices[rim] == start.vertices[rim]).all()
     # Judged in model units and real forces, apart from the solver's own scaling.
     settings = {"per_vertex": 2.5} if loading == "load" else {"per_area": 2.5}
-    load = Loads(mesh.connectivity, **settings).at(mesh.vertices.ravel())
+    load = VerticalLoads(mesh.connectivity, **settings).at(mesh.vertices.ravel())
     densities = np.array(report.details["force_densities"])
     assert force_left(mesh, densities, load, np.flatnonzero(~rim)) <= 1e-10
 

@@ -20,7 +20,7 @@ _ROWS, _PICTURES = 60, 24
 
 def groups_of_parts(production: Production) -> str:
     """Parts of one kind, material and thickness: how many, how many different, how long, heavy."""
-    equal_to = production.families.equal_to
+    equal_to = production.groups.equal_to
     failed = {part.name for part in _failing(production)}
     groups: dict[tuple[str, str, float], list[Part]] = {}
     for part in production.structure.parts:
@@ -45,7 +45,7 @@ def groups_of_parts(production: Production) -> str:
 
 def equal_parts(production: Production) -> str:
     """How many different ones there are, and the largest groups of equal ones."""
-    report = production.families.report()
+    report = production.groups.report()
     rows = []
     for what in ("lengths", "shapes"):
         for kind, entry in report[what].items():

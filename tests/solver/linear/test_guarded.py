@@ -11,7 +11,7 @@ from solver import optimise
 from solver.errors import SingularSystemError
 from solver.linear import threads
 from solver.linear.backends import symmetric_solver
-from solver.linear.pattern import Pattern
+from solver.linear.sparsity import Sparsity
 
 # Stands for the library: solves densely, and does what it is told first.
 STAND_IN = """
@@ -43,7 +43,9 @@ def analyze(matrix, path):
     return Symbolic(matrix)
 """
 # Lower triangle of a matrix of three unknowns, by column: 4 1 0 | 5 2 | 6.
-PATTERN = Pattern(np.array([0, 2, 4, 5]), np.array([0, 1, 1, 2, 2]), np.arange(3), np.array([0, 3]))
+SPARSITY = Sparsity(
+    np.array([0, 2, 4, 5]), np.array([0, 1, 1, 2, 2]), np.arange(3), np.array([0, 3])
+)
 LOWER = np.array([4.0, 1.0, 5.0, 2.0, 6.0])
 FULL = np.array([[4.0, 1.0, 0.0], [1.0, 5.0, 2.0], [0.0, 2.0, 6.0]])
 
@@ -73,7 +75,7 @@ def rslab(tmp_path, monkeypatch):
 )
 def test_whatever_the_library_does_the_system_is_solved(rslab, monkeypatch, capfd, act, words):
     rslab(act)
-    solver = symmetric_solver(PATTERN, "rslab")
+    solver = symmetric_solver(SPARSITY, "rslab")
     solve = solver.factor(LOWER)
     if "sleep" in act:
         monkeypatch.setattr(solver, "_limit", 1.0)
@@ -87,7 +89,7 @@ def test_whatever_the_library_does_the_system_is_solved(rslab, monkeypatch, capf
 
 def test_an_older_factorisation_still_solves_its_own_matrix(rslab):
     rslab("pass")
-    solver = symmetric_solver(PATTERN, "rslab")
+    solver = symmetric_solver(SPARSITY, "rslab")
     older, newer = solver.factor(LOWER), solver.factor(3 * LOWER)
     for solve, factor in ((newer, 3), (older, 1), (newer, 3)):
         assert solve(np.ones(3)) == pytest.approx(np.linalg.solve(factor * FULL, [1] * 3))
@@ -96,7 +98,7 @@ def test_an_older_factorisation_still_solves_its_own_matrix(rslab):
 @pytest.mark.parametrize("act", ["pass", "raise Panic('no')"])
 def test_a_singular_matrix_asks_for_more_damping(act, rslab):
     pytest.importorskip("rslab", reason="rslab is not installed")
-    solver = symmetric_solver(PATTERN, "rslab")
+    solver = symmetric_solver(SPARSITY, "rslab")
     if act != "pass":
         rslab(act)
         solver.factor(LOWER)(np.ones(3))

@@ -13,7 +13,7 @@ from scipy.sparse.linalg import splu
 
 from solver.errors import SingularSystemError
 from solver.linear.multifrontal import Multifrontal
-from solver.linear.pattern import Layout
+from solver.linear.sparsity import Numbering
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.subdivide import subdivided
 from solver.terms.base import coordinates_of
@@ -23,7 +23,7 @@ from tests.conftest import wavy_grid
 def layout_of(stencils, points, free=None, scalars=0):
     if free is None:
         free = np.ones(3 * len(points) + scalars, dtype=bool)
-    return Layout(stencils, free, points, reorder=True).pattern
+    return Numbering(stencils, free, points, reorder=True).sparsity
 
 
 def random_matrix(pattern, seed=0):

@@ -36,7 +36,7 @@ def test_grid_counts():
     assert set(np.flatnonzero(net.corners)) == {0, columns - 1, (rows - 1) * columns, 34}
     # Every parameter line of n vertices has n - 2 triples; boundary lines count too.
     assert len(net.line_triples) == rows * (columns - 2) + columns * (rows - 2)
-    assert len(net.double_patches) == (~net.boundary_edges).sum()
+    assert len(net.face_pairs) == (~net.boundary_edges).sum()
     assert len(net.stars) == (rows - 2) * (columns - 2)
     assert net.components.max() == 0
 
@@ -59,18 +59,18 @@ def test_triples_are_collinear_on_a_grid():
     assert (left + right == 2 * centre).all()
 
 
-def test_double_patches_are_one_by_two_rectangles():
+def test_face_pairs_are_one_by_two_rectangles():
     columns = 6
     net = Connectivity(grid_faces(5, columns), 30)
-    a, c, b, d = (np.stack(np.divmod(net.double_patches[:, k], columns)) for k in range(4))
+    a, c, b, d = (np.stack(np.divmod(net.face_pairs[:, k], columns)) for k in range(4))
     assert (a + c == b + d).all()
     assert (np.sort(np.abs(a - c), axis=0) == [[1], [2]]).all()
 
 
 @pytest.mark.parametrize(("rows", "columns"), [(1, 1), (2, 2), (3, 3), (1, 3), (2, 4)])
-def test_patches_are_all_rectangles_of_their_size(rows, columns):
+def test_rectangles_are_all_rectangles_of_their_size(rows, columns):
     net = Connectivity(grid_faces(6, 8), 48)
-    found = net.patches(rows, columns)
+    found = net.rectangles(rows, columns)
     ways = {(rows, columns), (columns, rows)}
     assert len(found) == sum(max(0, 5 - a + 1) * max(0, 7 - b + 1) for a, b in ways)
     place = np.stack(np.divmod(found, 8), axis=2)
@@ -114,7 +114,7 @@ def test_no_line_passes_an_irregular_vertex(valence):
     assert not net.boundary_vertices[0]
     assert not net.regular[0]
     assert 0 not in net.line_triples[:, 1]
-    assert len(net.double_patches) == valence
+    assert len(net.face_pairs) == valence
 
 
 def test_closed_torus_has_no_boundary():

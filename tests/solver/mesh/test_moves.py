@@ -28,22 +28,22 @@ def test_mirror_merges_exactly_the_seam():
     np.testing.assert_allclose(twice.vertices, wavy_grid(4, 4).vertices, atol=1e-14)
 
 
-def test_patches_weld_into_a_net_with_an_irregular_vertex():
+def test_meshes_weld_into_a_net_with_an_irregular_vertex():
     whole = star_of(5, 3)
     rng = np.random.default_rng(0)
-    patches = []
+    meshes = []
     for k in range(5):
         faces = whole.faces[16 * k : 16 * k + 16]
         kept, numbers = np.unique(faces, return_inverse=True)
         noise = 1e-12 * rng.normal(size=(len(kept), 3))
-        patches.append(QuadMesh.from_arrays(whole.vertices[kept] + noise, numbers.reshape(-1, 4)))
-    patches[2] = reversed_orientation(patches[2])
-    joined = welded(patches)
+        meshes.append(QuadMesh.from_arrays(whole.vertices[kept] + noise, numbers.reshape(-1, 4)))
+    meshes[2] = reversed_orientation(meshes[2])
+    joined = welded(meshes)
     assert len(joined.vertices) == len(whole.vertices)
     assert face_set(joined) == face_set(whole)
     irregular = ~joined.connectivity.regular & ~joined.connectivity.boundary_vertices
     assert joined.connectivity.edge_valence[irregular].tolist() == [5]
-    assert len(welded(patches, tolerance=1e-15).vertices) == 5 * 25
+    assert len(welded(meshes, tolerance=1e-15).vertices) == 5 * 25
     assert face_set(welded([whole] * 3)) == face_set(whole)
 
 
@@ -112,10 +112,10 @@ def test_moebius_keeps_place_orientation_and_principal_order():
         image = moebius(mesh, (0.5, 6.0, 1.0))
         errors.append(measures.planarity(image).max())
     assert np.diff(np.log2(errors)).max() < -1.8
-    patch = wavy_grid(9, 8)
-    near = moebius(patch, patch.vertices.mean(axis=0) + [0, 0, 500.0])
-    assert np.abs(near.vertices - patch.vertices).max() < 0.3
-    assert (np.einsum("ij,ij->i", near.vertex_normals, patch.vertex_normals) > 0.99).all()
+    one = wavy_grid(9, 8)
+    near = moebius(one, one.vertices.mean(axis=0) + [0, 0, 500.0])
+    assert np.abs(near.vertices - one.vertices).max() < 0.3
+    assert (np.einsum("ij,ij->i", near.vertex_normals, one.vertex_normals) > 0.99).all()
 
 
 @pytest.mark.parametrize(
@@ -124,7 +124,7 @@ def test_moebius_keeps_place_orientation_and_principal_order():
         (lambda: mirrored(wavy_grid(4, 4), (1, 0, 0), (1.5, 0, 0)), "across the plane"),
         (lambda: mirrored(wavy_grid(4, 4), (0, 0, 0)), "normal"),
         (lambda: mirrored(primitive("rectangle", 4, 4), (0, 0, 1)), "across the plane"),
-        (lambda: welded([]), "at least one patch"),
+        (lambda: welded([]), "at least one mesh"),
         (lambda: similarity(wavy_grid(3, 3), scale=-1), "mirror to reflect"),
         (lambda: similarity(wavy_grid(3, 3), move=(1, 2)), "three finite numbers"),
         (lambda: inverted(wavy_grid(3, 3), wavy_grid(3, 3).vertices[4], 1), "vertex 4"),

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 import solver.terms
 from solver.mesh.closest import Polyline, TriangleSurface
-from solver.statics import Loads
+from solver.statics import VerticalLoads
 from solver.terms.base import Term
 from solver.terms.chebyshev import EqualEdges
 from solver.terms.closeness import Closeness
@@ -93,7 +93,7 @@ def two_stars(mesh: QuadMesh) -> Equilibrium:
     """Balance of the inner vertices 5 and 9, each edge around them with a force of its own."""
     stars = mesh.connectivity.stars[[0, 2]]
     densities = 3 * COUNT + np.arange(8).reshape(2, 4)
-    loads = Loads(mesh.connectivity, per_vertex=0.4)
+    loads = VerticalLoads(mesh.connectivity, per_vertex=0.4)
     return Equilibrium(stars[:, 0], stars[:, 1:], densities, loads)
 
 

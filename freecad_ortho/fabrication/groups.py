@@ -17,7 +17,7 @@ TOLERANCE_DEG = 0.1
 
 
 @dataclass(frozen=True)
-class Families:
+class Groups:
     """Names in groups; those without an equal are groups of one.
 
     Attributes:
@@ -51,7 +51,7 @@ class Families:
         }
 
 
-def families(parts: Sequence[Part], nodes: Sequence[Node]) -> Families:
+def groups_of(parts: Sequence[Part], nodes: Sequence[Node]) -> Groups:
     """Group parts and nodes, within 0.5 mm and 0.1 degrees."""
     kinds = {kind: [p for p in parts if p.kind == kind] for kind in _kinds(parts)}
     lengths, shapes = {}, {}
@@ -60,7 +60,7 @@ def families(parts: Sequence[Part], nodes: Sequence[Node]) -> Families:
         rows = np.array([[part.length] for part in some])
         lengths[kind] = _named(names, grouped(rows, TOLERANCE_MM))
         shapes[kind] = _named(names, equal_groups(some))
-    return Families(lengths, shapes, _named([node.name for node in nodes], _node_groups(nodes)))
+    return Groups(lengths, shapes, _named([node.name for node in nodes], _node_groups(nodes)))
 
 
 def _node_groups(nodes: Sequence[Node]) -> list[list[int]]:

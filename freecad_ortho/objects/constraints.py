@@ -24,7 +24,7 @@ Triangles = tuple[FloatArray, IntArray]
 _CURVE_DEVIATION, _SURFACE_DEVIATION = 1e-4, 1e-3
 # Size, in mm, of a mesh to which every curve and surface is coarse: only to see whether it is one.
 _COARSE = 1e9
-# Boundary vertices nearer than this to a guide, in mean edges, glide on it.
+# Boundary vertices nearer than this to what they may glide on, in mean edges, do so.
 _NEAR = 0.5
 # Half the side of the square that stands for an endless plane, in sizes of the mesh.
 _ENDLESS = 10.0
@@ -57,7 +57,7 @@ def store_glide(net: FreeCAD.DocumentObject, entries: Sequence[Any]) -> None:
     """Write into a net's properties what its vertices glide on.
 
     Raises:
-        InputError: an entry that is no guide.
+        InputError: an entry that nothing glides on.
     """
     rules, links, named = [], [], []
     for entry in [entries] if isinstance(entries, str) else entries:
@@ -150,7 +150,7 @@ def close_to(
 
 
 def describe(entry: Any) -> str:
-    """Words for a list of guides: the object's label and the name of its edge or face."""
+    """Words for a list: the object's label and the name of its edge or face."""
     if isinstance(entry, str):
         return entry
     feature, part, *vertices = entry
@@ -256,10 +256,10 @@ def _square(placement: FreeCAD.Placement, half: float) -> Triangles:
     return convert.array(points), np.array([[0, 1, 2], [0, 2, 3]])
 
 
-def _near(mesh: QuadMesh, guide: Polyline | TriangleSurface, part: str) -> IntArray:
-    """Boundary vertices within half a mean edge of a guide."""
+def _near(mesh: QuadMesh, rail: Polyline | TriangleSurface, part: str) -> IntArray:
+    """Boundary vertices within half a mean edge of what they glide on."""
     rim = np.flatnonzero(mesh.connectivity.boundary_vertices)
-    feet, _ = guide.closest(mesh.vertices[rim])
+    feet, _ = rail.closest(mesh.vertices[rim])
     distance = np.linalg.norm(mesh.vertices[rim] - feet, axis=1)
     chosen = rim[distance <= _NEAR * mesh.mean_edge]
     if not len(chosen):

@@ -1,4 +1,4 @@
-"""Nets sampled from parametric surfaces along their own parameter lines, one or several patches."""
+"""Nets sampled from one or several parametric surfaces along their own parameter lines."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ _FINE = 129
 _LINES = 9
 # Points a side of the triangles that stand for a surface while a net is fitted to its border.
 _STAND_IN = 49
-# Sides shorter than this part of the patch are points; ends nearer than this are the same.
+# Sides shorter than this part of the surface are points; ends nearer than this are the same.
 _POINT = 1e-6
-# Sides of neighbouring patches that differ by less than this part of their length are one.
+# Sides of neighbouring surfaces that differ by less than this part of their length are one.
 _SAME_SIDE = 1e-3
 _MOST = 2_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class SurfacePatch:
+class ParametricSurface:
     """A rectangle of parameters on a surface, or what a border leaves of it.
 
     Attributes:
@@ -38,9 +38,9 @@ class SurfacePatch:
         u: first and last u.
         v: first and last v.
         inside: (k,) u and (k,) v to (k,) flags where a border trims the rectangle, else None.
-        border: closed polylines (n, 3) along all borders of a trimmed patch.
+        border: closed polylines (n, 3) along all borders of a trimmed surface.
         name: what messages call it.
-        cut: whether the first u, last u, first v, last v are cuts through a larger patch.
+        cut: whether the first u, last u, first v, last v are cuts through a larger surface.
         foot: (k, 3) points near the surface to the nearest ones on it, where that is known exactly.
     """
 
@@ -53,8 +53,8 @@ class SurfacePatch:
     foot: Callable[[FloatArray], FloatArray] | None = None
     cut: tuple[bool, bool, bool, bool] = (False, False, False, False)
 
-    def part(self, u: tuple[float, float], v: tuple[float, float]) -> SurfacePatch:
-        """The patch between fractions 0 to 1 of its parameters.
+    def part(self, u: tuple[float, float], v: tuple[float, float]) -> ParametricSurface:
+        """The surface between fractions 0 to 1 of its parameters.
 
         Raises:
             InputError: fractions that do not rise from 0 towards 1.
@@ -80,7 +80,7 @@ class SurfacePatch:
 
 @dataclass(frozen=True, eq=False)
 class SampledNet:
-    """A net sampled from patches.
+    """A net sampled from surfaces.
 
     Attributes:
         mesh: the net.
@@ -92,18 +92,18 @@ class SampledNet:
 
 
 def sampled(
-    patches: Sequence[SurfacePatch],
+    surfaces: Sequence[ParametricSurface],
     *,
     counts: tuple[int, int] | None = None,
     edge: float | None = None,
     spacing: str = "length",
     outside: str = "snap",
 ) -> SampledNet:
-    """Sample one net from patches, joined where they meet.
+    """Sample one net from surfaces, joined where they meet.
 
     Args:
-        patches: at least one; neighbours share whole sides.
-        counts: vertices along u and v of the first patch; what shares a side takes its count over.
+        surfaces: at least one; neighbours share whole sides.
+        counts: vertices along u and v of the first; what shares a side takes its count over.
         edge: wanted edge length instead, in the model's unit.
         spacing: ``length`` for edges of even length, ``parameter`` for equal steps of u and v.
         outside: what becomes of faces that a border cuts: ``snap`` moves border vertices onto it,
@@ -112,19 +112,19 @@ def sampled(
     Raises:
         InputError: no or too small counts, a side that shrinks to a point, a net that meets itself.
     """
-    if not patches:
+    if not surfaces:
         raise InputError("faces: expected at least one, got none; select a face")
     if spacing not in ("length", "parameter"):
         raise InputError(f"spacing: expected length or parameter, got '{spacing}'")
     if outside not in ("snap", "drop"):
         raise InputError(f"outside: expected snap or drop, got '{outside}'")
-    outlines = [_Outline(patch) for patch in patches]
+    outlines = [_Outline(surface) for surface in surfaces]
     numbers = _counts(outlines, counts, edge)
-    blend = len(patches) > 1 and spacing == "length"
+    blend = len(surfaces) > 1 and spacing == "length"
     made, remarks = [], []
     for outline, count in zip(outlines, numbers, strict=True):
         mesh, words = _one(outline, count, spacing, blend, outside)
-        _refuse_crossing(mesh, outline.patch.name)
+        _refuse_crossing(mesh, outline.surface.name)
         made.append(mesh)
         remarks += words
     mesh = made[0]
@@ -139,15 +139,15 @@ def sampled(
 
 
 class _Outline:
-    """The four sides of a patch: v = first (0), u = last (1), v = last (2), u = first (3)."""
+    """The four sides of a surface: v = first (0), u = last (1), v = last (2), u = first (3)."""
 
-    def __init__(self, patch: SurfacePatch) -> None:
-        self.patch = patch
-        u, v = (np.linspace(*ends, _FINE) for ends in (patch.u, patch.v))
-        few = (np.linspace(*patch.u, _LINES), np.linspace(*patch.v, _LINES))
-        self.along = (patch.grid(u, few[1]), patch.grid(few[0], v).transpose(1, 0, 2))
+    def __init__(self, surface: ParametricSurface) -> None:
+        self.surface = surface
+        u, v = (np.linspace(*ends, _FINE) for ends in (surface.u, surface.v))
+        few = (np.linspace(*surface.u, _LINES), np.linspace(*surface.v, _LINES))
+        self.along = (surface.grid(u, few[1]), surface.grid(few[0], v).transpose(1, 0, 2))
         if not all(np.isfinite(lines).all() for lines in self.along):
-            raise InputError(f"{patch.name}: has no points at some parameters; trim it there")
+            raise InputError(f"{surface.name}: has no points at some parameters; trim it there")
         self.size = size_of(self.along[0].reshape(-1, 3))
         self.closed = tuple(
             bool(np.abs(lines[0] - lines[-1]).max() < _POINT * self.size) for lines in self.along
@@ -157,13 +157,13 @@ class _Outline:
         self._refuse_points()
 
     def _refuse_points(self) -> None:
-        for k, (name, ends) in enumerate((("v", self.patch.v), ("u", self.patch.u))):
+        for k, (name, ends) in enumerate((("v", self.surface.v), ("u", self.surface.u))):
             lengths = self.steps[k].sum(axis=0)
             for end in (0, -1):
                 if lengths[end] < _POINT * self.size:
                     raise InputError(
-                        f"{self.patch.name}: its side {name} = {ends[end]:.4g} shrinks to a point; "
-                        f"stop short of it (a smaller part of {name}, such as 0.05 to 0.95)"
+                        f"{self.surface.name}: its side {name} = {ends[end]:.4g} shrinks to a "
+                        f"point; stop short of it (a smaller part of {name}, such as 0.05 to 0.95)"
                     )
 
     def side(self, k: int) -> FloatArray:
@@ -176,7 +176,7 @@ class _Outline:
 
     def parameters(self, direction: int, count: int, spacing: str, end: int | None) -> FloatArray:
         """(count,) parameters in a direction, even in the mean or along one end's side."""
-        ends = (self.patch.u, self.patch.v)[direction]
+        ends = (self.surface.u, self.surface.v)[direction]
         whole = count + self.closed[direction]
         result = np.linspace(*ends, whole)
         if spacing == "length":
@@ -191,16 +191,16 @@ class _Outline:
 def _counts(
     outlines: list[_Outline], counts: tuple[int, int] | None, edge: float | None
 ) -> list[tuple[int, int]]:
-    """Vertices along u and v of each patch; directions joined by shared sides have one count."""
+    """Vertices along u and v of each surface; directions joined by shared sides have one count."""
     if (counts is None) == (edge is None):
         raise InputError("sampling: expected either counts or an edge length; give one")
     if edge is not None and not (np.isfinite(edge) and edge > 0):
         raise InputError(f"edge: expected a positive length, got {edge:g}")
     label = _directions(outlines)
     chosen: dict[int, int] = {}
-    for patch, outline in enumerate(outlines):
+    for surface, outline in enumerate(outlines):
         for direction in (0, 1):
-            key, closed = label[2 * patch + direction], outline.closed[direction]
+            key, closed = label[2 * surface + direction], outline.closed[direction]
             if key in chosen:
                 continue
             if counts is not None:
@@ -213,7 +213,7 @@ def _counts(
             if count < 2 + closed:
                 raise InputError(
                     f"sampling: expected at least {2 + closed} vertices along "
-                    f"{'uv'[direction]} of {outline.patch.name}, got {count}; take more"
+                    f"{'uv'[direction]} of {outline.surface.name}, got {count}; take more"
                 )
             chosen[key] = count
     result = [(chosen[label[2 * k]], chosen[label[2 * k + 1]]) for k in range(len(outlines))]
@@ -223,7 +223,7 @@ def _counts(
 
 
 def _directions(outlines: list[_Outline]) -> list[int]:
-    """A label for each patch's u and v; the same where shared sides join them."""
+    """A label for each surface's u and v; the same where shared sides join them."""
     label = list(range(2 * len(outlines)))
     sides = [[outline.side(k) for k in range(4)] for outline in outlines]
     for a in range(len(outlines)):
@@ -244,59 +244,61 @@ def _same_side(one: FloatArray, two: FloatArray) -> bool:
 def _one(
     outline: _Outline, count: tuple[int, int], spacing: str, blend: bool, outside: str
 ) -> tuple[QuadMesh, list[str]]:
-    """Net of one patch, and what there is to say about it."""
-    patch, (m, n) = outline.patch, count
+    """Net of one surface, and what there is to say about it."""
+    surface, (m, n) = outline.surface, count
     u = outline.parameters(0, m, spacing, None)[:, None] + np.zeros(n)
     v = outline.parameters(1, n, spacing, None)[None, :] + np.zeros((m, 1))
     if blend:
         # Every side evenly by its own length, so that neighbours meet vertex by vertex.
-        share_u, share_v = ((x - a) / (b - a) for x, (a, b) in ((u, patch.u), (v, patch.v)))
+        share_u, share_v = ((x - a) / (b - a) for x, (a, b) in ((u, surface.u), (v, surface.v)))
         first, last = (outline.parameters(0, m, spacing, end)[:, None] for end in (0, -1))
         left, right = (outline.parameters(1, n, spacing, end)[None, :] for end in (0, -1))
         u, v = (1 - share_v) * first + share_v * last, (1 - share_u) * left + share_u * right
-    mesh = grid_mesh(patch.points(u, v), *outline.closed)
-    if patch.inside is None:
+    mesh = grid_mesh(surface.points(u, v), *outline.closed)
+    if surface.inside is None:
         return mesh, []
     # Centres across a seam need the parameter beyond it.
-    ahead_u = np.append(u, u[:1] + patch.u[1] - patch.u[0], axis=0) if outline.closed[0] else u
+    ahead_u = np.append(u, u[:1] + surface.u[1] - surface.u[0], axis=0) if outline.closed[0] else u
     across = 0.5 * (ahead_u[1:] + ahead_u[:-1])
     ahead_v = v
     if outline.closed[1]:
-        ahead_v = np.append(v, v[:, :1] + patch.v[1] - patch.v[0], axis=1)
+        ahead_v = np.append(v, v[:, :1] + surface.v[1] - surface.v[0], axis=1)
     up = 0.5 * (ahead_v[:, 1:] + ahead_v[:, :-1])
     rows, columns = across.shape[0], up.shape[1]
     middle_u = across[:, np.minimum(np.arange(columns), n - 1)]
     middle_v = up[np.minimum(np.arange(rows), m - 1), :]
     if outside == "drop":
-        corners = patch.inside(u.ravel(), v.ravel())
+        corners = surface.inside(u.ravel(), v.ravel())
         kept = corners[mesh.faces].all(axis=1)
     else:
-        kept = patch.inside(middle_u.ravel(), middle_v.ravel())
+        kept = surface.inside(middle_u.ravel(), middle_v.ravel())
     if not kept.any():
-        raise InputError(f"{patch.name}: no quad lies inside its border; take a finer sampling")
+        raise InputError(f"{surface.name}: no quad lies inside its border; take a finer sampling")
     held = np.zeros((m, n), dtype=bool)
     for k, line in enumerate((held[0], held[-1], held[:, 0], held[:, -1])):
-        line[:] |= patch.cut[k]
+        line[:] |= surface.cut[k]
     held = held.ravel()[np.unique(mesh.faces[kept])]
     mesh = compact(mesh, mesh.faces[kept])
-    return (mesh, []) if outside == "drop" else _snapped(patch, mesh, held)
+    return (mesh, []) if outside == "drop" else _snapped(surface, mesh, held)
 
 
-def _snapped(patch: SurfacePatch, mesh: QuadMesh, held: BoolArray) -> tuple[QuadMesh, list[str]]:
-    """The net with its border vertices on the border of the patch."""
-    fine = patch.grid(np.linspace(*patch.u, _STAND_IN), np.linspace(*patch.v, _STAND_IN))
+def _snapped(
+    surface: ParametricSurface, mesh: QuadMesh, held: BoolArray
+) -> tuple[QuadMesh, list[str]]:
+    """The net with its border vertices on the border of the surface."""
+    fine = surface.grid(np.linspace(*surface.u, _STAND_IN), np.linspace(*surface.v, _STAND_IN))
     quads = grid_faces(_STAND_IN, _STAND_IN)
-    surface = TriangleSurface(
+    triangles = TriangleSurface(
         fine.reshape(-1, 3), np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     )
-    mesh, dropped = fitted(mesh, surface, Border.of_polylines(patch.border), held)
-    if patch.foot is not None:
-        mesh = mesh.with_vertices(patch.foot(mesh.vertices))
+    mesh, dropped = fitted(mesh, triangles, Border.of_polylines(surface.border), held)
+    if surface.foot is not None:
+        mesh = mesh.with_vertices(surface.foot(mesh.vertices))
     words = []
     if dropped:
-        words.append(f"{patch.name}: {dropped} quads at the border had no room and were left out")
+        words.append(f"{surface.name}: {dropped} quads at the border had no room and were left out")
     if straight := straight_corners(mesh):
-        words.append(f"{patch.name}: {straight} quads at the border have a straight corner")
+        words.append(f"{surface.name}: {straight} quads at the border have a straight corner")
     return mesh, words
 
 

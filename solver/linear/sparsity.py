@@ -1,8 +1,8 @@
-"""Sparsity pattern of the normal equations, found and numbered block by block.
+"""Sparsity of the normal equations, found and numbered block by block.
 
-A node is a vertex with its three coordinates, or one shared scalar. Nodes that meet in an element
-share a dense block. Working with nodes makes the set-up an order of magnitude cheaper than working
-with single unknowns.
+A bundle is the unknowns of a vertex, its three coordinates, or one shared scalar. Bundles that meet
+in an element share a dense block. Working with bundles makes the set-up an order of magnitude
+cheaper than working with single unknowns.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from solver.mesh.quadmesh import FloatArray
 
 
 @dataclass(frozen=True)
-class Pattern:
+class Sparsity:
     """Sparsity of the lower triangle, by column.
 
     Attributes:
@@ -41,7 +41,7 @@ class Pattern:
         return len(self.unknowns)
 
 
-class Layout:
+class Numbering:
     """Where each unknown and each pair of unknowns is kept.
 
     Args:
@@ -49,7 +49,7 @@ class Layout:
         free: (N,) true for unknowns that may move.
         points: (V, 3) where the vertices are about; unknown 3 v + c is coordinate c of vertex v,
             from 3 V on come scalars.
-        reorder: order the nodes so that a factorisation fills in little.
+        reorder: order the bundles so that a factorisation fills in little.
     """
 
     def __init__(
@@ -58,14 +58,14 @@ class Layout:
         unknown = np.arange(len(free))
         vertex_count = len(points)
         coordinates = 3 * vertex_count
-        self._node = np.where(
+        self._bundle = np.where(
             unknown < coordinates, unknown // 3, unknown - coordinates + vertex_count
         )
         count = vertex_count + len(free) - coordinates
-        graph = _meeting([self._node[stencil] for stencil in stencils], count)
+        graph = _meeting([self._bundle[stencil] for stencil in stencils], count)
         order, begins = np.arange(count), np.array([0, count])
         if reorder:
-            weights = np.bincount(self._node, free, count).astype(np.int64)
+            weights = np.bincount(self._bundle, free, count).astype(np.int64)
             order, begins = dissect(graph, _places(graph, points), weights)
         self._rank = np.empty(count, dtype=np.int64)
         self._rank[order] = np.arange(count)
@@ -75,11 +75,11 @@ class Layout:
 
     def rows(self, unknowns: IntArray) -> IntArray:
         """Row of the matrix of each unknown; the number of rows for those that are fixed."""
-        return np.where(self._free[unknowns], self._number[unknowns], self.pattern.size)
+        return np.where(self._free[unknowns], self._number[unknowns], self.sparsity.size)
 
     def positions(self, unknowns: IntArray, first: IntArray, second: IntArray) -> IntArray:
         """(n, p) place among the entries of each pair of columns; nnz where one is fixed."""
-        entries = len(self.pattern.indices)
+        entries = len(self.sparsity.indices)
         result = np.empty((len(unknowns), len(first)), dtype=np.int64)
         blocks: dict[tuple[int, int], tuple[IntArray, IntArray]] = {}
         slots = self._slots(unknowns)
@@ -87,31 +87,33 @@ class Layout:
             one, two = unknowns[:, a], unknowns[:, b]
             key = (slots[a], slots[b])
             if key not in blocks:
-                blocks[key] = self._block(self._rank[self._node[one]], self._rank[self._node[two]])
-            column_node, offset = blocks[key]
+                blocks[key] = self._block(
+                    self._rank[self._bundle[one]], self._rank[self._bundle[two]]
+                )
+            column_bundle, offset = blocks[key]
             swap = self._number[one] < self._number[two]
             row_local = np.where(swap, self._local[two], self._local[one])
             column_local = np.where(swap, self._local[one], self._local[two])
-            place = self._column_start(column_node, column_local) + offset + row_local
+            place = self._column_start(column_bundle, column_local) + offset + row_local
             both = self._free[one] & self._free[two]
             result[:, pair] = np.where(both, place - column_local, entries)
         return result
 
     def _slots(self, unknowns: IntArray) -> list[int]:
-        """First column of the run of columns that belong to the same node as each column."""
+        """First column of the run of columns that belong to the same bundle as each column."""
         slots = [0]
         for k in range(1, unknowns.shape[1]):
-            same = np.array_equal(self._node[unknowns[:, k]], self._node[unknowns[:, k - 1]])
+            same = np.array_equal(self._bundle[unknowns[:, k]], self._bundle[unknowns[:, k - 1]])
             slots.append(slots[-1] if same else k)
         return slots
 
     def _number_unknowns(self, free: BoolArray) -> None:
-        """Number the free unknowns node by node, in the order of the nodes."""
-        by_node = np.lexsort((np.arange(len(free)), self._rank[self._node]))
-        kept = by_node[free[by_node]]
+        """Number the free unknowns bundle by bundle, in the order of the bundles."""
+        by_bundle = np.lexsort((np.arange(len(free)), self._rank[self._bundle]))
+        kept = by_bundle[free[by_bundle]]
         self._number = np.full(len(free), -1, dtype=np.int64)
         self._number[kept] = np.arange(len(kept))
-        rank = self._rank[self._node[kept]]
+        rank = self._rank[self._bundle[kept]]
         self._size = np.bincount(rank, minlength=len(self._rank))
         self._first = np.concatenate([[0], np.cumsum(self._size)])
         self._local = np.full(len(free), 0, dtype=np.int64)
@@ -125,42 +127,42 @@ class Layout:
         row = self._rank[graph.indices]
         lower = (row >= column) & (self._size[row] > 0) & (self._size[column] > 0)
         key = np.sort(column[lower] * count + row[lower])
-        self._keys, node_column, node_row = key, key // count, key % count
-        height = self._size[node_row]
+        self._keys, bundle_column, bundle_row = key, key // count, key % count
+        height = self._size[bundle_row]
         above = np.cumsum(height) - height
-        begins = np.searchsorted(node_column, np.arange(count))
+        begins = np.searchsorted(bundle_column, np.arange(count))
         starts = np.concatenate([above, [height.sum()]])[begins]
-        self._offset = above - starts[node_column]
-        self._height = np.bincount(node_column, height, minlength=count).astype(np.int64)
+        self._offset = above - starts[bundle_column]
+        self._height = np.bincount(bundle_column, height, minlength=count).astype(np.int64)
         width = self._size
-        per_node = width * self._height - width * (width - 1) // 2
-        self._base = np.cumsum(per_node) - per_node
-        self.pattern = self._pattern(node_column, node_row, parts)
+        per_bundle = width * self._height - width * (width - 1) // 2
+        self._base = np.cumsum(per_bundle) - per_bundle
+        self.sparsity = self._sparsity(bundle_column, bundle_row, parts)
 
-    def _pattern(self, node_column: IntArray, node_row: IntArray, parts: IntArray) -> Pattern:
+    def _sparsity(self, bundle_column: IntArray, bundle_row: IntArray, parts: IntArray) -> Sparsity:
         size = len(self._kept)
-        node = self._rank[self._node[self._kept]]
+        bundle = self._rank[self._bundle[self._kept]]
         local = self._local[self._kept]
         indptr = np.zeros(size + 1, dtype=np.int64)
-        indptr[:-1] = self._column_start(node, local)
+        indptr[:-1] = self._column_start(bundle, local)
         if size:
-            indptr[-1] = indptr[-2] + self._height[node[-1]] - local[-1]
+            indptr[-1] = indptr[-2] + self._height[bundle[-1]] - local[-1]
         indices = np.empty(indptr[-1], dtype=np.int64)
         for c in range(3):
             for r in range(3):
-                has = (self._size[node_column] > c) & (self._size[node_row] > r)
-                has &= (node_row > node_column) | (r >= c)
-                j, i = node_column[has], node_row[has]
+                has = (self._size[bundle_column] > c) & (self._size[bundle_row] > r)
+                has &= (bundle_row > bundle_column) | (r >= c)
+                j, i = bundle_column[has], bundle_row[has]
                 indices[self._column_start(j, c) + self._offset[has] + r - c] = self._first[i] + r
-        return Pattern(indptr, indices, self._kept, parts)
+        return Sparsity(indptr, indices, self._kept, parts)
 
-    def _column_start(self, node: IntArray, local: IntArray | int) -> IntArray:
-        """First entry of column ``local`` of a node; each column is one entry shorter."""
-        before = local * self._height[node] - local * (local - 1) // 2
-        return np.asarray(self._base[node] + before)
+    def _column_start(self, bundle: IntArray, local: IntArray | int) -> IntArray:
+        """First entry of column ``local`` of a bundle; each column is one entry shorter."""
+        before = local * self._height[bundle] - local * (local - 1) // 2
+        return np.asarray(self._base[bundle] + before)
 
     def _block(self, one: IntArray, two: IntArray) -> tuple[IntArray, IntArray]:
-        """Node of the column and offset of the block in it, for pairs of nodes."""
+        """Bundle of the column and offset of the block in it, for pairs of bundles."""
         column, row = np.minimum(one, two), np.maximum(one, two)
         if not len(self._keys):
             return column, np.zeros_like(column)
@@ -169,14 +171,14 @@ class Layout:
 
 
 def _meeting(stencils: Sequence[IntArray], count: int) -> csc_array:
-    """Which nodes meet in an element, each with itself included."""
+    """Which bundles meet in an element, each with itself included."""
     diagonal = np.arange(count)
     total = csc_array((np.ones(count, dtype=np.int8), (diagonal, diagonal)), shape=(count, count))
-    for nodes in stencils:
-        element = np.repeat(np.arange(len(nodes)), nodes.shape[1])
+    for bundles in stencils:
+        element = np.repeat(np.arange(len(bundles)), bundles.shape[1])
         incidence = coo_array(
-            (np.ones(nodes.size, dtype=np.int32), (element, nodes.ravel())),
-            shape=(len(nodes), count),
+            (np.ones(bundles.size, dtype=np.int32), (element, bundles.ravel())),
+            shape=(len(bundles), count),
         ).tocsr()
         incidence.data[:] = 1
         meets = (incidence.T @ incidence).tocsc()
@@ -187,7 +189,7 @@ def _meeting(stencils: Sequence[IntArray], count: int) -> csc_array:
 
 
 def _places(graph: csc_array, points: FloatArray) -> FloatArray:
-    """(n, 3) a place for every node; scalars are put amid the vertices that they meet."""
+    """(n, 3) a place for every bundle; scalars are put amid the vertices that they meet."""
     count = len(points)
     meets = graph[:count, count:] != 0
     met = np.maximum(meets.sum(axis=0), 1)

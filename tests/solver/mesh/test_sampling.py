@@ -13,8 +13,8 @@ from solver.errors import InputError
 from solver.mesh.border import straight_corners
 from solver.mesh.grid import grid_mesh, grid_of
 from solver.mesh.intersections import crossing_faces
-from solver.mesh.patch import SurfacePatch, sampled
 from solver.mesh.primitives import rectangle
+from solver.mesh.sampling import ParametricSurface, sampled
 
 RADIUS = 1.4
 
@@ -36,18 +36,18 @@ def disc(u, v):
     return (u - 2) ** 2 + (v - 1.5) ** 2 < RADIUS**2
 
 
-WHOLE = SurfacePatch(wave, (0.0, 4.0), (0.0, 3.0))
-DISC = SurfacePatch(wave, (0.6, 3.4), (0.1, 2.9), disc, (ring(),))
+WHOLE = ParametricSurface(wave, (0.0, 4.0), (0.0, 3.0))
+DISC = ParametricSurface(wave, (0.6, 3.4), (0.1, 2.9), disc, (ring(),))
 
 
 def test_vertex_numbers_and_both_spacings():
     even = sampled([WHOLE], counts=(9, 7), spacing="parameter").mesh
     u, v = np.meshgrid(np.linspace(0, 4, 9), np.linspace(0, 3, 7), indexing="ij")
     np.testing.assert_allclose(even.vertices, wave(u.ravel(), v.ravel()), atol=1e-14)
-    patch = SurfacePatch(uneven, (0.0, 1.0), (0.0, 3.0))
+    surface = ParametricSurface(uneven, (0.0, 1.0), (0.0, 3.0))
     steps = []
     for spacing in ("parameter", "length"):
-        points = sampled([patch], counts=(17, 7), spacing=spacing).mesh.vertices
+        points = sampled([surface], counts=(17, 7), spacing=spacing).mesh.vertices
         lengths = np.linalg.norm(np.diff(points.reshape(17, 7, 3), axis=0), axis=2)
         steps.append(lengths.min() / lengths.max())
     assert steps[0] < 0.01
@@ -63,29 +63,29 @@ def test_closed_direction_repeats_nothing():
     def tube(u, v):
         return np.stack([np.cos(u), np.sin(u), v], axis=1)
 
-    mesh = sampled([SurfacePatch(tube, (0, 2 * np.pi), (0, 2))], counts=(12, 5)).mesh
+    mesh = sampled([ParametricSurface(tube, (0, 2 * np.pi), (0, 2))], counts=(12, 5)).mesh
     assert (len(mesh.vertices), len(mesh.faces)) == (60, 48)
     assert grid_of(mesh).closed_u
 
 
-def test_patches_with_other_parameters_meet_vertex_by_vertex():
+def test_surfaces_with_other_parameters_meet_vertex_by_vertex():
     def beyond(u, v):
         return wave(4 + 2 * u**1.3, 3 - v)
 
-    patches = [WHOLE, SurfacePatch(beyond, (0.0, 1.0), (0.0, 3.0))]
-    net = sampled(patches, edge=0.25)
+    surfaces = [WHOLE, ParametricSurface(beyond, (0.0, 1.0), (0.0, 3.0))]
+    net = sampled(surfaces, edge=0.25)
     assert net.remarks == ()
     rows = grid_of(net.mesh).numbers.shape
     assert sorted(rows) == [13, 25]
     assert net.mesh.vertices[:, 0].max() == pytest.approx(6.0)
     normals = net.mesh.face_normals[:, 2]
     assert (normals > 0).all() or (normals < 0).all()
-    by_counts = sampled(patches, counts=(9, 7)).mesh
+    by_counts = sampled(surfaces, counts=(9, 7)).mesh
     assert sorted(grid_of(by_counts).numbers.shape) == [7, 17]
 
 
-def test_patches_that_do_not_meet_are_said():
-    far = SurfacePatch(lambda u, v: wave(u + 9, v), (0.0, 4.0), (0.0, 3.0))
+def test_surfaces_that_do_not_meet_are_said():
+    far = ParametricSurface(lambda u, v: wave(u + 9, v), (0.0, 4.0), (0.0, 3.0))
     net = sampled([WHOLE, far], edge=0.5)
     assert net.mesh.connectivity.components.max() == 1
     assert "2 separate parts" in net.remarks[0]
@@ -118,14 +118,14 @@ def star(edge):
     angle = np.linspace(0, 2 * np.pi, 720, endpoint=False)
     line = level(reach(angle) * np.cos(angle), reach(angle) * np.sin(angle))
     ends = (-2.0, 2.0), (-2.0, 2.0)
-    whole = sampled([SurfacePatch(level, *ends)], edge=edge).mesh
+    whole = sampled([ParametricSurface(level, *ends)], edge=edge).mesh
     centres = whole.vertices[whole.faces].mean(axis=1)
-    return SurfacePatch(level, *ends, inside, (line,)), int(inside(*centres[:, :2].T).sum())
+    return ParametricSurface(level, *ends, inside, (line,)), int(inside(*centres[:, :2].T).sum())
 
 
 def test_all_quads_without_room_at_a_border_are_left_out_and_said():
-    patch, cells = star(0.2)
-    net = sampled([patch], edge=0.2)
+    surface, cells = star(0.2)
+    net = sampled([surface], edge=0.2)
     assert (net.mesh.face_area_vectors[:, 2] > 0).all()
     assert measures.flipped(net.mesh).sum() <= straight_corners(net.mesh)
     left_out = cells - len(net.mesh.faces)
@@ -138,7 +138,7 @@ def test_all_quads_without_room_at_a_border_are_left_out_and_said():
 def test_a_cut_face_may_be_dropped_instead():
     mesh = sampled([DISC], edge=0.2, outside="drop").mesh
     assert disc(mesh.vertices[:, 0], mesh.vertices[:, 1]).all()
-    kept = sampled([SurfacePatch(wave, DISC.u, DISC.v)], edge=0.2).mesh.vertices
+    kept = sampled([ParametricSurface(wave, DISC.u, DISC.v)], edge=0.2).mesh.vertices
     distance = np.abs(mesh.vertices[:, None] - kept[None]).sum(axis=2).min(axis=1)
     assert distance.max() == 0.0
 
@@ -154,8 +154,8 @@ def test_corners_of_a_border_are_kept():
         return (following[:, 0] * arms[..., 1] - following[:, 1] * arms[..., 0] > 0).all(axis=1)
 
     border = wave(path[:, 0], path[:, 1])
-    patch = SurfacePatch(wave, (0.9, 3.0), (0.5, 2.6), inside, (border,))
-    mesh = sampled([patch], edge=0.15).mesh
+    surface = ParametricSurface(wave, (0.9, 3.0), (0.5, 2.6), inside, (border,))
+    mesh = sampled([surface], edge=0.15).mesh
     for corner in wave(square[:, 0], square[:, 1]):
         assert np.linalg.norm(mesh.vertices - corner, axis=1).min() < 1e-12
 
@@ -169,10 +169,14 @@ def eight(u, v):
 
 
 @pytest.mark.parametrize(
-    ("patch", "settings", "words"),
+    ("surface", "settings", "words"),
     [
-        (SurfacePatch(sphere, (0, 6.283185307), (-1.5707963268, 1.0)), {}, "shrinks to a point"),
-        (SurfacePatch(eight, (0.1, 6.0), (0.0, 1.0)), {"counts": (30, 5)}, "meets itself"),
+        (
+            ParametricSurface(sphere, (0, 6.283185307), (-1.5707963268, 1.0)),
+            {},
+            "shrinks to a point",
+        ),
+        (ParametricSurface(eight, (0.1, 6.0), (0.0, 1.0)), {"counts": (30, 5)}, "meets itself"),
         (WHOLE, {"counts": (1, 5)}, "at least 2 vertices along u"),
         (WHOLE, {"counts": (5, 5), "edge": 0.2}, "either counts or an edge"),
         (WHOLE, {"counts": None, "edge": -0.2}, "positive length"),
@@ -182,14 +186,16 @@ def eight(u, v):
         (DISC, {"counts": (3, 3), "outside": "drop"}, "no quad lies inside"),
     ],
 )
-def test_what_cannot_be_sampled_gets_one_line(patch, settings, words):
+def test_what_cannot_be_sampled_gets_one_line(surface, settings, words):
     with pytest.raises(InputError, match=words) as caught:
-        sampled([patch], **{"counts": (9, 7), **settings})
+        sampled([surface], **{"counts": (9, 7), **settings})
     assert "\n" not in str(caught.value)
 
 
 def test_a_part_of_a_face():
-    part = SurfacePatch(sphere, (0, 2 * np.pi), (-np.pi / 2, np.pi / 2)).part((0, 1), (0.1, 0.9))
+    part = ParametricSurface(sphere, (0, 2 * np.pi), (-np.pi / 2, np.pi / 2)).part(
+        (0, 1), (0.1, 0.9)
+    )
     mesh = sampled([part], counts=(16, 9)).mesh
     assert np.abs(mesh.vertices[:, 2]).max() == pytest.approx(np.sin(0.4 * np.pi))
     with pytest.raises(InputError, match="0 <= first < last <= 1"):
