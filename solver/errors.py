@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+from collections.abc import Iterable
 
 _REMEDIES = {errno.ENAMETOOLONG: "choose a shorter name", errno.ENOSPC: "free some space"}
 
@@ -36,3 +37,21 @@ def cannot_be_written(place: object, error: OSError, remedy: str) -> OutputError
 
 class SingularSystemError(OrthoError):
     """A linear system could not be solved; the solver answers with more damping."""
+
+
+def refuse_unknown(where: str, given: Iterable[str], known: Iterable[str]) -> None:
+    """Refuse names of settings that there are not.
+
+    Args:
+        where: what was to take them: a function, a system, a source.
+        given: the names.
+        known: those that it takes.
+
+    Raises:
+        InputError: naming the first that is unknown, and all that are known.
+    """
+    right = list(known)
+    for name in given:
+        if name not in right:
+            there = ", ".join(right) or "none"
+            raise InputError(f"{where}: has no '{name}'; it has {there}")

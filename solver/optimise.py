@@ -6,12 +6,12 @@ import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
 from solver.analysis.start import start_remarks
-from solver.errors import InputError
+from solver.errors import InputError, refuse_unknown
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
@@ -25,8 +25,28 @@ from solver.report import Outcome, StepRecord
 from solver.run import Optimisation
 from solver.tuning import Tuning
 
+if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
 # Residuals of what is fixed altogether up to this are taken for the rounding of a file.
 _CONTRADICTION = 1e-6
+
+
+class Settings(TypedDict, total=False):
+    """What :func:`start_optimisation` can be told, by its name."""
+
+    fairness: float | None
+    closeness: float | None
+    multi: float | None
+    isometry: float | None
+    fix: str | Sequence[int]
+    tolerance: float
+    max_steps: int
+    backend: str | None
+    options: NetOptions | None
+    constraints: Constraints | None
+    tuning: Tuning | None
 
 
 def optimise(
@@ -34,7 +54,7 @@ def optimise(
     net: str = "principal",
     *,
     callback: Callable[[StepRecord], bool | None] | None = None,
-    **settings: Any,
+    **settings: Unpack[Settings],
 ) -> Outcome:
     """Move the vertices of a mesh until it is the wanted net.
 
@@ -42,7 +62,9 @@ def optimise(
         mesh: the start, in any unit; it is not changed.
         net: name of the net, see ``solver.nets.NETS``.
         callback: called after each step; returning True stops.
-        settings: any of the keyword arguments of :func:`start_optimisation`.
+        settings: ``fairness``, ``closeness``, ``multi``, ``isometry``, ``fix``, ``tolerance``,
+            ``max_steps``, ``backend``, ``options``, ``constraints``, ``tuning``, as for
+            :func:`start_optimisation`.
 
     Returns:
         The best mesh found, with its report. A ``KeyboardInterrupt`` during a step stops the run
@@ -51,6 +73,7 @@ def optimise(
     Raises:
         InputError: a setting that cannot be used.
     """
+    refuse_unknown("optimise", settings, Settings.__annotations__)
     return start_optimisation(mesh, net, **settings).run(callback)
 
 

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Generator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.errors import InputError
+from solver.errors import InputError, refuse_unknown
 from solver.gauss_newton import Descent
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.constraints import Constraints
-from solver.optimise import start_optimisation
+from solver.optimise import Settings, start_optimisation
 from solver.report import Outcome, StepRecord
 from solver.terms.pull import Pull
+
+if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
 
 
 class Session:
@@ -28,8 +32,7 @@ class Session:
             buckle to either side, it is the one in sight.
         handles: vertices that may be dragged; they start where they are.
         net: name of the net.
-        constraints: gliding, symmetry and the like; its handles are replaced.
-        settings: any of the other keyword arguments of ``solver.start_optimisation``.
+        settings: as for ``solver.optimise``; the handles of its ``constraints`` are replaced.
 
     Raises:
         InputError: no handle, or one that does not exist.
@@ -42,10 +45,9 @@ class Session:
         mesh: QuadMesh,
         handles: Sequence[int],
         net: str = "principal",
-        *,
-        constraints: Constraints | None = None,
-        **settings: Any,
+        **settings: Unpack[Settings],
     ) -> None:
+        refuse_unknown("session", settings, Settings.__annotations__)
         if not len(handles):
             raise InputError("handles: none given; name the vertices that may be dragged")
         for vertex in handles:
@@ -57,8 +59,9 @@ class Session:
         self.targets = {int(vertex): mesh.vertices[vertex].copy() for vertex in handles}
         self._begin = np.array(list(self.targets.values()))
         # The plan reads these targets too: what it poses later is drawn to where they are then.
-        wanted = replace(constraints or Constraints(), handles=self.targets)
-        self._run = start_optimisation(mesh, net, constraints=wanted, **settings)
+        wanted = settings.get("constraints") or Constraints()
+        settings["constraints"] = replace(wanted, handles=self.targets)
+        self._run = start_optimisation(mesh, net, **settings)
         self._first = self._run.descent
         self._frames = 0
 

@@ -27,7 +27,6 @@ from solver.report import (
     with_article,
 )
 
-
 # What was not joined and is now further apart than this many mean edges has come apart.
 _OPENED = 1e-4
 # A plane that is narrower than this part of its length is a line.

@@ -8,7 +8,7 @@ import sys
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import values
 from freecad_ortho.sources.faces import FACES
-from freecad_ortho.step_faces import step_patches
+from freecad_ortho.step_faces import step_surfaces
 from freecad_ortho.units import millimetres_per
 
 
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     unit = options.unit or "mm"
     numbers = values.whole_numbers("--faces", options.faces) if options.faces else ()
     told = arguments.given(FACES.options, options, "mm", bare=unit)
-    made = FACES.make(told, patches=step_patches(options.input, numbers))
+    made = FACES.make(told, surfaces=step_surfaces(options.input, numbers))
     for remark in made.remarks:
         sys.stderr.write(f"{remark}\n")
     return values.write(options, made.mesh.scaled(1.0 / millimetres_per(unit)), unit)

@@ -46,8 +46,8 @@ def run(options: argparse.Namespace) -> int:
     _take_apart(options, entry)
     for other in _KINDS.values():
         for option in other.options:
-            said = getattr(options, option.name, None) is not None
-            if said and not _has(entry, option.name):
+            told = getattr(options, option.name, None) is not None
+            if told and not _has(entry, option.name):
                 flag = arguments.flag_of(option)
                 raise InputError(f"{flag}: the {entry.name} has no such option; leave it out")
     unit = options.unit or "m"

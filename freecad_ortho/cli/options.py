@@ -51,8 +51,9 @@ def add(
     words = (before + _explained(option)).replace("%", "%%")
     flag, former = flag_of(option), option.former
     if former is not None:
-        flags = {"action": "store_true", "default": None} if option.kind == "flag" else {}
-        group.add_argument(f"--{_dashed(former.name)}", help=argparse.SUPPRESS, **flags)
+        flags: dict[str, Any] = {"action": "store_true"} if option.kind == "flag" else {}
+        word = f"--{_dashed(former.name)}"
+        group.add_argument(word, help=argparse.SUPPRESS, default=None, **flags)
     if option.kind == "flag":
         action = "store_false" if option.default else "store_true"
         group.add_argument(flag, dest=option.name, action=action, default=None, help=words)
@@ -139,6 +140,7 @@ def read(
         return values.sampling(text, name, option.written or "MxN")
     parts = text.split(",")
     plain = ",".join(_plain(part, option.kind, unit, bare or unit) for part in parts)
+    found: tuple[float, ...]
     if option.kind == "count":
         found = values.whole_numbers(name, plain, len(option.default) if several else 1)
     else:
@@ -223,13 +225,15 @@ def _plain(text: str, kind: str, unit: str, bare: str) -> str:
     if match is None:
         return text
     number, word, square = match[1], (match[2] or "").lower(), match[3]
-    factor = None
+    factor: float | None = None
     if kind == "angle" and not square:
         factor = _ANGLES.get(word or "deg")
     elif kind in _POWERS and (not word or (kind == "area") == bool(square)):
         of = MILLIMETRES.get(word or bare)
         factor = of and (of / MILLIMETRES[unit]) ** _POWERS[kind]
+    if factor is None or (factor == 1.0 and not word):
+        return text
     try:
-        return text if factor in (None, 1.0) and not word else repr(float(number) * factor)
-    except (TypeError, ValueError):
+        return repr(float(number) * factor)
+    except ValueError:
         return text

@@ -56,7 +56,7 @@ _MOVED = {
 _UNNAMED = "m"
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(commands: argparse._SubParsersAction[Any]) -> None:
     """Add all commands of this file and of its neighbours for single sources."""
     multinet.add(commands.add_parser("multinet", help="an exact orthogonal multi-net"))
     _add_primitive(commands.add_parser("primitive", help="a net that is known exactly"))

@@ -35,7 +35,8 @@ class Source:
         name: unique among all sources.
         meaning: one sentence.
         options: what it asks for, in the order of a form.
-        build: from the ``unit`` and the options by name (and ``meshes`` or ``surfaces``) to the net.
+        build: from the ``unit`` and the options by name (and ``meshes`` or ``surfaces``) to the
+            net.
         needs: ``""``, ``net`` (one), ``nets`` (one or more) or ``faces`` (of CAD shapes).
     """
 

@@ -327,9 +327,7 @@ class Connectivity:
             (number(n2, n3), number(n4, n1)),
         ]
         one, two = (np.concatenate(side) for side in zip(*joined, strict=True))
-        count = len(key)
-        graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count))
-        return connected_components(graph, directed=False)[1].astype(np.int64)
+        return _components(one, two, len(key))
 
     @cached_property
     def components(self) -> IntArray:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import inspect
+
 import numpy as np
 import pytest
 
-from solver import Constraints, InputError, Session, optimise
+from solver import Constraints, InputError, Session, optimise, start_optimisation
 from solver.linear.multifrontal import Multifrontal
+from solver.optimise import Settings
 from tests.conftest import wavy_grid
 from tests.meshes import bent_sheet, scherk, unduloid
 
@@ -126,3 +129,15 @@ def test_session_refuses_strangers():
         Session(mesh, [99])
     with pytest.raises(InputError, match="not one of"):
         Session(mesh, [3]).drag({4: np.zeros(3)})
+
+
+def test_settings_are_those_of_one_call_and_others_are_listed():
+    start = wavy_grid(5, 5)
+    said = r"has no 'fairnes'; it has fairness, closeness, multi, isometry, fix, tolerance"
+    with pytest.raises(InputError, match=f"^session: {said}"):
+        Session(start, [0], fairnes=1.0)
+    with pytest.raises(InputError, match=f"^optimise: {said}"):
+        optimise(start, fairnes=1.0)
+    keywords = inspect.signature(start_optimisation).parameters.values()
+    names = [one.name for one in keywords if one.kind is inspect.Parameter.KEYWORD_ONLY]
+    assert names == list(Settings.__annotations__)
