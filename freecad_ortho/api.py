@@ -35,6 +35,9 @@ from solver.offset.offset_mesh import offset_mesh
 from solver.unroll.patch import flattened
 
 if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
     from freecad_ortho.documents import (
         add_beams,
         add_bent_panels,
@@ -75,6 +78,7 @@ if TYPE_CHECKING:
         weld_nets,
     )
     from freecad_ortho.fabrication import Limits, Structure
+    from freecad_ortho.keywords import Sizes, WorkshopSettings
 
 DEFAULT_UNIT = "mm"
 # A mesh without a unit that is smaller than this in mm may well be in metres.
@@ -205,7 +209,7 @@ def fabricate(
     density: float | None = None,
     limits: Limits | None = None,
     progress: Callable[[float, str], None] | None = None,
-    **sizes: Any,
+    **sizes: Unpack[Sizes],
 ) -> Structure:
     """Turn an optimised net into the parts of one or more systems.
 
@@ -221,8 +225,9 @@ def fabricate(
             named for them alone.
         limits: what the parts are held against.
         progress: called with a fraction and words; may raise to stop.
-        sizes: settings of the systems by name (``height=200, thickness=12, gap=10``), lengths in
-            mm; each is of one of the systems at least.
+        sizes: settings of the systems by name (``height=200, thickness=12, gap=10``), see
+            :class:`freecad_ortho.keywords.Sizes`; lengths in mm, each is of one of the systems at
+            least.
 
     Raises:
         InputError: a parameter that cannot be used or does not fit the net.
@@ -253,7 +258,7 @@ def write_fabrication(
     executor: Executor | None = None,
     project: str = "",
     origin: str | Sequence[float] = "local",
-    **workshop: Any,
+    **workshop: Unpack[WorkshopSettings],
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports, all or none.
 

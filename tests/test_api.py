@@ -4,11 +4,18 @@ import ast
 import inspect
 import pydoc
 from importlib.util import find_spec
+from typing import get_args, get_type_hints
 
 import pytest
 
 from freecad_ortho import api
-from solver.errors import OrthoError
+from freecad_ortho.calls import listing_keywords
+from freecad_ortho.fabrication.systems import SYSTEMS
+from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.keywords import NetSettings, Sizes, WorkshopSettings
+from solver.errors import InputError, OrthoError
+from solver.nets.options import OPTIONS
+from solver.optimise import Settings
 from tests.conftest import ROOT
 
 
@@ -63,3 +70,53 @@ def test_help_of_the_module_shows_them_all():
     for name in api.__all__:
         assert f"{name}(" in shown or f"class {name}" in shown, name
     assert "section: str='plate'" in shown
+
+
+@pytest.mark.parametrize(
+    ("kind", "options"),
+    [
+        (Sizes, [option for system in SYSTEMS.values() for option in system.options]),
+        (WorkshopSettings, Workshop.options),
+        (NetSettings, OPTIONS.values()),
+    ],
+)
+def test_settings_have_the_names_and_choices_of_their_tables(kind, options):
+    hints = get_type_hints(kind)
+    for option in options:
+        assert option.name in hints, f"{option.name} is missing in {kind.__name__}"
+        if option.choices:
+            assert get_args(hints[option.name]) == option.choices, option.name
+    beyond = set(hints) - {option.name for option in options}
+    others = {*get_type_hints(Settings), "net", "handles", "glide", "close_to", "symmetry"}
+    assert beyond == ((others - {"tuning"}) if kind is NetSettings else set())
+
+
+def test_a_size_that_a_system_has_not_is_refused_by_naming_whose_it_is(barrel):
+    with pytest.raises(
+        InputError, match=r"^height: panels has no such size, it is of beams, nodes"
+    ):
+        api.fabricate(barrel, "panels", height=999)
+    with pytest.raises(InputError, match=r"^hight: no system has such a size; there are height, "):
+        api.fabricate(barrel, "beams", hight=999)
+    with pytest.raises(InputError, match=r"^sheets: the workshop has no such size; it has sheet, "):
+        api.write_fabrication(None, "nowhere", sheets="3000x1500")
+    with pytest.raises(InputError, match=r"^optimise: has no 'fairnes'; it has fairness, "):
+        api.optimise(barrel, fairnes=1)
+
+
+def test_a_function_lists_its_keywords_where_one_is_unknown():
+    def add(net, /, height=200.0, *, ends="mitred"):
+        """Add beams."""
+        return net, height, ends
+
+    listing = listing_keywords(add)
+    assert listing("roof", 100, ends="hub") == ("roof", 100, "hub")
+    assert inspect.signature(listing) == inspect.signature(add)
+    assert (listing.__name__, listing.__doc__) == ("add", "Add beams.")
+    with pytest.raises(InputError, match=r"^add: has no 'hight'; it has height, ends$"):
+        listing("roof", hight=100)
+
+    def free(**settings):
+        return settings
+
+    assert listing_keywords(free) is free

@@ -5,6 +5,7 @@ Each one is undone in one step. Lengths are numbers of mm, FreeCAD quantities, o
 as it was.
 """
 
+from freecad_ortho.calls import listing_keywords
 from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.drawing_pages import add_drawing_page, add_drawing_pages
@@ -88,3 +89,6 @@ __all__ = [
     "update_structures",
     "weld_nets",
 ]
+
+for _name in __all__:
+    globals()[_name] = listing_keywords(globals()[_name])

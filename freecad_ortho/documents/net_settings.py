@@ -10,11 +10,12 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import convert, preferences
+from freecad_ortho.keywords import PassedSettings
 from freecad_ortho.objects import constraints
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES
 from freecad_ortho.objects.option_properties import read, write
-from solver.errors import InputError
+from solver.errors import InputError, refuse_unknown
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import NETS
 from solver.nets.constraints import Constraints
@@ -85,7 +86,9 @@ _PLAIN = {
     "isometry": _weight("isometry"),
     "tolerance": _Plain("TargetTolerance", write=float),
 }
-_PASSED = ("max_steps", "backend", "options", "constraints")
+# What a net keeps, and what only the solver is told.
+KEPT = (*_PLAIN, *OPTIONS, "fix", "handles", "glide", "close_to")
+PASSED = tuple(PassedSettings.__annotations__)
 _WEIGHTS = ("fairness", "closeness", "multi", "isometry", "tolerance")
 
 Fix = str | Sequence[int | str]
@@ -110,6 +113,7 @@ def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
     Raises:
         InputError: a setting that cannot be used.
     """
+    refuse_unknown("net", given, KEPT)
     for word, value in given.items():
         if word in OPTIONS:
             write(net, OPTIONS[word], _option_value(OPTIONS[word], value))
@@ -123,10 +127,8 @@ def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
             net.Handles, net.HandlePlaces = vertices, places
         elif word == "glide":
             constraints.store_glide(net, value)
-        elif word == "close_to":
-            constraints.store_close_to(net, value)
         else:
-            raise InputError(f"settings: there is no '{word}'; see the page on nets")
+            constraints.store_close_to(net, value)
 
 
 def divided(settings: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -135,16 +137,10 @@ def divided(settings: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     Raises:
         InputError: a setting that there is not.
     """
-    kept = {word: value for word, value in settings.items() if _is_kept(word)}
-    passed = {word: value for word, value in settings.items() if word not in kept}
-    for word in passed:
-        if word not in _PASSED:
-            raise InputError(f"settings: there is no '{word}'; see the page on nets")
+    refuse_unknown("net", settings, [*KEPT, *PASSED])
+    kept = {word: value for word, value in settings.items() if word in KEPT}
+    passed = {word: value for word, value in settings.items() if word in PASSED}
     return kept, passed
-
-
-def _is_kept(word: str) -> bool:
-    return word in OPTIONS or word in _PLAIN or word in ("fix", "handles", "glide", "close_to")
 
 
 def held(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> np.ndarray:

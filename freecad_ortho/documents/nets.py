@@ -26,13 +26,17 @@ from solver.mesh.mirror import reversed_orientation
 from solver.nets.settings import fixed_vertices
 
 if TYPE_CHECKING:
-    from solver import Session
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
+    from freecad_ortho.keywords import NetSettings, PassedSettings
+    from solver import Outcome, Session
     from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # A drag by hand takes the mesh along in small steps; a sheet buckles to the side it was led to.
 _DRAG_STEPS = 10
 # The result of a run that a task panel has just watched, for the one call that records it.
-_ready: dict[tuple[Any, ...], Any] = {}
+_ready: dict[tuple[Any, ...], Outcome] = {}
 
 
 def import_net(
@@ -121,7 +125,7 @@ def export_net(
     api.write_mesh(path, left.back_mesh(metres), chosen)
 
 
-def set_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
+def set_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettings]) -> None:
     """Say what a Net is to become and what holds it, without optimising yet.
 
     Args:
@@ -136,7 +140,7 @@ def set_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
         _store(target, settings)
 
 
-def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Any) -> Any:
+def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettings]) -> Outcome:
     """Optimise a Net in its document; structures on it follow.
 
     A Net that was made by a source keeps the result and no longer follows that source. Where that
@@ -203,8 +207,8 @@ def drag_net(
     places: Mapping[int, Sequence[float]],
     /,
     hold: Sequence[int] = (),
-    **settings: Any,
-) -> Any:
+    **settings: Unpack[NetSettings],
+) -> Outcome:
     """Drag vertices of a Net towards places; the others follow so that it stays its kind of net.
 
     Args:
@@ -242,7 +246,7 @@ def dragging(
     mesh: QuadMesh,
     handles: Sequence[int],
     hold: Sequence[int] = (),
-    **passed: Any,
+    **passed: Unpack[PassedSettings],
 ) -> Session:
     """Start a session in which vertices of a Net are dragged, with the Net's own settings.
 
@@ -265,7 +269,7 @@ def dragging(
     return Session(mesh, handles, settings.pop("net"), **settings)
 
 
-def _dragged(session: Session, mesh: QuadMesh, places: Mapping[int, Sequence[float]]) -> Any:
+def _dragged(session: Session, mesh: QuadMesh, places: Mapping[int, Sequence[float]]) -> Outcome:
     """Drag all handles straight to their places, slowly, as by hand, and settle there."""
     vertices, ends = (
         list(places),
@@ -312,14 +316,14 @@ def _as_before_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
         raise
 
 
-def _keep(target: FreeCAD.DocumentObject, outcome: Any) -> None:
+def _keep(target: FreeCAD.DocumentObject, outcome: Outcome) -> None:
     convert.store_vertices(target, outcome.mesh.vertices)
     target.LastReport = json.dumps(outcome.report.as_dict())
     target.Document.recompute()
 
 
 def keep_outcome(
-    target: FreeCAD.DocumentObject, settings: dict[str, Any], start: FloatArray, outcome: Any
+    target: FreeCAD.DocumentObject, settings: dict[str, Any], start: FloatArray, outcome: Outcome
 ) -> None:
     """Hand in what :func:`optimise_net` would compute from here, when it has been computed already.
 

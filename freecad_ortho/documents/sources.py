@@ -11,6 +11,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.documents.common import document_or_new, progress, require_net, transaction
+from freecad_ortho.keywords import Value
 from freecad_ortho.objects import cad_faces, places, source_net
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.sources import source
@@ -26,7 +27,7 @@ def add_source(
     nets: FreeCAD.DocumentObject | Sequence[FreeCAD.DocumentObject] = (),
     faces: Sequence[Face] = (),
     document: FreeCAD.Document | str | None = None,
-    **options: Any,
+    **options: Value,
 ) -> FreeCAD.DocumentObject:
     """Add a net made by any source; it follows its options and what it is made of.
 
@@ -68,7 +69,7 @@ def change_source(
     net: FreeCAD.DocumentObject,
     nets: Sequence[FreeCAD.DocumentObject] | None = None,
     faces: Sequence[Face] | None = None,
-    **options: Any,
+    **options: Value,
 ) -> None:
     """Give a net that follows a source other options; vertices that were moved are made anew.
 
@@ -103,7 +104,7 @@ def change_source(
     _say_remarks(net)
 
 
-def add_primitive(name: str, **options: Any) -> FreeCAD.DocumentObject:
+def add_primitive(name: str, **options: Value) -> FreeCAD.DocumentObject:
     """Add a net that is known exactly: ``sphere``, ``catenoid``, ``enneper`` and others.
 
     Args:
@@ -121,7 +122,7 @@ def add_primitive(name: str, **options: Any) -> FreeCAD.DocumentObject:
     return add_source(name, **options)
 
 
-def add_multi_net(points: Any = (), **options: Any) -> FreeCAD.DocumentObject:
+def add_multi_net(points: Any = (), **options: Value) -> FreeCAD.DocumentObject:
     """Add the multi-net of a polyline on a quadric.
 
     Args:
@@ -135,7 +136,7 @@ def add_multi_net(points: Any = (), **options: Any) -> FreeCAD.DocumentObject:
     return add_source("multi-net", points=points, **options)
 
 
-def add_elliptic_net(moving: str = "lambda", **options: Any) -> FreeCAD.DocumentObject:
+def add_elliptic_net(moving: str = "lambda", **options: Value) -> FreeCAD.DocumentObject:
     """Add a multi-net in elliptic coordinates.
 
     Args:
@@ -149,7 +150,7 @@ def add_elliptic_net(moving: str = "lambda", **options: Any) -> FreeCAD.Document
     return add_source("elliptic multi-net", moving=moving, **options)
 
 
-def net_from_faces(faces: Any, **options: Any) -> FreeCAD.DocumentObject:
+def net_from_faces(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
     """Add a net sampled from CAD faces along their parameter lines, joined where they meet.
 
     Args:
@@ -163,7 +164,7 @@ def net_from_faces(faces: Any, **options: Any) -> FreeCAD.DocumentObject:
     return add_source("faces", faces=cad_faces.faces_of(faces), **options)
 
 
-def form_net(net: FreeCAD.DocumentObject, **options: Any) -> FreeCAD.DocumentObject:
+def form_net(net: FreeCAD.DocumentObject, **options: Value) -> FreeCAD.DocumentObject:
     """Add the membrane or cable net in equilibrium that starts from a net.
 
     Args:
@@ -177,7 +178,9 @@ def form_net(net: FreeCAD.DocumentObject, **options: Any) -> FreeCAD.DocumentObj
     return add_source("form-finding", net, **options)
 
 
-def change_net(net: FreeCAD.DocumentObject, change: str, **options: Any) -> FreeCAD.DocumentObject:
+def change_net(
+    net: FreeCAD.DocumentObject, change: str, **options: Value
+) -> FreeCAD.DocumentObject:
     """Add a net made from another: ``subdivide``, ``diagonal mesh``, ``mirror`` and others.
 
     Args:

@@ -29,6 +29,11 @@ from freecad_ortho.objects.system_properties import options_of, values
 from solver.errors import InputError
 
 if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
+    from freecad_ortho.keywords import Sizes, StructureSettings, WorkshopSettings
+
     Length = float | str | FreeCAD.Units.Quantity
     Progress = Callable[[float, str], None]
 
@@ -51,7 +56,7 @@ def add_structure(
     lines: Sequence[int] = (),
     material: str = "steel",
     density: float = 0.0,
-    **sizes: Any,
+    **sizes: Unpack[Sizes],
 ) -> FreeCAD.DocumentObject:
     """Add a Structure of one system on a Net.
 
@@ -65,7 +70,8 @@ def add_structure(
         material: of all parts, as on the command line; parts of a build-up, such as
             ``"insulating-glass-8-16-6"``, have its thickness.
         density: kg/m3, 0 for the material's own.
-        sizes: settings of the system by name (``height="0.2 m"``), lengths as numbers of mm,
+        sizes: settings of the system by name (``height="0.2 m"``), see
+            :class:`freecad_ortho.keywords.Sizes`; lengths as numbers of mm,
             quantities or texts; those that are not given take their defaults.
 
     Raises:
@@ -110,7 +116,9 @@ def _ends_kept_on_failure(beams: Any) -> Iterator[None]:
         raise
 
 
-def change_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
+def change_structure(
+    target: FreeCAD.DocumentObject, /, **settings: Unpack[StructureSettings]
+) -> None:
     """Give a Structure other settings and build it anew; what stands on it follows.
 
     Args:
@@ -128,7 +136,7 @@ def change_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None
         _change(target, settings)
 
 
-def try_structure(target: FreeCAD.DocumentObject, /, **settings: Any) -> None:
+def try_structure(target: FreeCAD.DocumentObject, /, **settings: Unpack[StructureSettings]) -> None:
     """Do as :func:`change_structure` in an undo step that stays open: to be committed or aborted.
 
     Raises:
@@ -217,7 +225,7 @@ def export_fabrication(
     *,
     workers: int | None = None,
     origin: str | Sequence[float] = "local",
-    **workshop: Any,
+    **workshop: Unpack[WorkshopSettings],
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports of structures on one net.
 

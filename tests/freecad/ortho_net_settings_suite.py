@@ -9,6 +9,7 @@ from ortho_suite_tools import vertices
 
 from freecad_ortho import api, convert, sources
 from freecad_ortho.documents import net_settings
+from freecad_ortho.keywords import NetSettings
 from freecad_ortho.objects.net import NET_PROPERTIES
 from solver.errors import InputError
 from solver.nets import NETS
@@ -76,6 +77,19 @@ class TestTable(DocumentCase):
         self.assertEqual(again["close_to"], [(box, "Face1"), (box, "Face6")])
         for word in set(given) - {"glide", "close_to", "reference"}:
             self.assertEqual(again[word], given[word], word)
+
+    def test_settings_are_those_that_editors_know_and_others_are_listed(self):
+        known = {*net_settings.KEPT, *net_settings.PASSED}
+        self.assertEqual(known, set(NetSettings.__annotations__))
+        net = self.imported()
+        with self.assertRaisesRegex(InputError, "^net: has no 'speed'; it has net, "):
+            api.optimise_net(net, speed=3)
+        with self.assertRaisesRegex(InputError, "^add_beams: has no 'hight'; it has net, height, "):
+            api.add_beams(net, hight=3)
+        with self.assertRaisesRegex(InputError, "^hight: panels have no such setting; there are "):
+            api.add_structure(net, "panels", hight=3)
+        with self.assertRaisesRegex(InputError, "^sphere: has sampling, radius, .*, not 'size'; "):
+            api.add_primitive("sphere", size=3)
 
     def test_set_net_is_one_step_and_refusals_change_nothing(self):
         net = self.imported()

@@ -1,0 +1,125 @@
+"""Settings of the macro API by their names, with their types, as editors and checkers read them.
+
+The tables of options have what each of them does. Lengths are numbers of mm; functions on documents
+take quantities and texts such as ``"0.2 m"`` too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal, TypedDict
+
+from solver import Constraints, NetOptions
+
+Length = float | str
+# An object of a FreeCAD document, which has no type outside FreeCAD.
+Feature = Any
+# A value of an option of a source of nets.
+Value = float | str | bool | Sequence[Any] | None
+
+
+class Sizes(TypedDict, total=False):
+    """What systems can be told; each of them has some of these."""
+
+    height: Length
+    thickness: Length
+    offset: Literal["above", "centre", "below"]
+    section: Literal["plate", "hollow", "I", "T"]
+    section_width: Length
+    flange_thickness: Length | None
+    ends: Literal["mitred", "hub", "lapped", "through-u", "through-v"]
+    hub_diameter: Length
+    clearance: Length
+    no_boundary_beams: bool
+    node: Literal["hub", "socket"]
+    bore: Length
+    socket_depth: Length
+    panel_thickness: Length | None
+    gap: Length
+    panel_edge: Literal["square", "bevel"]
+    at_hubs: Literal["cut", "lift"]
+    louvre_axis: Literal["u", "v"]
+    tilt: float
+    width: Length
+    position: Literal["standing", "lying"]
+    layers: int
+    hole: Length
+    overhang: Length | None
+    strip: Literal["auto", "developable", "twisted"]
+    pattern: Literal["auto", "straight", "arc", "free"]
+    smooth: bool
+    stock: Length | None
+    trim: Length
+    saw: Length
+    sheet: str | None
+    spacing: Length
+    grain: Literal["none", "along"]
+    kerf: Length
+    distortion: float
+
+
+class StructureSettings(Sizes, total=False):
+    """What a Structure of a document can be told."""
+
+    beams: Feature
+    family: Literal["u", "v", "both"]
+    lines: Sequence[int]
+    material: str
+    density: float
+
+
+class WorkshopSettings(TypedDict, total=False):
+    """What parts are cut from and with, and how drawings are written."""
+
+    sheet: str | tuple[float, float] | None
+    spacing: Length
+    grain: Literal["none", "along"]
+    nesting: Literal["boxes", "outlines"]
+    seed: int
+    stock: Length | None
+    saw: Length
+    trim: Length
+    rest: Length
+    section_tolerance: float
+    kerf: Length
+    dxf: Literal["blocks", "flat", "parts"]
+    dxf_version: Literal["r2010", "r12"]
+    dxf_text: Literal["text", "strokes", "none"]
+    step: Literal["one", "systems"]
+    step_tolerance: Length
+
+
+class PassedSettings(TypedDict, total=False):
+    """What the solver is told in one call, and the Net of a document does not keep."""
+
+    max_steps: int
+    backend: str | None
+    options: NetOptions
+    constraints: Constraints
+
+
+class NetSettings(PassedSettings, total=False):
+    """What the Net of a document can be told."""
+
+    net: str
+    fix: str | Sequence[int | str]
+    handles: Mapping[int, Sequence[float]]
+    glide: Sequence[Any]
+    close_to: Sequence[Any]
+    symmetry: str
+    diagonal: bool
+    angle: float
+    radius: Length | None
+    length: Length | None
+    per_family: bool
+    reference: Feature
+    load: float
+    load_area: float
+    load_length: float
+    forces: Literal["free", "compression", "tension"]
+    singular: Literal["exempt", "include"]
+    fairness: float | None
+    closeness: float | None
+    multi: float | None
+    isometry: float | None
+    tolerance: float
