@@ -31,6 +31,7 @@ def words() -> Iterator[tuple[str, str]]:
     for choice in OPTIONS.values():
         yield _PROPERTIES, choice.sentence
         yield from ((_PANELS, words) for words in (choice.label, *choice.shown.values()))
+        yield from ((_PANELS, words) for words in (choice.meaning, choice.absent) if words)
     for source in SOURCES.values():
         yield _PANELS, source.meaning
         for option in source.options:

@@ -70,15 +70,12 @@ def hint(text: str = "") -> QtGui.QLabel:
 
 
 class LengthField:
-    """A field for a length that speaks the user's unit system; an optional one may stay 0.
+    """A field for a length that speaks the user's unit system.
 
     ``absent`` is shown in place of 0, where that stands for something else.
     """
 
-    def __init__(
-        self, millimetres: float, optional: bool = False, signed: bool = False, absent: str = ""
-    ) -> None:
-        self._optional = optional
+    def __init__(self, millimetres: float, signed: bool = False, absent: str = "") -> None:
         least = None if signed else 0.0
         self._quantity = QuantityField("mm", millimetres, minimum=least, absent=absent)
         self.widget = self._quantity.widget
@@ -93,11 +90,6 @@ class LengthField:
     @millimetres.setter
     def millimetres(self, value: float) -> None:
         self._quantity.value = value
-
-    @property
-    def length(self) -> float | None:
-        """The length in mm, None where an optional one is not given."""
-        return None if self._optional and self.millimetres == 0.0 else self.millimetres
 
 
 class ChoiceField:
@@ -148,19 +140,6 @@ class NumberField:
             return int(text) if self._whole else float(text)
         except ValueError:
             raise InputError(f"{self._name}: '{text}' is not a number; give one like 0.1") from None
-
-
-class SwitchField:
-    """On or off."""
-
-    def __init__(self, checked: bool) -> None:
-        self.widget = QtGui.QCheckBox()
-        self.widget.setChecked(checked)
-
-    @property
-    def checked(self) -> bool:
-        """Whether it is on."""
-        return bool(self.widget.isChecked())
 
 
 class TextField:

@@ -9,22 +9,12 @@ from PySide import QtGui
 
 from freecad_ortho import convert
 from freecad_ortho.objects.net import is_net
-from freecad_ortho.panels.fields import (
-    NARROW,
-    ChoiceField,
-    LengthField,
-    NumberField,
-    SwitchField,
-    form_rows,
-    leave_room,
-    sentence,
-)
+from freecad_ortho.panels.fields import ChoiceField, form_rows, sentence
 from freecad_ortho.panels.net_words import explain, net_words, reason_words
-from freecad_ortho.panels.quantity import QuantityField
+from freecad_ortho.panels.option_fields import OptionField
 from solver.analysis.advisor import Advice, advise
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
-from solver.option import Option
 
 translate = FreeCAD.Qt.translate
 
@@ -52,8 +42,10 @@ class NetChoice:
         self.use.clicked.connect(self._use_best)
         self.explanation = _wrapped()
         self.explanation.setEnabled(False)
-        self._meshes = [None, *_twins(net)]
-        self.fields = {name: self._field(option, stored[name]) for name, option in OPTIONS.items()}
+        twins = _twins(net)
+        self.fields = {
+            name: OptionField(option, stored[name], twins) for name, option in OPTIONS.items()
+        }
         self.box = QtGui.QGroupBox(translate("Ortho", "Net"))
         column = QtGui.QVBoxLayout(self.box)
         advised = QtGui.QHBoxLayout()
@@ -75,55 +67,17 @@ class NetChoice:
     @property
     def words(self) -> dict[str, Any]:
         """The choices as keywords of ``optimise_net``; those of other nets keep their values."""
-        options = {name: self._value(option) for name, option in OPTIONS.items()}
+        options = {name: field.value for name, field in self.fields.items()}
         return {"net": self.net_type.word, **options}
 
     @property
     def _diagonal(self) -> bool:
         """Whether the net that is chosen is asked of the diagonals."""
-        asked = self.fields["diagonal"].checked
-        return asked and True in NETS[self.net_type.word].variants
-
-    def _value(self, option: Option) -> Any:
-        field = self.fields[option.name]
-        if option.kind == "flag":
-            return field.checked
-        if option.kind == "length":
-            return field.millimetres or None
-        if option.kind == "number":
-            return field.number or 0.0
-        if option.kind == "mesh":
-            return self._meshes[field.widget.currentIndex()]
-        return field.value if option.kind == "angle" else field.word
-
-    def _field(self, option: Option, value: Any) -> Any:
-        """A field for an option of nets."""
-        words = {word: translate("Ortho", shown) for word, shown in option.shown.items()}
-        field: Any
-        if option.kind == "flag":
-            field = SwitchField(value)
-            field.widget.setText(words["yes"])
-        elif option.kind == "length":
-            field = LengthField(value or 0.0, absent=translate("Ortho", "automatic"))
-            field.widget.setToolTip(translate("Ortho", "Without a number the solver finds it."))
-        elif option.kind == "angle":
-            field = QuantityField("deg", value)
-            field.widget.setMinimumWidth(NARROW)
-        elif option.kind == "number":
-            field = NumberField(translate("Ortho", option.label), value)
-        elif option.kind == "choice":
-            field = ChoiceField(words, value)
-        else:
-            field = ChoiceField({"": words["none"]}, "")
-            field.widget.addItems([mesh.Label for mesh in self._meshes[1:]])
-            leave_room(field.widget)
-            if value in self._meshes:
-                field.widget.setCurrentIndex(self._meshes.index(value))
-        return field
+        return self.fields["diagonal"].value and True in NETS[self.net_type.word].variants
 
     def _change(self) -> None:
         """Begin with another net, on the edges."""
-        self.fields["diagonal"].widget.setChecked(False)
+        self.fields["diagonal"].value = False
         self._show()
 
     def _show(self) -> None:
@@ -159,7 +113,7 @@ class NetChoice:
         best = self._best()
         if best is not None:
             self.net_type.choose(best.net)
-            self.fields["diagonal"].widget.setChecked(best.diagonal)
+            self.fields["diagonal"].value = best.diagonal
             self._show()
 
 

@@ -1,13 +1,14 @@
-"""Input fields made from the options of a source."""
+"""Input fields made from declared options: of sources, nets and systems."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
 from PySide import QtGui
 
-from freecad_ortho.panels.fields import NARROW, ChoiceField, sentence
+from freecad_ortho.panels.fields import NARROW, ChoiceField, leave_room, sentence
 from freecad_ortho.panels.quantity import QuantityField
 from solver.option import Option
 
@@ -37,13 +38,21 @@ class _NumberBox(QtGui.QDoubleSpinBox):
 class OptionField:
     """One row of a form for one option; options without a widget keep the value they have.
 
+    Args:
+        option: any.
+        value: to begin with.
+        meshes: document objects that an option of the kind ``mesh`` may be.
+
     Attributes:
         widget: what stands in the row, None for what is not asked for in a form.
     """
 
-    def __init__(self, option: Option, value: Any) -> None:
+    def __init__(
+        self, option: Option, value: Any, meshes: Sequence[FreeCAD.DocumentObject] = ()
+    ) -> None:
         self.option = option
         self._value = value
+        self._meshes = [None, *meshes]
         self._parts: list[Any] = []
         self.widget = self._build(value)
         if self.widget is not None:
@@ -51,24 +60,27 @@ class OptionField:
 
     @property
     def value(self) -> Any:
-        """The value, plain, in mm and degrees."""
+        """The value, plain, in mm and degrees; None for a length that is to be found."""
         values = tuple(self._read(part) for part in self._parts)
         if not values:
             return self._value
-        return values if len(self.option.parts) > 1 else values[0]
+        if self.option.default is None and not values[0]:
+            return None
+        return values if self.option.several else values[0]
 
     @value.setter
     def value(self, value: Any) -> None:
         self._value = value
-        parts = value if len(self.option.parts) > 1 else (value,)
-        for part, item in zip(self._parts, parts, strict=False):
+        for part, item in zip(self._parts, self._items(value), strict=False):
             self._write(part, item)
+
+    def _items(self, value: Any) -> tuple[Any, ...]:
+        return value if self.option.several else (value,)
 
     def _build(self, value: Any) -> QtGui.QWidget | None:
         if self.option.kind in ("points", "placement"):
             return None
-        parts = value if len(self.option.parts) > 1 else (value,)
-        for item in parts:
+        for item in self._items(value):
             part = self._part()
             self._parts.append(part)
             self._write(part, item)
@@ -85,30 +97,43 @@ class OptionField:
         return group
 
     def _part(self) -> Any:
-        kind = self.option.kind
+        option, kind = self.option, self.option.kind
         if kind in _UNITS:
-            least = 0.0 if kind == "length" else -_MOST
-            absent = translate("Ortho", self.option.absent) if self.option.absent else ""
-            quantity = QuantityField(_UNITS[kind], minimum=least, maximum=_MOST, absent=absent)
-            quantity.widget.setMinimumWidth(_LEGIBLE)
-            return quantity
+            return self._quantity()
         if kind in _PLAIN:
             widget = _NumberBox()
-            if isinstance(self.option.default, tuple):
+            if option.several:
                 widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
         elif kind == "count":
             widget = QtGui.QSpinBox()
             widget.setRange(0, 100_000)
         elif kind == "choice":
-            words = {word: translate("Ortho", word) for word in self.option.choices}
-            return ChoiceField(words, self.option.choices[0])
+            words = {word: translate("Ortho", shown) for word, shown in option.words.items()}
+            return ChoiceField(words, option.choices[0])
+        elif kind == "mesh":
+            nothing = ChoiceField({"": translate("Ortho", option.shown["none"])}, "")
+            nothing.widget.addItems([mesh.Label for mesh in self._meshes[1:]])
+            leave_room(nothing.widget)
+            return nothing.widget
         elif kind == "flag":
-            return QtGui.QCheckBox()
+            box = QtGui.QCheckBox()
+            box.setText(translate("Ortho", option.shown["yes"]) if option.shown else "")
+            return box
         else:
             widget = QtGui.QLineEdit()
         words = isinstance(widget, QtGui.QLineEdit)
         widget.setMinimumWidth(_LEGIBLE if words else NARROW // 2)
         return widget
+
+    def _quantity(self) -> QuantityField:
+        """A number with a unit; in place of 0 stands what an absent one is."""
+        option = self.option
+        least = 0.0 if option.kind == "length" else -_MOST
+        absent = option.absent or ("automatic" if option.default is None else "")
+        words = translate("Ortho", absent) if absent else ""
+        quantity = QuantityField(_UNITS[option.kind], minimum=least, maximum=_MOST, absent=words)
+        quantity.widget.setMinimumWidth(_LEGIBLE)
+        return quantity
 
     def _read(self, part: Any) -> Any:
         kind = self.option.kind
@@ -116,6 +141,8 @@ class OptionField:
             return part.value
         if kind in (*_PLAIN, "count"):
             return part.value()
+        if kind == "mesh":
+            return self._meshes[part.currentIndex()]
         if kind == "choice":
             return part.word
         return part.isChecked() if kind == "flag" else part.text()
@@ -123,14 +150,16 @@ class OptionField:
     def _write(self, part: Any, value: Any) -> None:
         kind = self.option.kind
         if kind in _UNITS:
-            part.value = float(value)
+            part.value = float(value or 0.0)
         elif kind in _PLAIN:
             part.setValue(float(value))
         elif kind == "count":
             part.setValue(int(value))
         elif kind == "choice":
-            part.widget.setCurrentIndex(self.option.choices.index(value))
+            part.choose(value)
+        elif kind == "mesh":
+            part.setCurrentIndex(self._meshes.index(value) if value in self._meshes else 0)
         elif kind == "flag":
             part.setChecked(bool(value))
         else:
-            part.setText(value)
+            part.setText(value or "")

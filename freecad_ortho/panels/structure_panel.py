@@ -12,21 +12,12 @@ from freecad_ortho.commands import context, messages
 from freecad_ortho.fabrication import MATERIALS
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of, values
-from freecad_ortho.panels.fields import (
-    ChoiceField,
-    LengthField,
-    NumberField,
-    SwitchField,
-    TextField,
-    elided,
-    form_rows,
-    leave_room,
-    sentence,
-)
+from freecad_ortho.panels.fields import ChoiceField, TextField, elided, form_rows, leave_room
+from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 from solver.errors import InputError
-from solver.option import NUMBERS, Option
+from solver.option import Option
 
 translate = FreeCAD.Qt.translate
 
@@ -38,13 +29,8 @@ _PREFERRED = {
     ("panels", "gap"): "PanelGap",
 }
 
-# Units that a field does not show by itself.
-_UNITS = {"angle": "°", "percent": "%"}
-
 # Settings of every system that a structure has without being told.
 _COMMON: dict[str, Any] = {"beams": None, "family": "both", "lines": [], "material": "steel"}
-
-Field = LengthField | ChoiceField | NumberField | SwitchField | TextField
 
 
 class StructurePanel(WorkPanel):
@@ -73,7 +59,10 @@ class StructurePanel(WorkPanel):
         self.form.setWindowIcon(QtGui.QIcon(icon(system)))
         self._rows = form_rows(self.form)
         self._rows.addRow(translate("Ortho", "Net"), elided(net.Label))
-        self.fields = {option.name: _field(system, option) for option in options_of(system)}
+        self.fields = {
+            option.name: OptionField(option, _first(system, option))
+            for option in options_of(system)
+        }
         for option in options_of(system):
             self._add_row(option)
         self._add_common_fields(net)
@@ -111,7 +100,7 @@ class StructurePanel(WorkPanel):
 
     def _chosen(self) -> dict[str, Any]:
         """All that the fields say."""
-        chosen = {option.name: _value(self.fields[option.name]) for option in self._options}
+        chosen = {name: field.value for name, field in self.fields.items()}
         if self.on_beams is not None:
             chosen["beams"] = [None, *self._beams][self.on_beams.currentIndex()]
         chosen["family"] = self.family.word
@@ -119,14 +108,10 @@ class StructurePanel(WorkPanel):
         chosen["material"] = self.material.word
         return chosen
 
-    @property
-    def _options(self) -> tuple[Option, ...]:
-        return options_of(self._system)
-
     def _take_over(self, edited: FreeCAD.DocumentObject) -> None:
         """Show what a structure has, and take it for what is there already."""
         for name, value in values(edited, self._system).items():
-            _show(self.fields[name], value)
+            self.fields[name].value = value
         if self.on_beams is not None and edited.OnBeams in self._beams:
             self.on_beams.setCurrentIndex(self._beams.index(edited.OnBeams) + 1)
         elif self.on_beams is not None:
@@ -138,13 +123,12 @@ class StructurePanel(WorkPanel):
 
     def _add_row(self, option: Option) -> None:
         field, words = self.fields[option.name], translate("Ortho", option.label)
-        field.widget.setToolTip(sentence(translate("Ortho", option.meaning)))
-        if isinstance(field, SwitchField):
+        if option.kind == "flag":
             field.widget.setText(words)
             self._rows.addRow(field.widget)
         else:
-            unit = _UNITS.get(option.kind)
-            self._rows.addRow(f"{words} ({unit})" if unit else words, field.widget)
+            unit = " (%)" if option.kind == "percent" else ""
+            self._rows.addRow(words + unit, field.widget)
 
     def _add_common_fields(self, net: FreeCAD.DocumentObject) -> None:
         self.on_beams = None
@@ -173,45 +157,10 @@ class StructurePanel(WorkPanel):
         self._rows.addRow(translate("Ortho", "Material"), self.material.widget)
 
 
-def _field(system: str, option: Option) -> Field:
-    if option.kind == "choice":
-        words = {word: translate("Ortho", word) for word in option.choices}
-        return ChoiceField(words, option.default)
-    if option.kind == "length":
-        preferred = _PREFERRED.get((system, option.name))
-        first = preferences.length(preferred) if preferred else option.default or 0.0
-        optional = option.default is None
-        absent = option.absent or ("automatic" if optional else "")
-        return LengthField(first, optional, absent=translate("Ortho", absent) if absent else "")
-    if option.kind == "flag":
-        return SwitchField(option.default)
-    if option.kind in NUMBERS:
-        return NumberField(option.label, option.default, whole=option.kind == "count")
-    return TextField(option.default or "")
-
-
-def _value(field: Field) -> Any:
-    if isinstance(field, LengthField):
-        return field.length
-    if isinstance(field, ChoiceField):
-        return field.word
-    if isinstance(field, NumberField):
-        return field.number
-    return field.checked if isinstance(field, SwitchField) else field.text or None
-
-
-def _show(field: Field, value: Any) -> None:
-    """The other way: let a field show a value."""
-    if isinstance(field, LengthField):
-        field.millimetres = value or 0.0
-    elif isinstance(field, ChoiceField):
-        field.choose(value)
-    elif isinstance(field, SwitchField):
-        field.widget.setChecked(value)
-    elif isinstance(field, NumberField):
-        field.widget.setText("" if value is None else f"{value:g}")
-    else:
-        field.widget.setText(value or "")
+def _first(system: str, option: Option) -> Any:
+    """What a field begins with: the default, or what the preferences say."""
+    preferred = _PREFERRED.get((system, option.name))
+    return preferences.length(preferred) if preferred else option.default
 
 
 def _numbers(text: str) -> list[int]:

@@ -174,8 +174,8 @@ class TestSettings(WindowCase):
         beams = api.add_beams(self.net, height=150.0)
         panels = api.add_panels(self.net, beams=beams)
         volumes, steps = (beams.Shape.Volume, panels.Shape.Volume), self.document.UndoCount
-        self.assertEqual(self.opened(beams).fields["height"].millimetres, 150.0)
-        self.panel.fields["height"].millimetres = 300.0
+        self.assertEqual(self.opened(beams).fields["height"].value, 150.0)
+        self.panel.fields["height"].value = 300.0
         press("Apply")
         self.assertEqual(beams.Height.Value, 300.0)
         self.assertGreater(beams.Shape.Volume, 1.9 * volumes[0])
@@ -184,10 +184,10 @@ class TestSettings(WindowCase):
         self.assertEqual((beams.Shape.Volume, panels.Shape.Volume), volumes)
         self.assertEqual({item.State[0] for item in (beams, panels)}, {"Up-to-date"})
         self.opened(beams)
-        self.panel.fields["height"].millimetres = 300.0
+        self.panel.fields["height"].value = 300.0
         press("Apply")
-        self.panel.fields["height"].millimetres = 150.0
-        self.panel.fields["thickness"].millimetres = 20.0
+        self.panel.fields["height"].value = 150.0
+        self.panel.fields["thickness"].value = 20.0
         lifted = panels.Shape.BoundBox.ZMax
         press("Ok")
         self.assertEqual((beams.Height.Value, beams.Thickness.Value), (150.0, 20.0))
@@ -203,7 +203,7 @@ class TestSettings(WindowCase):
         beams = api.add_beams(self.net)
         volume, steps = beams.Shape.Volume, self.document.UndoCount
         self.opened(beams)
-        self.panel.fields["thickness"].millimetres = 1e5
+        self.panel.fields["thickness"].value = 1e5
         for button in ("Apply", "Ok"):
             press(button)
             self.assertIn("thickness", self.errors.pop())
