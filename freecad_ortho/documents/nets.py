@@ -149,14 +149,14 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
 
     Args:
         target: the Net.
-        settings: what is given is kept in the Net's properties, the rest is taken from there:
-            ``net`` (name of the net); ``fix`` (``none``, ``corners``, ``boundary``, numbers, or
-            a list of both); ``glide`` (list of ``boundary``, ``z=0`` or ``(object, "Edge1")``, with
-            vertices as a third entry); ``close_to`` (the same kind of list); ``handles`` (places in
-            mm by vertex); ``symmetry``; ``diagonal``, ``angle``, ``radius``, ``length``,
-            ``per_family``, ``reference`` (a Net), ``load``, ``load_area``, ``load_length``,
-            ``forces``; the weights ``fairness``, ``closeness``, ``multi``, ``isometry``;
-            ``tolerance``. Any other as for :func:`freecad_ortho.api.optimise`, not kept.
+        settings: those of :class:`freecad_ortho.keywords.NetSettings`. What is given is kept in the
+            Net's properties, the rest is taken from there: ``net`` (its name); ``fix`` (``none``,
+            ``corners``, ``boundary``, numbers, or a list of both); ``glide`` (list of ``boundary``,
+            ``z=0`` or ``(object, "Edge1")``, with vertices as a third entry); ``close_to`` (the
+            same kind of list); ``handles`` (places in mm by vertex); ``symmetry``; the options of
+            nets; the weights ``fairness``, ``closeness``, ``multi``, ``isometry``; ``tolerance``.
+            Not kept: ``max_steps``, ``backend``, and ``options`` and ``constraints`` as for
+            :func:`freecad_ortho.api.optimise`.
 
     Returns:
         The outcome, its mesh in mm; the report is also in the Net's ``LastReport``.

@@ -20,7 +20,6 @@ _OK = "ok"
 # Colour and transparency in per cent; what carries the panels stays visible through them.
 _WOOD, _IRON = (0.76, 0.64, 0.47), (0.36, 0.39, 0.43)
 _TRANSPARENT = 40
-_PLATES = ("Panels", "Louvres", "Bent-panels", "Patches")
 
 
 _PROPERTIES = (
@@ -99,7 +98,6 @@ class StructureView(Stateless):
 
 
 def _look(system: str) -> tuple[tuple[float, float, float], int]:
-    if system in _PLATES:
-        transparency = _TRANSPARENT if system == "Panels" else 0
-        return preferences.colour("PanelColour"), transparency
-    return {"Lamellas": _WOOD, "Nodes": _IRON}.get(system, preferences.colour("BeamColour")), 0
+    transparency = _TRANSPARENT if system == "Panels" else 0
+    own = {"Lamellas": _WOOD, "Nodes": _IRON, "Beams": preferences.colour("BeamColour")}
+    return own.get(system, preferences.colour("PanelColour")), transparency

@@ -1,6 +1,7 @@
 """The workbench in FreeCAD's window: every command, task panels, pictures. Run by FreeCAD."""
 
 import os
+import sys
 from unittest import mock
 
 import FreeCAD
@@ -139,6 +140,25 @@ class TestCommands(WorkbenchCase):
         keys = [key for key in keys if key]
         self.assertGreater(len(keys), 8)
         self.assertEqual(len(keys), len(set(keys)))
+
+    def test_one_of_ones_own_is_known_by_its_class_and_records_itself(self):
+        import ortho_own_command
+
+        from freecad_ortho import commands
+
+        own = mock.patch.dict(sys.modules, {"freecad_ortho.commands.own": ortho_own_command})
+        with own, mock.patch.object(commands, "_FILES", ("own",)):
+            commands.register()
+        with mock.patch.dict(commands.TOOLBARS, Own=("TurnOver",)):
+            (name,) = commands.names("Own")
+        self.assertFalse(FreeCADGui.isCommandActive(name))
+        net = self.imported(tools.wavy_mesh())
+        steps, lines = net.Document.UndoCount, len(self.lines)
+        FreeCADGui.runCommand(name)
+        self.assertTrue(net.Flipped)
+        self.assertEqual(net.Document.UndoCount, steps + 1)
+        self.assertEqual(len(self.lines), lines + 1)
+        self.assertIn("freecad_ortho.api.flip_net(FreeCAD.", self.lines[-1])
 
     def test_context_menu_offers_what_suits_the_selection(self):
         from freecad_ortho import commands
