@@ -15,11 +15,11 @@ from solver.terms.base import Term, follows
 from solver.tuning import Tuning
 
 # A measure sees the mesh in model units and the shared scalars.
-Measure = Callable[[QuadMesh, FloatArray], FloatArray]
+Judgement = Callable[[QuadMesh, FloatArray], FloatArray]
 Detail = float | list[float]
 
 
-def of_mesh(measure: Callable[..., FloatArray], **settings: object) -> Measure:
+def of_mesh(measure: Callable[..., FloatArray], **settings: object) -> Judgement:
     """Turn a measure of the bare mesh into one that a problem can use."""
     return lambda mesh, scalars: measure(mesh, **settings)
 
@@ -72,7 +72,7 @@ class Problem:
     fixed: BoolArray
     constraints: list[Term] = field(default_factory=list)
     guides: list[Guide] = field(default_factory=list)
-    measures: dict[str, Measure] = field(default_factory=dict)
+    measures: dict[str, Judgement] = field(default_factory=dict)
     details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
     may_flatten: bool = False
     tuning: Tuning = field(default_factory=Tuning)
@@ -100,7 +100,7 @@ class Problem:
     def require(
         self,
         term: Term,
-        measure: Measure | None = None,
+        measure: Judgement | None = None,
         place: Callable[[int], str] | None = None,
     ) -> Problem:
         """Add a term that has to vanish, and the measure by which that is judged.
@@ -122,7 +122,7 @@ class Problem:
                 index -= len(term.unknowns)
         return f"element {index}"
 
-    def _own_residual(self, name: str) -> Measure:
+    def _own_residual(self, name: str) -> Judgement:
         """Measure by the residuals of the constraints with a name, looked up afresh.
 
         They are as the solver sees them, lengths in mean edges of the start.

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
@@ -69,8 +70,10 @@ def _oriented(mesh: QuadMesh, reverse: bool, swap: bool) -> QuadMesh:
     return mirror.swapped(mesh) if swap else mesh
 
 
-def _moved(mesh: QuadMesh, **options: Any) -> QuadMesh:
-    return transform.similarity(mesh, degrees=options.pop("turn"), **options)
+def _moved(
+    mesh: QuadMesh, scale: float, turn: ArrayLike, move: ArrayLike, centre: ArrayLike
+) -> QuadMesh:
+    return transform.similarity(mesh, scale=scale, degrees=turn, move=move, centre=centre)
 
 
 def _welded(meshes: Sequence[QuadMesh], unit: str, tolerance: float) -> Made:

@@ -44,7 +44,8 @@ def found(
     area_load: Vector,
     edge_load: Vector,
     pressure: float,
-    **limits: Any,
+    tolerance: float = 1e-10,
+    max_iterations: int = 500,
 ) -> tuple[FormFound, list[str]]:
     """The form of the options, and what is to be said about the loads on the start.
 
@@ -61,7 +62,8 @@ def found(
         area_load: of the faces.
         edge_load: of the edges.
         pressure: along the normals.
-        limits: of ``solver.formfinding.find_form``.
+        tolerance: of ``solver.formfinding.find_form``.
+        max_iterations: likewise.
 
     Raises:
         InputError: no such supports, or values of which there is no form.
@@ -75,7 +77,8 @@ def found(
             mesh = find_form(mesh, held, tension).mesh
         tension = Membrane(stress, border_force)
     loads = Loads(vertex_load, area_load, edge_load, pressure)
-    return find_form(mesh, held, tension, loads, **limits), [] if side is None else [side]
+    form = find_form(mesh, held, tension, loads, tolerance=tolerance, max_iterations=max_iterations)
+    return form, [] if side is None else [side]
 
 
 def _formed(meshes: Sequence[QuadMesh], unit: str, **options: Any) -> Made:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +18,10 @@ from solver.multinet.formula import formula
 from solver.multinet.polyline import Spline
 from solver.multinet.presets import PRESETS
 from solver.option import Former, Option
+
+if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
 
 QUADRICS = {
     "ellipsoid": (1.0, 1.0, 1.0),
@@ -114,20 +118,34 @@ def said_range(low: float, high: float, unit: str = "mm") -> str:
 
 
 def _drawn(
-    unit: str, sampling: tuple[int, int], t_range: tuple[float, float], spacing: str,
-    reflect: str, **given: Any,
+    unit: str, quadric: str, semi_axes: ArrayLike, points: FloatArray, closed: bool,
+    placement: Placing, sampling: tuple[int, int], t_range: tuple[float, float], spacing: str,
+    reflect: str,
 ) -> Made:  # fmt: skip
-    return _finished(drawn_net(**given), unit, sampling, t_range, spacing, reflect)
+    net = drawn_net(quadric, semi_axes, points, closed, placement)
+    return _finished(net, unit, sampling, t_range, spacing, reflect)
 
 
 def _elliptic(
     unit: str, semi_axes: tuple[float, float, float], placement: Placing,
     sampling: tuple[int, int], t_range: tuple[float, float], spacing: str, reflect: str,
-    **given: Any,
+    **curve: Unpack[Curve],
 ) -> Made:  # fmt: skip
-    net = elliptic(tuple(float(length) ** 2 for length in semi_axes), **given)
+    net = elliptic(tuple(float(length) ** 2 for length in semi_axes), **curve)
     made = _finished(net, unit, sampling, t_range, spacing, reflect)
     return Made(placed(made.mesh, placement), made.remarks)
+
+
+class Curve(TypedDict):
+    """What :func:`elliptic` makes a net of."""
+
+    moving: str
+    curve: str
+    first_formula: str
+    second_formula: str
+    points: FloatArray
+    coordinates: FloatArray
+    closed: bool
 
 
 def elliptic(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from freecad_ortho.sources.placing import PLACEMENT, placed
+from freecad_ortho.sources.placing import PLACEMENT, Placing, placed
 from freecad_ortho.sources.source import Made, Source
 from solver.mesh.primitives import PRIMITIVES, Parameter, primitive
 from solver.option import Former, Kind, Option
@@ -63,7 +63,7 @@ def _source(name: str) -> Source:
     entry = PRIMITIVES[name]
     options = tuple(_option(name, parameter) for parameter in entry.parameters)
 
-    def build(unit: str, sampling: tuple[int, int], placement: Any, **parameters: Any) -> Made:
+    def build(unit: str, sampling: tuple[int, int], placement: Placing, **parameters: Any) -> Made:
         for key, value in list(parameters.items()):
             if key in ("profile", "spine"):
                 points = value[:, :2] if key == "profile" and len(value) else value
