@@ -53,7 +53,7 @@ def main() -> None:
 
     default = Path(__file__).parent / "data" / "demo_roof.obj"
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else default
-    mesh = QuadMesh.from_arrays(*demo_roof())
+    mesh = QuadMesh(*demo_roof())
     write_obj(target, mesh, unit="mm")
     print(f"{target}: {len(mesh.vertices)} vertices, {len(mesh.faces)} quads")
 

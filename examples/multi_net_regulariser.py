@@ -23,7 +23,7 @@ WEIGHT = 1.0
 
 def rough_roof(amount: float = 0.1) -> tuple[QuadMesh, QuadMesh]:
     """The demo roof and the same with noise of that many mean edges."""
-    roof = QuadMesh.from_arrays(*demo_roof())
+    roof = QuadMesh(*demo_roof())
     moves = np.random.default_rng(1).normal(size=roof.vertices.shape)
     noise = amount * roof.mean_edge / np.sqrt(3) * moves
     return roof, roof.with_vertices(roof.vertices + noise)

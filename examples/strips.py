@@ -42,18 +42,18 @@ def ribbon(one: np.ndarray, two: np.ndarray) -> QuadMesh:
     """Quads between two polylines (n, 3)."""
     k = np.arange(len(one) - 1)
     faces = np.stack([k, k + 1, k + 1 + len(one), k + len(one)], axis=1)
-    return QuadMesh.from_arrays(np.concatenate([one, two]), faces)
+    return QuadMesh(np.concatenate([one, two]), faces)
 
 
 def joined(parts: list[QuadMesh]) -> QuadMesh:
     """Several meshes as one, nothing merged."""
     offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
     faces = np.concatenate([p.faces + o for p, o in zip(parts, offsets, strict=True)])
-    return QuadMesh.from_arrays(np.concatenate([part.vertices for part in parts]), faces)
+    return QuadMesh(np.concatenate([part.vertices for part in parts]), faces)
 
 
 def fans(points: np.ndarray, triangles: np.ndarray) -> QuadMesh:
     """Triangles as quads with a straight corner, to be drawn."""
     middles = points[triangles[:, [0, 2]]].mean(axis=1)
     fourth = len(points) + np.arange(len(triangles))
-    return QuadMesh.from_arrays(np.concatenate([points, middles]), np.c_[triangles, fourth])
+    return QuadMesh(np.concatenate([points, middles]), np.c_[triangles, fourth])

@@ -23,17 +23,17 @@ def beams(mesh: QuadMesh, height: float) -> QuadMesh:
     upper = mesh.vertices + height * torsion_free_axes(mesh).offsets
     one, two = mesh.connectivity.edges.T
     points = np.stack([mesh.vertices[one], mesh.vertices[two], upper[two], upper[one]], axis=1)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), np.arange(4 * len(one)).reshape(-1, 4))
+    return QuadMesh(points.reshape(-1, 3), np.arange(4 * len(one)).reshape(-1, 4))
 
 
 def corner(mesh: QuadMesh, centre: np.ndarray, reach: float) -> QuadMesh:
     """The faces of a mesh near a point."""
     apart = np.linalg.norm(mesh.vertices[mesh.faces].mean(axis=1) - centre, axis=1)
-    return QuadMesh.from_arrays(mesh.vertices, mesh.faces[apart < reach])
+    return QuadMesh(mesh.vertices, mesh.faces[apart < reach])
 
 
 if __name__ == "__main__":
-    roof = optimise(QuadMesh.from_arrays(*demo_roof()), "principal").mesh
+    roof = optimise(QuadMesh(*demo_roof()), "principal").mesh
     print(f"the worst beam twists by {np.degrees(torsion_free_axes(roof).twist.max()):.0e} degrees")
     if len(sys.argv) > 1:
         plates, steel = beams(roof, -450.0), "#c98f4e"

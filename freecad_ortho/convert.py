@@ -42,7 +42,7 @@ def quad_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
             "change or import the mesh again"
         )
     faces = np.array(net.Faces, dtype=np.int64).reshape(-1, 4)
-    return QuadMesh.from_arrays(array(net.Vertices), faces)
+    return QuadMesh(array(net.Vertices), faces)
 
 
 def store_mesh(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> None:

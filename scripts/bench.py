@@ -47,7 +47,7 @@ def wavy_grid(side: int) -> QuadMesh:
     x, y, z = radius * np.cos(turn), radius * np.sin(turn), height
     corner = np.arange(side * side).reshape(side, side)
     quads = [corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]]
-    return QuadMesh.from_arrays(
+    return QuadMesh(
         np.stack([x, y, z], axis=2).reshape(-1, 3), np.stack(quads, axis=2).reshape(-1, 4)
     )
 

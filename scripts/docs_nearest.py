@@ -55,7 +55,7 @@ def sampled(name: str, rows: int, columns: int) -> QuadMesh:
     """A surface as a mesh of so many vertices along its coordinate lines."""
     u, v = np.meshgrid(np.linspace(0, 1, rows), np.linspace(0, 1, columns), indexing="ij")
     points = np.stack(np.broadcast_arrays(*SURFACES[name](u, v)), axis=2)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(rows, columns))
+    return QuadMesh(points.reshape(-1, 3), grid_faces(rows, columns))
 
 
 def row(name: str) -> str:

@@ -139,7 +139,7 @@ def corner(principal: Path, folder: Path) -> None:
         for column in range(COLUMNS)
     ]
     used, faces = np.unique(mesh.faces[chosen], return_inverse=True)
-    patch = QuadMesh.from_arrays(mesh.vertices[used], faces.reshape(-1, 4))
+    patch = QuadMesh(mesh.vertices[used], faces.reshape(-1, 4))
     api.write_mesh(folder / "patch.obj", patch, "mm")
     order = {
         "paths": [str(ROOT), str(ROOT / "scripts")],

@@ -45,9 +45,7 @@ def wavy_grid(rows: int, columns: int, shear: float = 0.2, height: float = 0.15)
     i, j = np.meshgrid(np.arange(rows, dtype=float), np.arange(columns, dtype=float), indexing="ij")
     x, y = i + shear * j, j.copy()
     z = height * rows * np.sin(2.2 * x / rows + 0.3) * np.cos(1.9 * y / columns - 0.2)
-    return QuadMesh.from_arrays(
-        np.stack([x, y, z], axis=2).reshape(-1, 3), grid_faces(rows, columns)
-    )
+    return QuadMesh(np.stack([x, y, z], axis=2).reshape(-1, 3), grid_faces(rows, columns))
 
 
 def surface_of_revolution(meridians: int = 9, parallels: int = 7) -> QuadMesh:
@@ -56,7 +54,7 @@ def surface_of_revolution(meridians: int = 9, parallels: int = 7) -> QuadMesh:
     height = np.linspace(-1.0, 1.3, parallels)[None, :]
     radius = 3.0 - 0.5 * height**2
     points = np.stack([radius * np.cos(angle), radius * np.sin(angle), height + 0 * angle], axis=2)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(meridians, parallels))
+    return QuadMesh(points.reshape(-1, 3), grid_faces(meridians, parallels))
 
 
 @pytest.fixture

@@ -50,7 +50,7 @@ def parameters(
 def grid(x: FloatArray, y: FloatArray, z: FloatArray) -> QuadMesh:
     """Mesh of three arrays of one (rows, columns) shape."""
     points = np.stack(np.broadcast_arrays(x, y, z), axis=-1)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(*points.shape[:2]))
+    return QuadMesh(points.reshape(-1, 3), grid_faces(*points.shape[:2]))
 
 
 def bent_sheet(
@@ -149,4 +149,4 @@ def rhombic_dodecahedron() -> QuadMesh:
                 if np.cross(c - a, d - b) @ a < 0:
                     face.reverse()
                 faces.append(face)
-    return QuadMesh.from_arrays(points, faces)
+    return QuadMesh(points, faces)

@@ -66,7 +66,7 @@ def test_a_length_for_each_family(tmp_path):
     i, j = np.meshgrid(np.arange(8.0), 2.0 * np.arange(7.0), indexing="ij")
     points = np.stack([i, j + 0.05 * i, 0.4 * np.sin(0.5 * i)], axis=2).reshape(-1, 3)
     start = tmp_path / "sheet.obj"
-    api.write_mesh(start, QuadMesh.from_arrays(points, grid_faces(8, 7)))
+    api.write_mesh(start, QuadMesh(points, grid_faces(8, 7)))
     mesh, _ = optimised(tmp_path, start, "--net", "chebyshev", "--per-family")
     for family in (0, 1):
         chosen = mesh.connectivity.edge_families == family
@@ -96,7 +96,7 @@ def test_isometric_to_a_reference_with_a_handle(tmp_path):
     i, j = np.meshgrid(angle, 0.15 * np.arange(7), indexing="ij")
     bent = np.stack([np.sin(i), j, np.cos(i)], axis=2).reshape(-1, 3)
     start = tmp_path / "sheet.obj"
-    sheet = QuadMesh.from_arrays(bent, grid_faces(9, 7))
+    sheet = QuadMesh(bent, grid_faces(9, 7))
     api.write_mesh(start, sheet)
     x, y, z = bent[3] + [0.05, 0, -0.05]
     mesh, report = optimised(
@@ -189,7 +189,7 @@ def test_the_other_variant_is_named_where_it_is_much_closer(tmp_path, capsys):
     s, t = np.meshgrid(np.linspace(-1, 1, 9), np.linspace(-1, 1, 9), indexing="ij")
     points = np.stack([s * np.cos(t), s * np.sin(t), t], axis=2).reshape(-1, 3)
     start = tmp_path / "helicoid.obj"
-    api.write_mesh(start, QuadMesh.from_arrays(points, grid_faces(9, 9)))
+    api.write_mesh(start, QuadMesh(points, grid_faces(9, 9)))
     main(
         ["optimise", str(start), "--net", "asymptotic", "--diagonal", "-o", str(tmp_path / "n.obj")]
     )
@@ -203,7 +203,7 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
     u, v = np.meshgrid(angles, angles, indexing="ij")
     cap = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], axis=2)
     start = tmp_path / "cap.obj"
-    api.write_mesh(start, QuadMesh.from_arrays(cap.reshape(-1, 3), grid_faces(8, 8)))
+    api.write_mesh(start, QuadMesh(cap.reshape(-1, 3), grid_faces(8, 8)))
     main(["check", str(start), "--json"])
     advice = json.loads(capsys.readouterr().out)["advice"]
     verdicts = {(entry["net"], entry["diagonal"]): entry["possible"] for entry in advice["nets"]}

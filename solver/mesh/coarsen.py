@@ -107,7 +107,7 @@ def compact(mesh: QuadMesh, faces: IntArray) -> QuadMesh:
     if not len(faces):
         raise InputError("mesh: no face is left; keep more")
     kept, numbers = np.unique(faces, return_inverse=True)
-    return QuadMesh.from_arrays(mesh.vertices[kept], numbers.reshape(-1, 4))
+    return QuadMesh(mesh.vertices[kept], numbers.reshape(-1, 4))
 
 
 def coarsened_grid(mesh: QuadMesh, u: int = 2, v: int = 2, keep_border: bool = True) -> QuadMesh:

@@ -59,7 +59,7 @@ class DiagonalPair:
         faces[:, 0::2] = self.first_numbers[self.crossings[:, 0::2]]
         faces[:, 1::2] = self.second_numbers[self.crossings[:, 1::2]]
         turned = np.where(self.starts[:, None], faces, np.roll(faces, 1, axis=1))
-        return QuadMesh.from_arrays(vertices, turned)
+        return QuadMesh(vertices, turned)
 
     def with_vertices(self, first: FloatArray, second: FloatArray) -> DiagonalPair:
         """The same pair with other positions."""
@@ -167,7 +167,7 @@ def _part(mesh: QuadMesh, own: BoolArray, around: list[list[int]], boundary: str
             f"diagonal mesh: {len(mesh.faces)} faces are too few for a diagonal face; subdivide "
             "the mesh first"
         )
-    return QuadMesh.from_arrays(mesh.vertices[np.concatenate([kept, extra]).astype(int)], faces)
+    return QuadMesh(mesh.vertices[np.concatenate([kept, extra]).astype(int)], faces)
 
 
 def medial_mesh(mesh: QuadMesh) -> QuadMesh:
@@ -190,7 +190,7 @@ def medial_mesh(mesh: QuadMesh) -> QuadMesh:
     for _ in range(4):
         faces.append(half // 4)
         half = net.twins[half - half % 4 + (half + 3) % 4]
-    return QuadMesh.from_arrays(centres, np.stack(faces, axis=1))
+    return QuadMesh(centres, np.stack(faces, axis=1))
 
 
 def checkerboard(mesh: QuadMesh) -> QuadMesh:
@@ -209,4 +209,4 @@ def checkerboard(mesh: QuadMesh) -> QuadMesh:
     for _ in range(4):
         around.append(net.face_edges.ravel()[half])
         half = net.twins[half - half % 4 + (half + 3) % 4]
-    return QuadMesh.from_arrays(middles, np.concatenate([net.face_edges, np.stack(around, axis=1)]))
+    return QuadMesh(middles, np.concatenate([net.face_edges, np.stack(around, axis=1)]))

@@ -70,7 +70,7 @@ def grid_mesh(points: FloatArray, closed_u: bool = False, closed_v: bool = False
         InputError: too few points in a direction.
     """
     m, n = points.shape[:2]
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(m, n, closed_u, closed_v))
+    return QuadMesh(points.reshape(-1, 3), grid_faces(m, n, closed_u, closed_v))
 
 
 def grid_of(mesh: QuadMesh) -> Grid:

@@ -49,7 +49,7 @@ def mirrored(mesh: QuadMesh, normal: ArrayLike, point: ArrayLike = (0, 0, 0)) ->
     image = mesh.vertices - 2 * height[:, None] * direction
     number = np.where(seam, np.arange(len(old)), len(old) - 1 + np.cumsum(~seam))
     faces = np.concatenate([mesh.faces, number[mesh.faces[:, [1, 0, 3, 2]]]])
-    return QuadMesh.from_arrays(np.concatenate([old, image[~seam]]), faces)
+    return QuadMesh(np.concatenate([old, image[~seam]]), faces)
 
 
 def _crosses(height: FloatArray, seam: np.ndarray) -> bool:
@@ -74,7 +74,7 @@ def reflection(mesh: QuadMesh, normal: ArrayLike, point: ArrayLike = (0, 0, 0)) 
     direction, origin = _plane(normal, point)
     height = (mesh.vertices - origin) @ direction
     image = mesh.vertices - 2 * height[:, None] * direction
-    return QuadMesh.from_arrays(image, mesh.faces[:, [1, 0, 3, 2]])
+    return QuadMesh(image, mesh.faces[:, [1, 0, 3, 2]])
 
 
 def welded(meshes: Sequence[QuadMesh], tolerance: float = MEETING) -> QuadMesh:
@@ -111,7 +111,7 @@ def weld_remarks(meshes: Sequence[QuadMesh], whole: QuadMesh) -> list[str]:
 
 def reversed_orientation(mesh: QuadMesh) -> QuadMesh:
     """The same net seen from its other side; vertex and face numbers and families stay."""
-    return QuadMesh.from_arrays(mesh.vertices, mesh.faces[:, [1, 0, 3, 2]])
+    return QuadMesh(mesh.vertices, mesh.faces[:, [1, 0, 3, 2]])
 
 
 def swapped(mesh: QuadMesh) -> QuadMesh:
@@ -123,6 +123,6 @@ def swapped(mesh: QuadMesh) -> QuadMesh:
     try:
         grid = grid_of(mesh)
     except InputError:
-        return QuadMesh.from_arrays(mesh.vertices, np.roll(mesh.faces, -1, axis=1))
+        return QuadMesh(mesh.vertices, np.roll(mesh.faces, -1, axis=1))
     turned = grid.points(mesh)[::-1].transpose(1, 0, 2)
     return grid_mesh(turned, closed_u=grid.closed_v, closed_v=grid.closed_u)

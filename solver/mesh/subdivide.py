@@ -24,7 +24,7 @@ def subdivided(mesh: QuadMesh, levels: int = 1) -> QuadMesh:
     for _ in range(_levels(mesh, levels)):
         middles = mesh.vertices[mesh.connectivity.edges].mean(axis=1)
         centres = mesh.vertices[mesh.faces].mean(axis=1)
-        mesh = QuadMesh.from_arrays(
+        mesh = QuadMesh(
             np.concatenate([mesh.vertices, middles, centres]), _faces(mesh.connectivity)
         )
     return mesh
@@ -49,7 +49,7 @@ def catmull_clark(mesh: QuadMesh, levels: int = 1) -> QuadMesh:
         smooth = 0.5 * (middles + 0.5 * (centres[left] + centres[right]))
         edge_points = np.where(net.boundary_edges[:, None], middles, smooth)
         vertices = np.concatenate([_vertex_points(mesh, centres, middles), edge_points, centres])
-        mesh = QuadMesh.from_arrays(vertices, _faces(net))
+        mesh = QuadMesh(vertices, _faces(net))
     return mesh
 
 

@@ -66,7 +66,7 @@ def inverted(mesh: QuadMesh, centre: ArrayLike, radius: float) -> QuadMesh:
             "move the centre"
         )
     image = fixed + arms * (radius**2 / squares)[:, None]
-    return QuadMesh.from_arrays(image, mesh.faces[:, [1, 0, 3, 2]])
+    return QuadMesh(image, mesh.faces[:, [1, 0, 3, 2]])
 
 
 def moebius(mesh: QuadMesh, centre: ArrayLike, strength: float = 1.0) -> QuadMesh:
@@ -95,7 +95,7 @@ def moebius(mesh: QuadMesh, centre: ArrayLike, strength: float = 1.0) -> QuadMes
     normal = arm / distance
     height = (turned.vertices - middle) @ normal
     mirrored = turned.vertices - 2 * height[:, None] * normal
-    return QuadMesh.from_arrays(mirrored, mesh.faces)
+    return QuadMesh(mirrored, mesh.faces)
 
 
 def _vector(name: str, value: ArrayLike) -> np.ndarray:

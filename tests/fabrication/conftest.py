@@ -23,7 +23,7 @@ def roof():
     height, angle = np.meshgrid(np.linspace(0, 9, 7), np.linspace(0, 2.5, 10), indexing="ij")
     radius = 4.2 + 1.0 * np.sin(0.7 * height)
     points = np.stack([radius * np.cos(angle), radius * np.sin(angle), height], axis=-1)
-    return QuadMesh.from_arrays(1000 * points.reshape(-1, 3), grid_faces(7, 10))
+    return QuadMesh(1000 * points.reshape(-1, 3), grid_faces(7, 10))
 
 
 @pytest.fixture(scope="session")
@@ -45,7 +45,7 @@ def twisted():
     """Straight lines on a hyperbolic paraboloid: no face planar, beams must twist."""
     x, y = np.meshgrid(np.linspace(-1, 1, 6), np.linspace(-1, 1, 6), indexing="ij")
     points = np.stack([y, x, 0.3 * x * y], axis=-1)
-    return QuadMesh.from_arrays(3000 * points.reshape(-1, 3), grid_faces(6, 6))
+    return QuadMesh(3000 * points.reshape(-1, 3), grid_faces(6, 6))
 
 
 @pytest.fixture(scope="session")

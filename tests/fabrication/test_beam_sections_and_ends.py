@@ -125,9 +125,7 @@ def test_volumes_by_formula(skewed):
 def test_flat_grid_of_laps_is_plates_less_slots():
     """Square cells of 1 m: area and volume of every beam in closed form."""
     x, y = np.meshgrid(1000.0 * np.arange(4), 1000.0 * np.arange(5), indexing="ij")
-    flat = QuadMesh.from_arrays(
-        np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), grid_faces(4, 5)[:, ::-1]
-    )
+    flat = QuadMesh(np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), grid_faces(4, 5)[:, ::-1])
     made = build(flat, [Beams(200, 10, ends="lapped", clearance=2)])
     slot = (10 + 2) * (100 + 1)
     for part in made.parts:
@@ -263,7 +261,7 @@ def winding(turn):
     """A wall along a ramp around a tower: plane faces, edges of about 1 m."""
     angle, height = np.meshgrid(np.linspace(0, turn, 24), np.arange(3.0), indexing="ij")
     points = np.stack([4 * np.cos(angle), 4 * np.sin(angle), height + 0.7 * angle], axis=-1)
-    return QuadMesh.from_arrays(1000 * points.reshape(-1, 3), grid_faces(24, 3))
+    return QuadMesh(1000 * points.reshape(-1, 3), grid_faces(24, 3))
 
 
 def test_folded_plates_whose_pattern_overlaps_itself_are_refused():

@@ -67,9 +67,7 @@ def test_boundary_is_cut_square():
     x, y = np.meshgrid(np.arange(4.0), np.arange(3.0), indexing="ij")
     number = np.arange(12).reshape(4, 3)
     faces = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1)
-    flat = QuadMesh.from_arrays(
-        1000 * np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), faces.reshape(-1, 4)
-    )
+    flat = QuadMesh(1000 * np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), faces.reshape(-1, 4))
     structure = build(flat, [BEAMS])
     rim = flat.connectivity.boundary_edges
     right, left = np.split(structure.results["beams"].geometry.setback, 2, axis=1)
@@ -82,7 +80,7 @@ def test_boundary_is_cut_square():
 def test_sharp_outer_side_is_mitred():
     """At the inner corner of an arrow head the outer side is the narrow one."""
     points = [[0, 0, 0], [3, -1, 0], [1, 0, 0], [3, 1, 0], [9, 9, 9]]
-    arrow = QuadMesh.from_arrays(1000 * np.array(points), [[0, 1, 2, 3]])
+    arrow = QuadMesh(1000 * np.array(points), [[0, 1, 2, 3]])
     geometry = build(arrow, [Beams(100, 20)]).results["beams"].geometry
     edge = arrow.connectivity.edges.tolist().index([1, 2])
     right_end, left_end = geometry.setback[edge][1:3]

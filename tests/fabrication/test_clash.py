@@ -23,7 +23,7 @@ def drilled_hubs():
     """Two hubs of one size, drilled along their axes."""
     x, y = np.meshgrid(np.arange(4.0), np.arange(4.0), indexing="ij")
     points = 1000 * np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
-    plane = QuadMesh.from_arrays(points, grid_faces(4, 4))
+    plane = QuadMesh(points, grid_faces(4, 4))
     structure = build(plane, [Beams(200, 12, ends="hub"), Nodes("hub", bore=60)])
     inner = [5, 6]
     return [structure.results["nodes"].parts[vertex] for vertex in inner]

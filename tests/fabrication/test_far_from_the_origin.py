@@ -40,7 +40,7 @@ def in_own_coordinates(shape):
 def strip(roof):
     """A corner of the roof, of eight faces."""
     corner = np.arange(70).reshape(7, 10)[:3, :5].ravel()
-    return QuadMesh.from_arrays(roof.vertices[corner], grid_faces(3, 5))
+    return QuadMesh(roof.vertices[corner], grid_faces(3, 5))
 
 
 @pytest.fixture(scope="module")

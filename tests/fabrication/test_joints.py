@@ -17,7 +17,7 @@ from tests.fabrication.test_beam_sections_and_ends import assert_closed
 def plane():
     x, y = np.meshgrid(np.arange(4.0), np.arange(4.0), indexing="ij")
     points = 1000 * np.stack([x, y, 0 * x], axis=-1)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(4, 4))
+    return QuadMesh(points.reshape(-1, 3), grid_faces(4, 4))
 
 
 @pytest.fixture(scope="module", params=["cut", "lift"])

@@ -46,7 +46,7 @@ def flat_grid(rows=4, columns=5, angle=90.0):
     i, j = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
     turn = math.radians(angle)
     points = np.stack([i + j * math.cos(turn), j * math.sin(turn), 0.0 * i], axis=-1)
-    return QuadMesh.from_arrays(400.0 * points.reshape(-1, 3), grid_faces(rows, columns))
+    return QuadMesh(400.0 * points.reshape(-1, 3), grid_faces(rows, columns))
 
 
 def rounded():
@@ -160,7 +160,7 @@ def test_slots_leave_room_where_the_plates_lean_from_each_other(width, thickness
     x, y = np.meshgrid(np.arange(6.0), np.arange(6.0), indexing="ij")
     z = -((x - 2.5) ** 2 + (y - 2.5) ** 2) / 20
     points = 1000.0 * np.stack([x, y, z], axis=-1).reshape(-1, 3)
-    mesh = QuadMesh.from_arrays(points, grid_faces(6, 6))
+    mesh = QuadMesh(points, grid_faces(6, 6))
     structure = build(mesh, [Lamellas(width, thickness)])
     assert structure.report()["lamellas"]["slot_width_max_mm"] > 3 * thickness
     assert not check_clashes(structure.parts).clashes

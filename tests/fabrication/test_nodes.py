@@ -84,9 +84,7 @@ def test_equal_nodes_are_one_file(tmp_path):
     import trimesh
 
     x, y = np.meshgrid(800.0 * np.arange(4), 800.0 * np.arange(5), indexing="ij")
-    flat = QuadMesh.from_arrays(
-        np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), grid_faces(4, 5)[:, ::-1]
-    )
+    flat = QuadMesh(np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), grid_faces(4, 5)[:, ::-1])
     for nodes, groups in ((HUBS, [20]), (SOCKETS, [4, 6, 10])):
         made = build(flat, [nodes])
         report = made.report()["nodes"]

@@ -30,7 +30,7 @@ def plane():
     """Square faces of 1 m in a plane."""
     x, y = np.meshgrid(np.arange(5.0), np.arange(4.0), indexing="ij")
     points = 1000 * np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
-    return QuadMesh.from_arrays(points, grid_faces(5, 4))
+    return QuadMesh(points, grid_faces(5, 4))
 
 
 def table(path):

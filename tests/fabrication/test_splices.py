@@ -164,7 +164,7 @@ def tube(rings=3, count=12, radius=1000.0, bulge=0.0):
     number = np.arange(rings * count).reshape(rings, count)
     ahead = np.roll(number, -1, axis=1)
     faces = np.stack([number[:-1], ahead[:-1], ahead[1:], number[1:]], axis=-1)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), faces.reshape(-1, 4))
+    return QuadMesh(points.reshape(-1, 3), faces.reshape(-1, 4))
 
 
 def test_closed_lamellas_are_joined_by_a_splice_each():

@@ -150,7 +150,7 @@ def plane_grid(columns):
     """A row of level squares of 1 m."""
     x, y = np.meshgrid(np.arange(columns), np.arange(2), indexing="ij")
     points = np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
-    return QuadMesh.from_arrays(1000.0 * points, grid_faces(columns, 2))
+    return QuadMesh(1000.0 * points, grid_faces(columns, 2))
 
 
 @pytest.mark.parametrize("name", SYSTEMS)

@@ -31,7 +31,7 @@ def bent_sheet(rows: int = 13, columns: int = 11) -> QuadMesh:
     angle = np.linspace(-0.7, 0.7, rows)
     i, j = np.meshgrid(angle, 0.1 * np.arange(columns), indexing="ij")
     points = np.stack([np.sin(i), j, np.cos(i)], axis=2).reshape(-1, 3)
-    return QuadMesh.from_arrays(points, grid_faces(rows, columns))
+    return QuadMesh(points, grid_faces(rows, columns))
 
 
 def solved(outcome):
@@ -83,7 +83,7 @@ def test_a_net_reached_through_an_easier_one_glides_on_the_start_curve():
 
 def test_boundaries_that_touch_glide_each_on_its_own():
     points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1], [2, 1, 0], [2, 2, 0.1], [1, 2.2, 0]]
-    start = QuadMesh.from_arrays(points, [[0, 1, 2, 3], [2, 4, 5, 6]])
+    start = QuadMesh(points, [[0, 1, 2, 3], [2, 4, 5, 6]])
     outcome = optimise(start, "orthogonal", constraints=Constraints(glide=(BoundaryGlide(),)))
     assert outcome.report.residuals["glide"].max <= 1e-10
 
@@ -124,7 +124,7 @@ def test_a_near_surface_draws_the_mesh():
 def test_symmetry_is_kept_exactly():
     i, j = np.meshgrid(np.arange(-5.0, 6.0), np.arange(8.0), indexing="ij")
     points = np.stack([i + 0.05 * i * j, j, 2 * np.cos(0.3 * i) + 0.2 * np.sin(j)], axis=2)
-    start = QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(11, 8))
+    start = QuadMesh(points.reshape(-1, 3), grid_faces(11, 8))
     mesh = solved(optimise(start, constraints=Constraints(symmetry="x")))
     twin = mesh.vertices.reshape(11, 8, 3)[::-1] * [-1, 1, 1]
     assert np.abs(mesh.vertices.reshape(11, 8, 3) - twin).max() <= 1e-10
@@ -133,7 +133,7 @@ def test_symmetry_is_kept_exactly():
 def test_a_vertex_needs_a_mirror_image_of_its_own():
     i, j = np.meshgrid([-3.0, -2, -1, -0.1, 0.1, 0.2, 1, 2, 3], np.arange(4.0), indexing="ij")
     points = np.stack([i, j, 0.1 * i**2], axis=2).reshape(-1, 3)
-    start = QuadMesh.from_arrays(points, grid_faces(9, 4))
+    start = QuadMesh(points, grid_faces(9, 4))
     with pytest.raises(InputError, match="symmetry: vertex 20 has no mirror image"):
         optimise(start, "orthogonal", constraints=Constraints(symmetry="x"))
 

@@ -19,7 +19,7 @@ def barrel(rows, columns):
     u, v = np.meshgrid(np.linspace(0, 1, rows), np.linspace(0, 1, columns), indexing="ij")
     height = 5 * np.cos(np.pi * (v - 0.5)) * (1 + 0.4 * np.sin(2 * u))
     points = np.stack([30 * u, 18 * (v - 0.5) * (1 + 0.25 * u), height], axis=2)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(rows, columns))
+    return QuadMesh(points.reshape(-1, 3), grid_faces(rows, columns))
 
 
 def triangles_of(mesh):

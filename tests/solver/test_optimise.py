@@ -95,7 +95,7 @@ def test_unreferenced_vertices_stay_and_components_are_independent():
     lone = np.array([[100.0, 1 / 3, 7.0]])
     points = np.vstack([one.vertices, lone, two.vertices + [30.0, 0, 0]])
     faces = np.vstack([one.faces, two.faces + 57])
-    outcome = optimise(QuadMesh.from_arrays(points, faces))
+    outcome = optimise(QuadMesh(points, faces))
     assert outcome.report.status == "converged"
     assert (outcome.mesh.vertices[56] == lone[0]).all()
 
@@ -199,11 +199,11 @@ def test_corners_of_a_closed_band_do_not_exist():
     around = (np.arange(count) + 1) % count
     faces = np.stack([np.arange(count), around, around + count, np.arange(count) + count], axis=1)
     with pytest.raises(InputError, match="has no corners"):
-        optimise(QuadMesh.from_arrays(points, faces), fix="corners")
+        optimise(QuadMesh(points, faces), fix="corners")
 
 
 def test_grid_faces_helper_is_oriented():
-    mesh = QuadMesh.from_arrays([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0]], grid_faces(2, 2))
+    mesh = QuadMesh([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0]], grid_faces(2, 2))
     assert mesh.face_normals[0, 2] == 1.0
 
 

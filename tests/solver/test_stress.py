@@ -43,7 +43,7 @@ def hanging_strip(count: int) -> QuadMesh:
     u = np.linspace(-1.0, 1.0, count)
     i, j = np.meshgrid(u, np.array([-0.1, 0.0, 0.1]), indexing="ij")
     points = np.stack([i, j, 0.9 * i**2], axis=2).reshape(-1, 3)
-    return QuadMesh.from_arrays(points, grid_faces(count, 3))
+    return QuadMesh(points, grid_faces(count, 3))
 
 
 def catenary_error(count: int) -> float:
@@ -96,7 +96,7 @@ def test_forces_of_one_sign(forces, sign):
 def test_the_forces_of_a_start_that_hangs_are_found_exactly(sign):
     x, y = np.meshgrid(*[np.linspace(-30, 30, 61)] * 2, indexing="ij")
     points = np.stack([x, y, 0.01 * (x**2 + y**2)], axis=2).reshape(-1, 3)
-    net = QuadMesh.from_arrays(points, grid_faces(61, 61)).connectivity
+    net = QuadMesh(points, grid_faces(61, 61)).connectivity
     load, rim = np.ones(len(points)), net.boundary_vertices
     densities = start_densities(net, points, load, rim, sign)
     assert unbalanced(net, points, densities, load, np.flatnonzero(~rim)).max() <= 1e-10
@@ -109,7 +109,7 @@ def test_the_forces_of_a_start_that_one_sign_hardly_fits_are_found_soon():
     x, y = np.meshgrid(*[np.linspace(-1, 1, 30)] * 2, indexing="ij")
     height = 0.5 * (1 - x**2) * (1 - y**2) + 0.02 * x * y + 0.02 * np.sin(7.5 * x)
     points = 14.5 * np.stack([x, y, height], axis=2).reshape(-1, 3)
-    net = QuadMesh.from_arrays(points, grid_faces(30, 30)).connectivity
+    net = QuadMesh(points, grid_faces(30, 30)).connectivity
     load, rim = np.ones(len(points)), net.boundary_vertices
     seconds = []
     for sign in (0, -1):

@@ -84,7 +84,7 @@ def test_both_curvatures_are_second_order(surface, net):
 
 def test_curvature_follows_the_normal_and_the_unit():
     mesh = wavy_grid(9, 8)
-    turned = QuadMesh.from_arrays(mesh.vertices, mesh.faces[:, ::-1])
+    turned = QuadMesh(mesh.vertices, mesh.faces[:, ::-1])
     inner = ~mesh.connectivity.boundary_vertices
     h, k = mean_curvature(mesh)[inner], gauss_curvature(mesh)[inner]
     assert np.allclose(mean_curvature(turned)[inner], -h, rtol=1e-12, atol=1e-14)
@@ -101,11 +101,11 @@ def test_a_closed_mesh_has_the_total_curvature_of_its_genus():
     corner = np.arange(count**2).reshape(count, count)
     ahead = np.roll(corner, -1, axis=0)
     quads = np.stack([corner, ahead, np.roll(ahead, -1, 1), np.roll(corner, -1, 1)], axis=2)
-    ring = QuadMesh.from_arrays(points, quads.reshape(-1, 4))
+    ring = QuadMesh(points, quads.reshape(-1, 4))
     assert abs(angle_defects(ring).sum()) < 1e-12
     assert abs(gauss_image(ring).sum()) < 1e-12
     assert gauss_image_area(ring) == pytest.approx(8 * np.pi, rel=0.03)
-    cube = QuadMesh.from_arrays(
+    cube = QuadMesh(
         [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
         [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]],
     )

@@ -19,7 +19,7 @@ def cylinder(radius, rows=12, columns=9):
     points = np.stack([radius * np.cos(a), radius * np.sin(a), h], axis=2).reshape(-1, 3)
     number = np.arange(rows * columns).reshape(rows, columns)
     faces = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=2)
-    return QuadMesh.from_arrays(points, faces.reshape(-1, 4))
+    return QuadMesh(points, faces.reshape(-1, 4))
 
 
 @pytest.mark.parametrize("name", fields())

@@ -16,11 +16,11 @@ def sphere_patch(radius: float, count: int = 9, width: float = 0.8) -> QuadMesh:
     angles = np.linspace(-width / 2, width / 2, count)
     u, v = np.meshgrid(angles, angles, indexing="ij")
     points = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], axis=2)
-    return QuadMesh.from_arrays(radius * points.reshape(-1, 3), grid_faces(count, count))
+    return QuadMesh(radius * points.reshape(-1, 3), grid_faces(count, count))
 
 
 def single(corners) -> QuadMesh:
-    return QuadMesh.from_arrays(np.array(corners, dtype=float), [[0, 1, 2, 3]])
+    return QuadMesh(np.array(corners, dtype=float), [[0, 1, 2, 3]])
 
 
 def test_orthogonality_of_a_known_quad():
@@ -46,7 +46,7 @@ def test_isosceles_trapezoids_are_principal_and_circular():
 def test_translational_grid_of_rhombi_is_chebyshev():
     i, j = np.meshgrid(np.arange(6.0), np.arange(5.0), indexing="ij")
     points = np.stack([i + 0.5 * j, np.sqrt(0.75) * j, 0 * i], axis=2).reshape(-1, 3)
-    mesh = QuadMesh.from_arrays(points, grid_faces(6, 5))
+    mesh = QuadMesh(points, grid_faces(6, 5))
     assert measures.chebyshev(mesh).max() < 1e-14
     assert measures.geodesic(mesh).max() < 1e-14
     # Angles of 60 and 120 degrees alternate: the two sums differ by 120 degrees.
@@ -56,7 +56,7 @@ def test_translational_grid_of_rhombi_is_chebyshev():
 def test_helicoid_grid_is_asymptotic():
     s, t = np.meshgrid(np.linspace(-1, 1, 9), np.linspace(-1, 1, 9), indexing="ij")
     points = np.stack([s * np.cos(t), s * np.sin(t), t], axis=2).reshape(-1, 3)
-    mesh = QuadMesh.from_arrays(points, grid_faces(9, 9))
+    mesh = QuadMesh(points, grid_faces(9, 9))
     # Rulings and helices are asymptotic lines; every star is planar by symmetry of the motion.
     assert measures.asymptotic(mesh).max() < 1e-14
     assert measures.asymptotic(wavy_grid(9, 9)).max() > 1e-2
@@ -99,7 +99,7 @@ def test_check_says_whether_a_mesh_is_a_multi_net(rows, columns):
     # By Ivory's theorem confocal conics are one: every rectangle of them is orthogonal.
     u, v = np.meshgrid(np.linspace(0.4, 1.6, rows), np.linspace(0.2, 1.2, columns), indexing="ij")
     points = np.stack([np.cosh(u) * np.cos(v), np.sinh(u) * np.sin(v), 0 * u], axis=2)
-    mesh = QuadMesh.from_arrays(points.reshape(-1, 3), grid_faces(rows, columns))
+    mesh = QuadMesh(points.reshape(-1, 3), grid_faces(rows, columns))
     found = check(mesh)["multi_net"]
     assert found["is_multi_net"] and found["worst"] < 1e-14 and not found["at_least"]
     lifted = mesh.vertices.copy()
@@ -110,7 +110,7 @@ def test_check_says_whether_a_mesh_is_a_multi_net(rows, columns):
     size = np.linalg.norm(np.ptp(lifted, axis=0))
     assert found["worst"] == pytest.approx(0.1**2 / size**2, rel=1e-9)
     assert found["at_least"] == (rows > 65)
-    three = QuadMesh.from_arrays(
+    three = QuadMesh(
         [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 1, 1], [0, 0, 1], [1, 0, 1]],
         [[0, 1, 2, 3], [0, 3, 4, 5], [0, 5, 6, 1]],
     )
@@ -127,7 +127,7 @@ def test_many_small_least_squares_are_those_of_the_pseudo_inverse():
 
 
 def test_check_of_a_mesh_without_interior_vertices():
-    strip = QuadMesh.from_arrays(
+    strip = QuadMesh(
         np.array([[i, j, 0.1 * i * j] for i in range(4) for j in range(2)]), grid_faces(4, 2)
     )
     result = check(strip)

@@ -85,7 +85,7 @@ def test_a_held_loop_without_corners_that_does_not_close_is_measured():
     for wave, expected in ((0.0, []), (0.4, ["border"])):
         lift = wave * (np.sin(2 * angle + 0.5) + np.sin(3 * angle))
         points = np.stack([radius * np.cos(angle), radius * np.sin(angle), height + lift], -1)
-        mesh = QuadMesh.from_arrays(points.reshape(-1, 3), faces.reshape(-1, 4))
+        mesh = QuadMesh(points.reshape(-1, 3), faces.reshape(-1, 4))
         held = np.ones(72, dtype=bool)
         assert [c for c in causes(mesh, held=held) if c == "border"] == expected
 

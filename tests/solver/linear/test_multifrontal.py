@@ -60,7 +60,7 @@ def test_grids(sides):
 def test_a_closed_mesh_with_irregular_vertices():
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
     sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-    mesh = subdivided(QuadMesh.from_arrays(corners, np.array(sides)), 3)
+    mesh = subdivided(QuadMesh(corners, np.array(sides)), 3)
     assert len(mesh.connectivity.stars) < len(mesh.vertices) == 386
     assert_solves(layout_of([coordinates_of(mesh.faces)], mesh.vertices))
 

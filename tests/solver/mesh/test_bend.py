@@ -15,7 +15,7 @@ def paraboloid(along_x: float, along_y: float, side: int = 9) -> QuadMesh:
     """The graph of (along_x x^2 + along_y y^2) / 2 over a square."""
     x, y = np.meshgrid(*[np.linspace(-1, 1, side)] * 2, indexing="ij")
     z = 0.5 * (along_x * x**2 + along_y * y**2)
-    return QuadMesh.from_arrays(np.stack([x, y, z], axis=2).reshape(-1, 3), grid_faces(side, side))
+    return QuadMesh(np.stack([x, y, z], axis=2).reshape(-1, 3), grid_faces(side, side))
 
 
 def ring() -> QuadMesh:

@@ -24,7 +24,7 @@ def star_of(valence: int, rings: int = 1) -> QuadMesh:
     vertices = np.vstack([[0, 0, 0.3], corners])
     around = 1 + 2 * np.arange(valence)
     faces = np.stack([0 * around, around, around + 1, 1 + 2 * ((np.arange(valence) + 1) % valence)])
-    mesh = QuadMesh.from_arrays(vertices, faces.T)
+    mesh = QuadMesh(vertices, faces.T)
     return mesh if rings == 1 else subdivided(mesh, rings - 1)
 
 

@@ -36,7 +36,7 @@ def test_meshes_weld_into_a_net_with_an_irregular_vertex():
         faces = whole.faces[16 * k : 16 * k + 16]
         kept, numbers = np.unique(faces, return_inverse=True)
         noise = 1e-12 * rng.normal(size=(len(kept), 3))
-        meshes.append(QuadMesh.from_arrays(whole.vertices[kept] + noise, numbers.reshape(-1, 4)))
+        meshes.append(QuadMesh(whole.vertices[kept] + noise, numbers.reshape(-1, 4)))
     meshes[2] = reversed_orientation(meshes[2])
     joined = welded(meshes)
     assert len(joined.vertices) == len(whole.vertices)

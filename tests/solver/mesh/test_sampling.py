@@ -215,7 +215,7 @@ def test_a_part_of_a_trimmed_face_is_cut_straight():
 
 def test_straight_corners_are_counted():
     corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]])
-    assert straight_corners(QuadMesh.from_arrays(corners, np.array([[0, 1, 2, 3]]))) == 1
+    assert straight_corners(QuadMesh(corners, np.array([[0, 1, 2, 3]]))) == 1
     assert straight_corners(rectangle(3, 3)) == 0
 
 
@@ -223,7 +223,7 @@ def test_crossing_faces():
     flat = rectangle(4, 4, length=3.0, width=3.0)
     assert len(crossing_faces(flat)) == 0
     upright = flat.vertices[:, [0, 2, 1]] + [0.3, 0.2, 0.0]
-    both = QuadMesh.from_arrays(
+    both = QuadMesh(
         np.concatenate([flat.vertices, upright]), np.concatenate([flat.faces, flat.faces + 16])
     )
     pairs = crossing_faces(both)
@@ -247,13 +247,13 @@ def test_faces_of_all_sizes_that_cross_are_found():
     corners = numbers.normal(size=(36, 1, 3)) + 10 ** numbers.uniform(
         -2, 0.5, (36, 1, 1)
     ) * numbers.normal(size=(36, 4, 3))
-    mesh = QuadMesh.from_arrays(corners.reshape(-1, 3), np.arange(144).reshape(-1, 4))
+    mesh = QuadMesh(corners.reshape(-1, 3), np.arange(144).reshape(-1, 4))
     found = crossing_faces(mesh)
     alone = [
         [one, two]
         for one in range(36)
         for two in range(one + 1, 36)
-        if len(crossing_faces(QuadMesh.from_arrays(mesh.vertices, mesh.faces[[one, two]])))
+        if len(crossing_faces(QuadMesh(mesh.vertices, mesh.faces[[one, two]])))
     ]
     assert len(alone) > 10
     assert found.tolist() == alone

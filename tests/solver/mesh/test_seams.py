@@ -26,7 +26,7 @@ def tube(noise: float = 0.0, around: int = 16, along: int = 5) -> QuadMesh:
         [radius * np.cos(turn + 0.1 * height), radius * np.sin(turn + 0.1 * height), height], axis=2
     ).reshape(-1, 3)
     points[-along:] = points[:along] + noise * np.random.default_rng(0).normal(size=(along, 3))
-    return QuadMesh.from_arrays(points, grid_faces(around + 1, along))
+    return QuadMesh(points, grid_faces(around + 1, along))
 
 
 def stepped(noise: float = 0.0) -> QuadMesh:
@@ -35,7 +35,7 @@ def stepped(noise: float = 0.0) -> QuadMesh:
     beside = 0.5 * fine.vertices + coarse.vertices[12]
     beside += noise * np.random.default_rng(1).normal(size=beside.shape)
     points = np.concatenate([coarse.vertices, beside])
-    return QuadMesh.from_arrays(points, np.concatenate([coarse.faces, fine.faces + 16]))
+    return QuadMesh(points, np.concatenate([coarse.faces, fine.faces + 16]))
 
 
 def tolerance_in(remark: str) -> float:
@@ -80,7 +80,7 @@ def test_vertices_on_another_edge_are_found(noise):
 
 def test_doubles_are_told_from_seams_and_welded_away():
     mesh = tube()
-    twice = QuadMesh.from_arrays(
+    twice = QuadMesh(
         np.concatenate([mesh.vertices, mesh.vertices]),
         np.concatenate([mesh.faces, mesh.faces[:20] + 85]),
     )

@@ -85,7 +85,7 @@ def test_rows_and_columns_are_found_under_any_numbering():
     vertices[number] = mesh.vertices
     faces = number[mesh.faces][rng.permutation(len(mesh.faces))]
     turned = np.stack([np.roll(f, rng.integers(4)) for f in faces])
-    other = QuadMesh.from_arrays(vertices, turned)
+    other = QuadMesh(vertices, turned)
     assert sorted(grid_of(other).numbers.shape) == [5, 7]
     assert is_multi_net(other)
     ring = elliptic_net((9, 5, 2), "lambda", PRESETS["ring"].curve, unfolded=True, closed=True)
@@ -98,7 +98,7 @@ def test_irregular_meshes_are_refused():
     faces = [[0, 1, 2, 3], [0, 3, 4, 5], [0, 5, 6, 1]]
     angle = np.arange(6) * np.pi / 3
     corners = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-    corner = QuadMesh.from_arrays(np.vstack([[0, 0, 0.5], corners]), faces)
+    corner = QuadMesh(np.vstack([[0, 0, 0.5], corners]), faces)
     with pytest.raises(InputError, match="grid type"):
         multi_net_residual(corner)
 

@@ -25,7 +25,7 @@ def revolution(rows=14, columns=22, sweep=4.5):
     )
     radius = 2 + 0.4 * np.sin(2 * height)
     points = np.stack([radius * np.cos(angle), radius * np.sin(angle), height], axis=-1)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid(rows, columns)[:, ::-1])
+    return QuadMesh(points.reshape(-1, 3), grid(rows, columns)[:, ::-1])
 
 
 def sheared():
@@ -38,7 +38,7 @@ def translation():
     """A curve moved along a curve: every face a parallelogram."""
     x, y = np.meshgrid(np.linspace(-1, 1, 12), np.linspace(-1, 1, 9), indexing="ij")
     points = np.stack([x + 0.1 * y**2, y, 0.4 * x**2 + 0.2 * np.cosh(y)], axis=-1)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid(12, 9))
+    return QuadMesh(points.reshape(-1, 3), grid(12, 9))
 
 
 def torus():
@@ -53,14 +53,14 @@ def torus():
     number = np.arange(16 * 12).reshape(16, 12)
     ahead, beside = np.roll(number, -1, axis=0), np.roll(number, -1, axis=1)
     faces = np.stack([number, ahead, np.roll(ahead, -1, axis=1), beside], axis=-1)
-    return QuadMesh.from_arrays(points, faces.reshape(-1, 4))
+    return QuadMesh(points, faces.reshape(-1, 4))
 
 
 def saddle():
     """Straight lines on a hyperbolic paraboloid: an asymptotic net, no face planar."""
     x, y = np.meshgrid(np.linspace(-1, 1, 11), np.linspace(-1, 1, 11), indexing="ij")
     points = np.stack([x, y, 0.5 * x * y], axis=-1)
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid(11, 11))
+    return QuadMesh(points.reshape(-1, 3), grid(11, 11))
 
 
 PLANAR = {
@@ -122,9 +122,7 @@ def test_edges_on_a_sphere_give_equal_heights():
 
 def test_flat_mesh_stands_upright():
     x, y = np.meshgrid(np.arange(5.0), np.arange(4.0) ** 1.2, indexing="ij")
-    mesh = QuadMesh.from_arrays(
-        np.stack([x, y + 0.1 * x, 0 * x], axis=-1).reshape(-1, 3), grid(5, 4)
-    )
+    mesh = QuadMesh(np.stack([x, y + 0.1 * x, 0 * x], axis=-1).reshape(-1, 3), grid(5, 4))
     axes = torsion_free_axes(mesh)
     assert np.allclose(axes.offsets, [0, 0, 1], atol=1e-12)
     assert np.allclose(axes.lean_deg, 0, atol=1e-6)
@@ -187,7 +185,7 @@ def test_components_and_unused_vertices():
     count = len(one.vertices)
     vertices = np.concatenate([one.vertices, [[9.0, 9.0, 9.0]], 50 * two.vertices + 100])
     faces = np.concatenate([one.faces, two.faces + count + 1])
-    both = torsion_free_axes(QuadMesh.from_arrays(vertices, faces))
+    both = torsion_free_axes(QuadMesh(vertices, faces))
     assert np.allclose(both.offsets[:count], torsion_free_axes(one).offsets, atol=1e-6)
     assert np.allclose(both.offsets[count + 1 :], torsion_free_axes(two).offsets, atol=1e-6)
     assert (both.offsets[count] == 0).all()
@@ -196,9 +194,9 @@ def test_components_and_unused_vertices():
 
 
 def test_single_face_and_straight_corner():
-    square = QuadMesh.from_arrays([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
+    square = QuadMesh([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
     assert np.allclose(torsion_free_axes(square).offsets, [0, 0, 1])
-    straight = QuadMesh.from_arrays([[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, 1, 0]], [[0, 1, 2, 3]])
+    straight = QuadMesh([[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, 1, 0]], [[0, 1, 2, 3]])
     assert np.allclose(torsion_free_axes(straight).directions, [0, 0, 1], atol=1e-9)
 
 
@@ -223,5 +221,5 @@ def test_optimised_meshes_get_torsion_free_beams_of_even_height(name):
 def test_double_face_is_no_division_by_zero():
     """A face and its reverse have no normal at all, so no axes; whoever uses them says so."""
     square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
-    pillow = QuadMesh.from_arrays(square, [[0, 1, 2, 3], [3, 2, 1, 0]])
+    pillow = QuadMesh(square, [[0, 1, 2, 3], [3, 2, 1, 0]])
     assert np.isfinite(torsion_free_axes(pillow).offsets).all()

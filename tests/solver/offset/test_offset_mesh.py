@@ -24,7 +24,7 @@ def rotational(profile, segments=16, sweep=3.0):
     points = np.stack(
         np.broadcast_arrays(radius * np.cos(angle), radius * np.sin(angle), height), axis=-1
     )
-    return QuadMesh.from_arrays(points.reshape(-1, 3), grid(len(profile), segments)[:, ::-1])
+    return QuadMesh(points.reshape(-1, 3), grid(len(profile), segments)[:, ::-1])
 
 
 def koebe(rows=7, segments=16, sweep=3.0):
@@ -168,7 +168,7 @@ def test_any_mesh_gives_finite_numbers(make, kind):
 
 def test_vertices_without_faces_stay():
     mesh = revolution()
-    more = QuadMesh.from_arrays(np.vstack([mesh.vertices, [[9.0, 9, 9]]]), mesh.faces)
+    more = QuadMesh(np.vstack([mesh.vertices, [[9.0, 9, 9]]]), mesh.faces)
     for kind in KINDS:
         found = offset_mesh(more, 0.05, kind)
         assert np.allclose(found.mesh.vertices[-1], 9)

@@ -42,9 +42,7 @@ COUNT = ROWS * COLUMNS
 
 def grid(shape: Callable[[np.ndarray, np.ndarray], list[np.ndarray]]) -> QuadMesh:
     i, j = np.meshgrid(np.arange(float(ROWS)), np.arange(float(COLUMNS)), indexing="ij")
-    return QuadMesh.from_arrays(
-        np.stack(shape(i, j), axis=2).reshape(-1, 3), grid_faces(ROWS, COLUMNS)
-    )
+    return QuadMesh(np.stack(shape(i, j), axis=2).reshape(-1, 3), grid_faces(ROWS, COLUMNS))
 
 
 STRAIGHT = grid(lambda i, j: [i, 1.5 * j, 0.3 * i - 0.3 * j])

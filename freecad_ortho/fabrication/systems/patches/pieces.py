@@ -58,7 +58,7 @@ def pieces_of(mesh: QuadMesh, cuts: BoolArray) -> list[Piece]:
         faces = np.flatnonzero(ranks == number)
         _, place, corners = np.unique(corner_of[faces], return_index=True, return_inverse=True)
         vertices = net.faces[faces].ravel()[place]
-        alone = QuadMesh.from_arrays(mesh.vertices[vertices], corners.reshape(-1, 4))
+        alone = QuadMesh(mesh.vertices[vertices], corners.reshape(-1, 4))
         pieces.append(Piece(name, alone, vertices, faces))
     return pieces
 
