@@ -11,11 +11,13 @@ import numpy as np
 from solver.errors import InputError
 
 Kind = Literal[
-    "length", "distance", "area", "angle", "percent", "number", "direction", "count",
-    "choice", "flag", "text", "points", "placement", "mesh",
+    "length", "distance", "area", "angle", "percent", "number", "weight", "direction",
+    "count", "choice", "flag", "text", "points", "placement", "mesh",
 ]  # fmt: skip
 # Kinds of one number; an option that is a tuple has several of them.
-NUMBERS = ("length", "distance", "area", "angle", "percent", "number", "direction", "count")
+NUMBERS = (
+    "length", "distance", "area", "angle", "percent", "number", "weight", "direction", "count",
+)  # fmt: skip
 # Words for directions.
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _SUFFIXES = {2: ("Start", "End"), 3: ("X", "Y", "Z"), 4: ("First", "Second", "Third", "Fourth")}
@@ -48,9 +50,10 @@ class Option:
         default: value, a tuple where there are several numbers; None where there is none, and of a
             length that is found where none is given.
         kind: ``length`` (not negative), ``distance``, ``area``, ``angle`` (degrees), ``percent``,
-            ``number``, ``direction`` (three numbers, or ``x``, ``y``, ``z``), ``count`` (whole),
-            ``choice``, ``flag``, ``text``, ``points`` ((n, 3)), ``placement`` (rotation (3, 3),
-            origin (3,)) or ``mesh`` (one with the same faces). Defaults with a length are in mm.
+            ``number``, ``weight`` (not negative), ``count`` (whole), ``direction`` (three numbers,
+            or ``x``, ``y``, ``z``), ``choice``, ``flag``, ``text``, ``points`` ((n, 3)),
+            ``placement`` (rotation (3, 3), origin (3,)) or ``mesh`` (one with the same faces).
+            Defaults with a length are in mm.
         meaning: what it does, a sentence without its full stop.
         choices: words of a choice.
         suffixes: of the parts of a tuple, in property names.
@@ -94,8 +97,8 @@ class Option:
     @property
     def sentence(self) -> str:
         """The meaning, and what stands for "let it be found" in a property."""
-        found = self.kind == "length" and self.default is None
-        return f"{self.meaning}; 0 is {self.absent}" if found else self.meaning
+        found = {"length": f"0 is {self.absent}", "weight": "-1 is automatic"}.get(self.kind)
+        return f"{self.meaning}; {found}" if found and self.default is None else self.meaning
 
     @property
     def words(self) -> dict[str, str]:
@@ -156,6 +159,8 @@ class Option:
             raise InputError(f"{self.name}: expected whole numbers from 0 on, got {value!r}")
         if self.kind == "length" and self.default is None and not value > 0:
             raise InputError(f"{self.name}: expected a positive length, got {value}")
+        if self.kind == "weight" and value < 0:
+            raise InputError(f"{self.name}: expected a weight of zero or more, got {value}")
         if self.kind == "length" and min(numbers) < 0:
             raise InputError(f"{self.name}: expected 0 {unit} or more, got {value!r}")
 

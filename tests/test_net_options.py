@@ -123,7 +123,7 @@ def test_gliding_on_a_curve_file_and_a_plane(tmp_path, wave):
     mesh, report = optimised(
         tmp_path,
         wave,
-        *("--net", "orthogonal", "--glide", f"curve:{curve}", "--glide", f"plane:z={height}@71"),
+        *("--net", "orthogonal", "--glide", f"curve:{curve}", "--glide", f"z={height}@71"),
     )
     assert report["residuals"]["glide"]["max"] <= 1e-10
     assert mesh.vertices[71, 2] == pytest.approx(height, abs=1e-9)
@@ -221,9 +221,9 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
     [
         (["--handle", "5:1,2"], "handle: expected I:x,y,z"),
         (["--handle", "5000:1,2,3"], "handle: vertex 5000 does not exist"),
-        (["--glide", "ceiling"], "glide: expected boundary, plane:z=0"),
+        (["--glide", "ceiling"], "glide: expected boundary, z=0"),
         (["--glide", "plane:z=high"], "glide: expected a finite number"),
-        (["--glide", "boundary@3"], "glide: expected boundary, plane:z=0"),
+        (["--glide", "boundary@3"], "glide: expected boundary, z=0"),
         (["--glide", "plane:z=0@3,,4"], "glide: expected 3 finite numbers"),
         (["--glide", "plane:z=0@3,72"], "glide: vertex 72 does not exist"),
         (["--glide", "plane:z=999"], "no free boundary vertex lies within half"),

@@ -28,6 +28,7 @@ from solver.nets.constraints import (
     SurfaceGlide,
 )
 from solver.nets.options import OPTIONS
+from solver.nets.settings import WEIGHTS
 
 _AXES = "xyz"
 # The end of a --glide that names vertices; a path may have an @ of its own.
@@ -38,8 +39,8 @@ _CLOSED = 1e-6
 
 def add(parser: argparse.ArgumentParser) -> None:
     """Add the options; lengths are in the unit of the mesh file."""
-    parser.add_argument("--multi", type=float, metavar="W", help="weight of the multi-net guide")
-    parser.add_argument("--isometry", type=float, metavar="W", help="weight of faces' own shape")
+    for weight in WEIGHTS.values():
+        arguments.add(parser, weight)
     for option in OPTIONS.values():
         arguments.add(parser, option, f"{_nets(nets_with(option.name))}: ")
     for word in ("compression", "tension"):
@@ -57,7 +58,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         "--glide",
         action="append",
         default=[],
-        metavar="boundary|plane:z=0|curve:FILE|surface:FILE",
+        metavar="boundary|z=0|curve:FILE|surface:FILE",
         help="what boundary vertices (all, for a surface) move along; @I,J names others",
     )
     parser.add_argument("--close-to", metavar="FILE", help="a surface to stay near")
@@ -83,8 +84,8 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
         chosen["reference"] = _reference(chosen["reference"], options.up, loaded)
     return {
         "fix": options.supports or options.fix,
-        "multi": options.multi,
-        "isometry": options.isometry,
+        **{name: option.default for name, option in WEIGHTS.items()},
+        **arguments.given(WEIGHTS.values(), options),
         "options": NetOptions(**chosen),
         "constraints": _constraints(options, loaded),
     }
@@ -152,16 +153,18 @@ def _glide(text: str, unit: str, up: str) -> Glide:
     vertices = np.array(values.whole_numbers("glide", match[1])) if match else None
     if what == "boundary" and not match:
         return BoundaryGlide()
-    if kind == "plane" and where[:2] in ("x=", "y=", "z="):
-        (place,) = values.numbers("glide", where[2:], 1)
-        return PlaneGlide(_AXES.index(where[0]), place, vertices)
+    # As in documents; the word before it was needed once.
+    level = where if kind == "plane" else what
+    if level[:2] in ("x=", "y=", "z="):
+        (place,) = values.numbers("glide", level[2:], 1)
+        return PlaneGlide(_AXES.index(level[0]), place, vertices)
     if kind == "curve" and where:
         points, closed = _curve(where, up)
         return CurveGlide(points, closed, vertices)
     if kind == "surface" and where:
         return SurfaceGlide(*_surface(where, unit, up), vertices)
     raise InputError(
-        "glide: expected boundary, plane:z=0, curve:FILE or surface:FILE, and @I,J for some "
+        "glide: expected boundary, z=0, curve:FILE or surface:FILE, and @I,J for some "
         f"vertices only, got '{text}'"
     )
 

@@ -24,10 +24,7 @@ def run(options: argparse.Namespace) -> bool:
     optimisation = api.start_optimisation(
         loaded.near,
         options.net,
-        fairness=options.fairness,
-        closeness=options.closeness,
         **settings,
-        tolerance=options.tolerance,
         max_steps=options.max_steps,
     )
     # Before the first step: whoever reads it need not wait for the end.
@@ -35,7 +32,7 @@ def run(options: argparse.Namespace) -> bool:
     for remark in [*optimisation.remarks, *([] if side is None else [side])]:
         sys.stderr.write(f"note: {remark}\n")
     with reporting.Progress(options.verbose) as progress:
-        outcome = optimisation.run(_follower(progress, options.tolerance))
+        outcome = optimisation.run(_follower(progress, settings["tolerance"]))
     wanted = values.write_mesh(options, outcome.mesh, loaded.unit, loaded.origin)
     if options.report:
         places = {"origin": loaded.origin.shift.tolist(), "file_origin": wanted.shift.tolist()}

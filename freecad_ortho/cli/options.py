@@ -21,8 +21,8 @@ from solver.option import NUMBERS, Option
 # What stands for a value in the help, a letter for each where there are several.
 _WRITTEN = {
     "length": "L", "distance": "L", "area": "A", "angle": "DEG", "percent": "PERCENT",
-    "number": "N", "direction": "x|y|z|X,Y,Z", "count": "N", "text": "TEXT", "points": "FILE",
-    "mesh": "FILE",
+    "number": "N", "weight": "W", "direction": "x|y|z|X,Y,Z", "count": "N", "text": "TEXT",
+    "points": "FILE", "mesh": "FILE",
 }  # fmt: skip
 _LETTERS = {2: "A,B", 3: "X,Y,Z"}
 _PLACING = {"rotate": "turn by angles about x, then y, then z", "centre": "where it is put"}

@@ -13,14 +13,14 @@ from freecad_ortho import convert, preferences
 from freecad_ortho.keywords import PassedSettings
 from freecad_ortho.objects import constraints
 from freecad_ortho.objects import net as net_object
-from freecad_ortho.objects.net_settings import AUTOMATIC, FIX_RULES
+from freecad_ortho.objects.net_settings import FIX_RULES
 from freecad_ortho.objects.option_properties import read, write
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets import NETS
 from solver.nets.constraints import Constraints
 from solver.nets.options import OPTIONS, NetOptions
-from solver.nets.settings import fixed_vertices
+from solver.nets.settings import WEIGHTS, fixed_vertices
 from solver.option import Option
 
 
@@ -37,19 +37,6 @@ class _Plain:
     name: str
     read: Callable[[Any], Any] = lambda value: value
     write: Callable[[Any], Any] = lambda value: value
-
-
-def _weight(word: str) -> _Plain:
-    """A weight of which a negative number stands for automatic."""
-
-    def write(value: float | None) -> float:
-        if value is None:
-            return AUTOMATIC
-        if not (np.isfinite(value) and value >= 0):
-            raise InputError(f"{word}: expected a weight of zero or more, got {value}")
-        return float(value)
-
-    return _Plain(f"{word.capitalize()}Weight", lambda value: None if value < 0 else value, write)
 
 
 def _choice(word: str, name: str, choices: Iterable[str]) -> _Plain:
@@ -80,16 +67,11 @@ def _symmetry(text: str) -> str:
 _PLAIN = {
     "net": _choice("net", "NetType", NETS),
     "symmetry": _Plain("MirrorPlanes", write=_symmetry),
-    "fairness": _weight("fairness"),
-    "closeness": _weight("closeness"),
-    "multi": _weight("multi"),
-    "isometry": _weight("isometry"),
-    "tolerance": _Plain("TargetTolerance", write=float),
 }
+_DECLARED = {**OPTIONS, **WEIGHTS}
 # What a net keeps, and what only the solver is told.
-KEPT = (*_PLAIN, *OPTIONS, "fix", "handles", "glide", "close_to")
+KEPT = (*_PLAIN, *_DECLARED, "fix", "handles", "glide", "close_to")
 PASSED = tuple(PassedSettings.__annotations__)
-_WEIGHTS = ("fairness", "closeness", "multi", "isometry", "tolerance")
 
 Fix = str | Sequence[int | str]
 
@@ -97,7 +79,7 @@ Fix = str | Sequence[int | str]
 def words(net: FreeCAD.DocumentObject) -> dict[str, Any]:
     """All settings of a net as the keywords of :func:`freecad_ortho.api.optimise_net`."""
     found = {word: item.read(getattr(net, item.name)) for word, item in _PLAIN.items()}
-    found |= {word: read(net, option) for word, option in OPTIONS.items()}
+    found |= {word: read(net, option) for word, option in _DECLARED.items()}
     numbers = list(net.FixedVertices)
     found["fix"] = net.FixRule if not numbers else _fix_words(net.FixRule, numbers)
     places = (tuple(place) for place in net.HandlePlaces)
@@ -115,8 +97,8 @@ def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
     """
     refuse_unknown("net", given, KEPT)
     for word, value in given.items():
-        if word in OPTIONS:
-            write(net, OPTIONS[word], _option_value(OPTIONS[word], value))
+        if word in _DECLARED:
+            write(net, _DECLARED[word], _option_value(_DECLARED[word], value))
         elif word in _PLAIN:
             item = _PLAIN[word]
             setattr(net, item.name, item.write(value))
@@ -167,7 +149,7 @@ def solver_settings(
     """
     # Which solver is a matter of the machine and its user, not of the net.
     settings: dict[str, Any] = preferences.solver_settings()
-    settings.update((word, values[word]) for word in _WEIGHTS if values[word] is not None)
+    settings.update((word, values[word]) for word in WEIGHTS if values[word] is not None)
     asked = NETS[values["net"]]
     # What other nets are told stays in the document and is none of this net's business.
     options = {word: values[word] for word in asked.options}

@@ -8,11 +8,11 @@ from freecad_ortho.objects.option_properties import properties
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
+from solver.nets.settings import WEIGHTS
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 FIX_RULES = ("none", "corners", "boundary")
-AUTOMATIC = -1.0
 
 TARGET = (
     Property(
@@ -97,39 +97,10 @@ CONSTRAINTS = (
 )
 
 
-def _weight(name: str, tooltip: str) -> Property:
-    return Property(
-        "App::PropertyFloat", name, "Weights", tooltip, default=AUTOMATIC, flags=OUTPUT | HIDDEN
-    )
-
-
-WEIGHTS = (
-    _weight(
-        "FairnessWeight",
-        QT_TRANSLATE_NOOP("App::Property", "How strongly lines are drawn straight; -1 automatic"),
-    ),
-    _weight(
-        "ClosenessWeight",
-        QT_TRANSLATE_NOOP("App::Property", "How strongly vertices stay at the start; -1 automatic"),
-    ),
-    _weight(
-        "MultiWeight",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "How strongly pairs of faces stay orthogonal; -1 automatic"
-        ),
-    ),
-    _weight(
-        "IsometryWeight",
-        QT_TRANSLATE_NOOP("App::Property", "How strongly faces keep their shape; -1 automatic"),
-    ),
-    Property(
-        "App::PropertyFloat",
-        "TargetTolerance",
-        "Weights",
-        QT_TRANSLATE_NOOP("App::Property", "Largest residual that counts as zero"),
-        default=1e-10,
-        flags=OUTPUT | HIDDEN,
-    ),
+_WEIGHTS = (
+    item
+    for option in WEIGHTS.values()
+    for item in properties(option, "Weights", flags=OUTPUT | HIDDEN)
 )
 
-ALL = (*TARGET, *CONSTRAINTS, *WEIGHTS)
+ALL = (*TARGET, *CONSTRAINTS, *_WEIGHTS)

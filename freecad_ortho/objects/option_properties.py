@@ -17,6 +17,7 @@ _KINDS = {
     "area": "App::PropertyFloat",
     "angle": "App::PropertyAngle",
     "number": "App::PropertyFloat",
+    "weight": "App::PropertyFloat",
     "direction": "App::PropertyFloat",
     "percent": "App::PropertyFloat",
     "count": "App::PropertyInteger",
@@ -28,7 +29,7 @@ _KINDS = {
     "mesh": "App::PropertyLinkHidden",
 }
 # What stands in a property where there is no value.
-_ABSENT: dict[str, Any] = {"length": 0.0, "text": "", "choice": "", "mesh": None}
+_ABSENT: dict[str, Any] = {"length": 0.0, "weight": -1.0, "text": "", "choice": "", "mesh": None}
 
 
 def properties(
@@ -90,7 +91,8 @@ def _plain(option: Option, value: Any) -> Any:
         return convert.placing(value)
     if option.kind == "choice":
         value = next((word for word in option.choices if _titled(word) == _titled(value)), value)
-    return None if option.default is None and not value else value
+    absent = value < 0 if option.kind == "weight" else not value
+    return None if option.default is None and absent else value
 
 
 def _titled(word: str) -> str:

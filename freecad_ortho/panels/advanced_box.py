@@ -7,11 +7,11 @@ from typing import Any
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from freecad_ortho.panels.fields import NumberField, form_rows
+from freecad_ortho.panels.fields import form_rows
+from freecad_ortho.panels.option_fields import OptionField
+from solver.nets.settings import WEIGHTS
 
 translate = FreeCAD.Qt.translate
-
-_DEFAULT_TOLERANCE = 1e-10
 
 
 class AdvancedBox:
@@ -22,47 +22,11 @@ class AdvancedBox:
 
     Attributes:
         widget: to be put into the form.
+        fields: by the name of the option.
     """
 
     def __init__(self, stored: dict[str, Any]) -> None:
-        tolerance = stored["tolerance"]
-        self.fairness = NumberField("fairness", stored["fairness"])
-        self.closeness = NumberField("closeness", stored["closeness"])
-        self.multi = NumberField("multi", stored["multi"])
-        self.isometry = NumberField("isometry", stored["isometry"])
-        self.tolerance = NumberField("tolerance", tolerance)
-        rows = (
-            (
-                translate("Ortho", "Fairness"),
-                self.fairness,
-                translate("Ortho", "More of it draws lines straighter on the way; 0.01 is usual."),
-            ),
-            (
-                translate("Ortho", "Closeness"),
-                self.closeness,
-                translate(
-                    "Ortho", "More of it keeps vertices nearer to where they are; 0.003 is usual."
-                ),
-            ),
-            (
-                translate("Ortho", "Multi-net"),
-                self.multi,
-                translate("Ortho", "More of it keeps pairs of faces orthogonal; 0.001 is usual."),
-            ),
-            (
-                translate("Ortho", "Isometry"),
-                self.isometry,
-                translate(
-                    "Ortho",
-                    "Faces keep their shape the more of it there is, such as 10; none is usual.",
-                ),
-            ),
-            (
-                translate("Ortho", "Tolerance"),
-                self.tolerance,
-                translate("Ortho", "A residual up to this counts as zero."),
-            ),
-        )
+        self.fields = {name: OptionField(option, stored[name]) for name, option in WEIGHTS.items()}
         self.widget = QtGui.QWidget()
         column = QtGui.QVBoxLayout(self.widget)
         column.setContentsMargins(0, 0, 0, 0)
@@ -74,13 +38,11 @@ class AdvancedBox:
         self.unfold.toggled.connect(self._fold)
         self._inside = QtGui.QWidget()
         form = form_rows(self._inside)
-        for label, field, tip in rows:
-            field.widget.setToolTip(tip)
-            form.addRow(label, field.widget)
+        for field in self.fields.values():
+            form.addRow(translate("Ortho", field.option.label), field.widget)
         column.addWidget(self.unfold)
         column.addWidget(self._inside)
-        given = any(stored[word] is not None for word in ("fairness", "closeness", "multi"))
-        self.unfold.setChecked(given or tolerance != _DEFAULT_TOLERANCE)
+        self.unfold.setChecked(any(stored[name] != WEIGHTS[name].default for name in WEIGHTS))
         self._fold(self.unfold.isChecked())
 
     @property
@@ -90,14 +52,7 @@ class AdvancedBox:
         Raises:
             InputError: a field does not hold a number.
         """
-        tolerance = self.tolerance.number
-        return {
-            "fairness": self.fairness.number,
-            "closeness": self.closeness.number,
-            "multi": self.multi.number,
-            "isometry": self.isometry.number,
-            "tolerance": _DEFAULT_TOLERANCE if tolerance is None else tolerance,
-        }
+        return {name: field.value for name, field in self.fields.items()}
 
     def _fold(self, open_now: bool) -> None:
         arrow = QtCore.Qt.DownArrow if open_now else QtCore.Qt.RightArrow

@@ -271,7 +271,8 @@ class OptimisePanel:
             column.addWidget(widget)
         # What is asked first in a panel stands at hand under these names too.
         self.net_type, self.fix = self.choice.net_type, self.constraints.fix
-        self.fairness, self.tolerance = self.advanced.fairness, self.advanced.tolerance
+        fields = self.advanced.fields
+        self.fairness, self.tolerance = fields["fairness"], fields["tolerance"]
         outdated = translate(
             "Ortho",
             "The source of this net has changed. Start begins anew with what it makes now.",

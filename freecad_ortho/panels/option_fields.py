@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD
 from PySide import QtGui
 
-from freecad_ortho.panels.fields import NARROW, ChoiceField, leave_room, sentence
+from freecad_ortho.panels.fields import NARROW, ChoiceField, NumberField, leave_room, sentence
 from freecad_ortho.panels.quantity import QuantityField
 from solver.option import Option
 
@@ -60,10 +60,16 @@ class OptionField:
 
     @property
     def value(self) -> Any:
-        """The value, plain, in mm and degrees; None for a length that is to be found."""
+        """The value, plain, in mm and degrees; None where it is to be found.
+
+        Raises:
+            InputError: what was typed is not a number.
+        """
         values = tuple(self._read(part) for part in self._parts)
         if not values:
             return self._value
+        if self.option.kind == "weight":
+            return self.option.default if values[0] is None else values[0]
         if self.option.default is None and not values[0]:
             return None
         return values if self.option.several else values[0]
@@ -104,6 +110,8 @@ class OptionField:
             widget = _NumberBox()
             if option.several:
                 widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
+        elif kind == "weight":
+            return NumberField(translate("Ortho", option.label))
         elif kind == "count":
             widget = QtGui.QSpinBox()
             widget.setRange(0, 100_000)
@@ -141,6 +149,8 @@ class OptionField:
             return part.value
         if kind in (*_PLAIN, "count"):
             return part.value()
+        if kind == "weight":
+            return part.number
         if kind == "mesh":
             return self._meshes[part.currentIndex()]
         if kind == "choice":
@@ -151,6 +161,8 @@ class OptionField:
         kind = self.option.kind
         if kind in _UNITS:
             part.value = float(value or 0.0)
+        elif kind == "weight":
+            part.widget.setText("" if value is None else f"{value:g}")
         elif kind in _PLAIN:
             part.setValue(float(value))
         elif kind == "count":

@@ -11,6 +11,7 @@ from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets.net import Net
+from solver.option import Option
 from solver.problem import Guide, Problem
 from solver.terms.base import Term
 from solver.terms.closeness import Closeness
@@ -25,6 +26,54 @@ from solver.tuning import Tuning
 
 # Guides that do not fade.
 _LASTING = ("edge_guard", "face_guard")
+
+
+# What may be said of the guides, and when a run is done; no weight is the one of ``Weights``.
+WEIGHTS: dict[str, Option] = {
+    option.name: option
+    for option in (
+        Option(
+            "fairness",
+            None,
+            "weight",
+            "More of it draws lines straighter on the way; 0.01 is usual",
+            brief="weight of straight lines",
+            stored="FairnessWeight",
+        ),
+        Option(
+            "closeness",
+            None,
+            "weight",
+            "More of it keeps vertices nearer to where they are; 0.003 is usual",
+            brief="weight of staying put",
+            stored="ClosenessWeight",
+        ),
+        Option(
+            "multi",
+            None,
+            "weight",
+            "More of it keeps pairs of faces orthogonal; 0.001 is usual",
+            title="Multi-net",
+            brief="weight of the multi-net guide",
+            stored="MultiWeight",
+        ),
+        Option(
+            "isometry",
+            None,
+            "weight",
+            "Faces keep their shape the more of it there is, such as 10; none is usual",
+            brief="weight of faces' own shape",
+            stored="IsometryWeight",
+        ),
+        Option(
+            "tolerance",
+            1e-10,
+            "weight",
+            "Largest residual that counts as zero",
+            stored="TargetTolerance",
+        ),
+    )
+}
 
 
 @dataclass(frozen=True)
