@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from freecad_ortho.calls import list_keywords
 from freecad_ortho.mesh_files import read_mesh_file
 from freecad_ortho.stand_in import stand_in
 from freecad_ortho.step_faces import net_from_step
@@ -310,3 +311,6 @@ def __getattr__(name: str) -> Any:
 def __dir__() -> list[str]:
     """Names of all functions, those on documents too."""
     return sorted({*globals(), *__all__})
+
+
+list_keywords(__all__, globals())

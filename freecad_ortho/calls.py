@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import wraps
 from typing import Any
 
@@ -29,3 +29,10 @@ def listing_keywords(function: Callable[..., Any]) -> Callable[..., Any]:
         return function(*arguments, **settings)
 
     return listing
+
+
+def list_keywords(names: Iterable[str], module: dict[str, Any]) -> None:
+    """Make functions of a module, by their names, refuse keywords in this way."""
+    for name in names:
+        if inspect.isfunction(module.get(name)):
+            module[name] = listing_keywords(module[name])

@@ -102,6 +102,10 @@ def test_a_size_that_a_system_has_not_is_refused_by_naming_whose_it_is(barrel):
         api.write_fabrication(None, "nowhere", sheets="3000x1500")
     with pytest.raises(InputError, match=r"^optimise: has no 'fairnes'; it has fairness, "):
         api.optimise(barrel, fairnes=1)
+    with pytest.raises(InputError, match=r"^offset_mesh: has no 'knd'; it has mesh, distance, "):
+        api.offset_mesh(barrel, 1.0, knd="parallel")
+    with pytest.raises(InputError, match=r"^read_mesh: has no 'unt'; it has path, unit, up$"):
+        api.read_mesh("roof.obj", unt="m")
 
 
 def test_a_function_lists_its_keywords_where_one_is_unknown():

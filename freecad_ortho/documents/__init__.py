@@ -5,7 +5,7 @@ Each one is undone in one step. Lengths are numbers of mm, FreeCAD quantities, o
 as it was.
 """
 
-from freecad_ortho.calls import listing_keywords
+from freecad_ortho.calls import list_keywords
 from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.drawing_pages import add_drawing_page, add_drawing_pages
@@ -90,5 +90,4 @@ __all__ = [
     "weld_nets",
 ]
 
-for _name in __all__:
-    globals()[_name] = listing_keywords(globals()[_name])
+list_keywords(__all__, globals())

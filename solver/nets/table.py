@@ -32,8 +32,12 @@ def register(net: Net) -> Net:
 
 
 def unregister(name: str) -> None:
-    """Take a net out again."""
-    del NETS[name]
+    """Take a net out again.
+
+    Raises:
+        InputError: there is none of that name.
+    """
+    del NETS[net_named(name).name]
 
 
 def net_named(name: str) -> Net:

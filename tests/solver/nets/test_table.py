@@ -42,6 +42,8 @@ def test_a_name_is_given_once_and_a_net_that_has_gone_is_unknown(own):
     unregister("flat")
     with pytest.raises(InputError, match="net: expected one of principal, orthogonal"):
         optimise(wavy_grid(4, 4), "flat")
+    with pytest.raises(InputError, match="net: expected one of principal, orthogonal"):
+        unregister("flat")
     register(own)
 
 
