@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
+PACKAGES = ("solver", "freecad_ortho")
 FREECAD = ("FreeCAD", "FreeCADGui", "Part", "PySide", "PySide2", "PySide6", "pivy")
 CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
 # From the ground up: when it is loaded, a room imports only from those before it.
@@ -124,15 +125,15 @@ def layer_of(module):
 
 
 def every_import(path):
-    """Modules of the solver that a file imports, anywhere in it."""
+    """Modules of the project that a file imports, anywhere in it."""
     for item in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(item, ast.ImportFrom) and item.module.partition(".")[0] == "solver":
+        if isinstance(item, ast.ImportFrom) and item.module.partition(".")[0] in PACKAGES:
             for alias in item.names:
                 inner = Path(*item.module.split("."), alias.name)
                 is_module = (ROOT / inner).is_dir() or (ROOT / inner).with_suffix(".py").is_file()
                 yield f"{item.module}.{alias.name}" if is_module else item.module
         elif isinstance(item, ast.Import):
-            yield from (alias.name for alias in item.names if alias.name.startswith("solver."))
+            yield from (alias.name for alias in item.names)
 
 
 def test_layers_of_the_solver_import_downwards():
@@ -144,8 +145,26 @@ def test_layers_of_the_solver_import_downwards():
         here = layer_of(module)
         seen.add(here)
         for other in every_import(path):
+            if other.partition(".")[0] != "solver":
+                continue
             assert layer_of(other) <= here, f"{module} imports {other}, which is above it"
     assert len(seen) == len(LAYERS), "a layer is empty"
+
+
+@pytest.mark.parametrize("room", ["solver", "freecad_ortho/fabrication", "freecad_ortho/sources"])
+def test_no_files_import_each_other_in_a_circle(room):
+    """Not even within functions, or for their types alone."""
+    paths = sorted((ROOT / room).rglob("*.py"))
+    files = {
+        ".".join(path.relative_to(ROOT).with_suffix("").parts): path
+        for path in paths
+        if path.name != "__init__.py"
+    }
+    imports = {name: set(every_import(path)) & set(files) - {name} for name, path in files.items()}
+    while free := [name for name, others in imports.items() if not others & set(imports)]:
+        for name in free:
+            del imports[name]
+    assert not imports, f"in a circle, or above one: {sorted(imports)}"
 
 
 @pytest.mark.parametrize("door", ["Init.py", "InitGui.py"])

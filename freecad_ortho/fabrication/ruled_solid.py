@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from OCP.BRep import BRep_Builder
@@ -15,13 +15,12 @@ from OCP.TColgp import TColgp_Array1OfPnt, TColgp_Array1OfPnt2d, TColgp_Array2Of
 from OCP.TColStd import TColStd_Array1OfInteger, TColStd_Array1OfReal
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shell, TopoDS_Solid, TopoDS_Wire
 
+from freecad_ortho.fabrication.ruled_sides import Bore, Sheet, Side
 from freecad_ortho.fabrication.solids import plane_of
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     import cadquery
-
-    from freecad_ortho.fabrication.ruled import Bore, RuledBody, Sheet, Side
 
 # Distance from a plane, mm, below which the CAD kernel takes a side for plane.
 _PLANE = 1e-8
@@ -30,7 +29,33 @@ _SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 _AROUND = tuple(_SQUARE[[k, (k + 1) % 4]] for k in range(4))
 
 
-def ruled_solid(body: RuledBody) -> cadquery.Solid:
+class Ruled(Protocol):
+    """A body of plane and ruled sides, see :class:`freecad_ortho.fabrication.ruled.RuledBody`."""
+
+    @property
+    def corners(self) -> FloatArray:
+        """(N, 3) corner points, mm."""
+
+    @property
+    def sides(self) -> tuple[Side, ...]:
+        """Plane or ruled sides."""
+
+    @property
+    def sheets(self) -> tuple[Sheet, ...]:
+        """Further sides, cut from surfaces."""
+
+    @property
+    def bores(self) -> tuple[Bore, ...]:
+        """Holes."""
+
+    def poles(self, start: int, end: int) -> FloatArray:
+        """(P, 3) control points of an edge."""
+
+    def rails(self, side: Side) -> tuple[FloatArray, FloatArray]:
+        """(P, 3) twice: control points of a side's two edges that straight lines join."""
+
+
+def ruled_solid(body: Ruled) -> cadquery.Solid:
     """Build the closed solid of a body."""
     return _Builder(body).solid()
 
@@ -38,7 +63,7 @@ def ruled_solid(body: RuledBody) -> cadquery.Solid:
 class _Builder:
     """Turns a body into a solid."""
 
-    def __init__(self, body: RuledBody) -> None:
+    def __init__(self, body: Ruled) -> None:
         self.body = body
         self.builder = BRep_Builder()
         rows = body.corners.tolist()

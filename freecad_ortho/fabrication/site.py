@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeVar
+from typing import Protocol, TypeVar
 
 import numpy as np
 
@@ -15,9 +15,6 @@ from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import FAMILIES, ParameterLine, ParameterLines
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.offset.axes import Axes, torsion_free_axes
-
-if TYPE_CHECKING:
-    from freecad_ortho.fabrication.systems.system import SystemParts
 
 FAMILY_CHOICES = (*FAMILIES, "both")
 Geometry = TypeVar("Geometry")
@@ -56,6 +53,18 @@ class Selection:
         return self.family == "both" and self.lines is None
 
 
+class Built(Protocol):
+    """What those that build later may know of a system that was built before."""
+
+    @property
+    def geometry(self) -> object:
+        """Arrays to lie on, see :meth:`Site.geometry_of`."""
+
+    @property
+    def settings(self) -> object:
+        """The system."""
+
+
 @dataclass(frozen=True, eq=False)
 class Site:
     """A place to build on.
@@ -76,7 +85,7 @@ class Site:
     lines: ParameterLines
     selection: Selection = Selection()
     material: Material = MATERIALS["steel"]
-    done: Mapping[str, SystemParts] = field(default_factory=dict)
+    done: Mapping[str, Built] = field(default_factory=dict)
 
     @classmethod
     def of(cls, mesh_mm: QuadMesh, selection: Selection) -> Site:

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Body, Loops
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
     import cadquery
 
 
-def polyhedron_solid(points: FloatArray, loops: Loops) -> cadquery.Solid:
+class Buildable(Protocol):
+    """Anything that becomes a solid."""
+
+    def solid(self) -> cadquery.Solid:
+        """Build the closed solid."""
+
+
+def polyhedron_solid(points: FloatArray, loops: tuple[tuple[int, ...], ...]) -> cadquery.Solid:
     """Build a solid whose sides share their edges and corners.
 
     Args:
@@ -94,7 +100,7 @@ def compound(solids: Iterable[cadquery.Solid]) -> cadquery.Compound:
     return cadquery.Compound.makeCompound(list(solids))
 
 
-def solid_bytes(bodies: Sequence[Body]) -> list[bytes]:
+def solid_bytes(bodies: Sequence[Buildable]) -> list[bytes]:
     """Build the solids of bodies, each as bytes that keep every digit and travel."""
     from OCP.BinTools import BinTools
 

@@ -14,7 +14,8 @@ from freecad_ortho.fabrication.pattern import (
     fitted_text_size,
     overlaps_itself,
 )
-from freecad_ortho.fabrication.ruled import RuledBody, Side
+from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.ruled_sides import Side
 from freecad_ortho.fabrication.systems.bent_panels.rows import Row
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from solver.errors import InputError

@@ -14,7 +14,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from freecad_ortho.fabrication.pattern import polygon_area
-from freecad_ortho.fabrication.ruled import Bore, RuledBody, Sheet, Side
+from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.ruled_sides import Bore, Sheet, Side
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from freecad_ortho.fabrication.systems.lamellas.spans import Drilled
 from solver.mesh.quadmesh import FloatArray

@@ -15,7 +15,8 @@ from itertools import pairwise
 import numpy as np
 
 from freecad_ortho.fabrication.bezier import blend, through
-from freecad_ortho.fabrication.ruled import RuledBody, Sheet, Side
+from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.ruled_sides import Sheet, Side
 from freecad_ortho.fabrication.systems.lamellas.cells import Rails, slot_side
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon

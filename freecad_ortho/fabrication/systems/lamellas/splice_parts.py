@@ -9,7 +9,8 @@ from freecad_ortho.fabrication.drilled import Drill, DrilledBody
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
-from freecad_ortho.fabrication.ruled import Bore, RuledBody
+from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.ruled_sides import Bore
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.bolts import bolts, half_length
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
