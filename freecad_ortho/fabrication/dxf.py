@@ -98,6 +98,9 @@ def _drawing(path: Path, form: DxfForm) -> Iterator[Modelspace]:
     with _fixed_meta_data():
         drawing = _empty_drawing(VERSIONS[form.version])
         yield drawing.modelspace()
+        # The library would add them in the order of a set, which differs from one run to the next.
+        for kind in sorted(drawing.entitydb.dxf_types_in_use()):
+            drawing.classes.add_class(kind)
         drawing.saveas(path)
 
 

@@ -5,7 +5,10 @@ The readers here know no INSERT, as many cutting programs: what is only in a blo
 
 import csv
 import json
+import os
 import re
+import subprocess
+import sys
 from collections import Counter
 
 import ezdxf
@@ -29,6 +32,7 @@ from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.strokes import text_strokes
 from solver.errors import InputError
+from tests.conftest import ROOT
 
 
 def tags(path):
@@ -275,3 +279,23 @@ def test_a_text_is_centred_turned_and_fits_the_room_that_is_kept_for_it():
 def test_unknown_words_are_refused(values, words):
     with pytest.raises(InputError, match=words):
         Workshop.of(values)
+
+
+def test_another_run_writes_the_same_bytes(tmp_path):
+    """Runs differ in the order of their sets of words."""
+    code = (
+        "import sys, numpy as np; from pathlib import Path\n"
+        "from freecad_ortho.fabrication import FlatPattern\n"
+        "from freecad_ortho.fabrication.dxf import write_dxf\n"
+        "square = np.array([[0.0, 0], [80, 0], [80, 80], [0, 80]])\n"
+        "pattern = FlatPattern(square, (), square.mean(axis=0), 8.0)\n"
+        "write_dxf(Path(sys.argv[1]), {'P1': pattern})\n"
+    )
+    written = []
+    for seed in "04":
+        path = tmp_path / f"{seed}.dxf"
+        environment = {**os.environ, "PYTHONHASHSEED": seed}
+        command = [sys.executable, "-c", code, str(path)]
+        subprocess.run(command, cwd=ROOT, env=environment, check=True)
+        written.append(path.read_bytes())
+    assert written[0] == written[1]
