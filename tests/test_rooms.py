@@ -14,8 +14,8 @@ CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
 # From the ground up: when it is loaded, a room imports only from those before it.
 ROOMS = (
     "solver", "units", "packages", "preferences", "resources", "vtk_files", "mesh_files",
-    "triangles", "step_faces", "sources", "fabrication", "keywords", "calls", "convert", "objects",
-    "view", "documents", "stand_in", "api", "cli", "commands", "panels",
+    "triangles", "step_faces", "sources", "fabrication", "keywords", "fabricating", "calls",
+    "convert", "objects", "view", "documents", "stand_in", "api", "cli", "commands", "panels",
 )  # fmt: skip
 
 # Inside the solver, from the ground up; nothing that a file imports, anywhere in it, is above it.

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 
-from freecad_ortho import api
 from freecad_ortho.cli import values
+from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from solver.mesh.local_origin import LocalOrigin
@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
     """Remesh and write."""
     values.refuse_unwritable(options.output)
     vertices, triangles, unit = read_triangles(options.input, options.up)
-    unit = options.unit or unit or api.DEFAULT_UNIT
+    unit = options.unit or unit or DEFAULT_UNIT
     millimetres_per(unit)
     origin = LocalOrigin.of(vertices)
     made = quads_from_triangles(

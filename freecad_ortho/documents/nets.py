@@ -15,10 +15,12 @@ import numpy as np
 from freecad_ortho import convert
 from freecad_ortho.documents import net_settings
 from freecad_ortho.documents.common import document_or_new, require_net, transaction
+from freecad_ortho.mesh_files import DEFAULT_UNIT, read_mesh
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects import places, source_net
 from freecad_ortho.objects.net_settings import ALL
 from freecad_ortho.units import millimetres_per
+from solver import Session, optimise, write_mesh
 from solver.analysis.upright import side_remark
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin, measured_from
@@ -30,7 +32,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from freecad_ortho.keywords import NetSettings, PassedSettings
-    from solver import Outcome, Session
+    from solver import Outcome
     from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # A drag by hand takes the mesh along in small steps; a sheet buckles to the side it was led to.
@@ -63,11 +65,9 @@ def import_net(
     Raises:
         InputError: the file does not hold a usable quad mesh, or another word for the origin.
     """
-    from freecad_ortho import api
-
     if origin not in ("keep", "local"):
         raise InputError(f"origin: expected keep or local, got {origin!r}")
-    loaded = api.read_mesh(path, unit, up)
+    loaded = read_mesh(path, unit, up)
     scale = millimetres_per(loaded.unit)
     target = document_or_new(document, Path(path).stem)
     with transaction(target, FreeCAD.Qt.translate("Ortho", "Import quad mesh")):
@@ -113,16 +113,14 @@ def export_net(
         InputError: not a Net, an unknown unit or origin, or a name that says no format.
         OutputError: the file cannot be written; nothing half-written is left behind.
     """
-    from freecad_ortho import api
-
     require_net(net)
-    chosen = unit or net.Unit or api.DEFAULT_UNIT
+    chosen = unit or net.Unit or DEFAULT_UNIT
     mesh = places.moved_mesh(convert.quad_mesh(net), places.container(net))
     taken = places.origin(net)
     left = LocalOrigin(taken - measured_from(origin, taken)).scaled(1 / millimetres_per(chosen))
     # Divided and not multiplied by a part: what was read in metres is written as it was read.
     metres = mesh.with_vertices(mesh.vertices / millimetres_per(chosen))
-    api.write_mesh(path, left.back_mesh(metres), chosen)
+    write_mesh(path, left.back_mesh(metres), chosen)
 
 
 def set_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettings]) -> None:
@@ -164,8 +162,6 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
     Raises:
         InputError: settings that do not fit the mesh; the Net is unchanged.
     """
-    from freecad_ortho import api
-
     require_net(target)
     mesh = source_net.starting_mesh(target)
     ready = _ready.pop(_key(target, settings, mesh.vertices), None)
@@ -177,7 +173,7 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
         _store(target, kept)
         given = net_settings.for_solver(target, mesh)
         if ready is None:
-            ready = api.optimise(mesh, **{**given, **passed})
+            ready = optimise(mesh, **{**given, **passed})
         _keep(target, ready)
     side = side_remark(mesh, *given["options"].load_vectors)
     if side is not None:
@@ -260,8 +256,6 @@ def dragging(
     Raises:
         InputError: a vertex that does not exist or is fixed, settings that do not fit the mesh.
     """
-    from solver import Session
-
     settings = net_settings.for_solver(target, mesh) | passed
     if hold:
         fixed = net_settings.held(target, mesh) | fixed_vertices(mesh, list(hold))

@@ -14,7 +14,7 @@ from freecad_ortho.documents.common import document_or_new, progress, require_ne
 from freecad_ortho.keywords import Value
 from freecad_ortho.objects import cad_faces, places, source_net
 from freecad_ortho.objects import net as net_object
-from freecad_ortho.sources import source
+from freecad_ortho.sources import GROUPS, source
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
 
@@ -114,8 +114,6 @@ def add_primitive(name: str, **options: Value) -> FreeCAD.DocumentObject:
     Raises:
         InputError: no such primitive or option; the document is unchanged.
     """
-    from freecad_ortho.sources import GROUPS
-
     if name not in GROUPS["primitive"]:
         known = ", ".join(GROUPS["primitive"])
         raise InputError(f"primitive: expected one of {known}, got '{name}'")

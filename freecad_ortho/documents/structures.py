@@ -19,6 +19,7 @@ from freecad_ortho.documents.common import (
     transaction,
     unmarked_on_failure,
 )
+from freecad_ortho.fabricating import write_fabrication
 from freecad_ortho.fabrication import SYSTEMS, Selection, Workshop
 from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
@@ -252,8 +253,6 @@ def export_fabrication(
         OutputError: the folder cannot be written; nothing half-written is left behind.
         OrthoError: Esc was pressed; the folder is as it was.
     """
-    from freecad_ortho import api
-
     chosen = list(structures) if isinstance(structures, (list, tuple)) else [structures]
     lengths = [option.name for option in Workshop.options if option.kind == "length"]
     sizes = {
@@ -269,7 +268,7 @@ def export_fabrication(
         ):
             settings = lost_on_bars(chosen) | workshop | sizes | {"stock": stock}
             project = chosen[0].Document.Label
-            return api.write_fabrication(
+            return write_fabrication(
                 structure,
                 folder,
                 say,

@@ -23,6 +23,7 @@ from freecad_ortho.panels.run import Run
 from freecad_ortho.panels.sight import bring_into_sight
 from freecad_ortho.panels.watch import NetWatch, cover, uncover
 from freecad_ortho.resources import icon
+from solver import start_optimisation
 
 translate = FreeCAD.Qt.translate
 
@@ -131,8 +132,6 @@ class OptimisePanel:
         Raises:
             InputError: settings that cannot be used.
         """
-        from freecad_ortho import api
-
         settings = self.settings()
         if self.run is not None and settings == self._settings:
             return
@@ -140,7 +139,7 @@ class OptimisePanel:
         self._mesh = source_net.starting_mesh(self.net)
         kept, passed = net_settings.divided(settings)
         values = net_settings.words(self.net) | kept
-        optimisation = api.start_optimisation(
+        optimisation = start_optimisation(
             self._mesh, **net_settings.solver_settings(values, self._mesh, self.net), **passed
         )
         if self.run is not None:

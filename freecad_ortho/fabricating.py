@@ -1,0 +1,113 @@
+"""From a net to parts, and from parts to files: one call each."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from freecad_ortho import fabrication
+from freecad_ortho.fabrication import Limits, Structure
+from freecad_ortho.keywords import Sizes, WorkshopSettings
+from freecad_ortho.mesh_files import DEFAULT_UNIT
+from freecad_ortho.units import millimetres_per
+from solver.mesh.local_origin import LocalOrigin
+from solver.mesh.quadmesh import QuadMesh
+
+if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
+
+def fabricate(
+    mesh: QuadMesh,
+    system: str = "beams+panels",
+    *,
+    unit: str = DEFAULT_UNIT,
+    family: str = "both",
+    lines: Sequence[int] | None = None,
+    material: str = "steel",
+    density: float | None = None,
+    limits: Limits | None = None,
+    progress: Callable[[float, str], None] | None = None,
+    **sizes: Unpack[Sizes],
+) -> Structure:
+    """Turn an optimised net into the parts of one or more systems.
+
+    Args:
+        mesh: the net, in ``unit``.
+        system: names of systems joined by "+".
+        unit: unit of the mesh's coordinates.
+        family: parameter lines to build on: "u", "v" or "both".
+        lines: numbers of the lines in these families, None for all.
+        material: name of a preset for everything (``"steel"``), of single systems after their names
+            (``"panels=glass"``), or both (``"steel,panels=glass"``).
+        density: kg/m3, for the masses; by default the material's. Not of systems whose material is
+            named for them alone.
+        limits: what the parts are held against.
+        progress: called with a fraction and words; may raise to stop.
+        sizes: settings of the systems by name (``height=200, thickness=12, gap=10``), see
+            :class:`freecad_ortho.keywords.Sizes`; lengths in mm, each is of one of the systems at
+            least.
+
+    Raises:
+        InputError: a parameter that cannot be used or does not fit the net.
+    """
+    materials = fabrication.materials_of(material, system.split("+"), density)
+    scale, origin = millimetres_per(unit), LocalOrigin.of_mesh(mesh)
+    shift = origin.scaled(scale).shift
+    return fabrication.build(
+        origin.near_mesh(mesh).scaled(scale),
+        fabrication.systems_of(system, sizes, materials),
+        material=materials,
+        limits=limits,
+        selection=fabrication.Selection(family, None if lines is None else tuple(lines)),
+        progress=progress,
+        place=fabrication.Place(origin=shift),
+        origin=shift,
+    )
+
+
+def write_fabrication(
+    structure: Structure,
+    folder: str | os.PathLike[str],
+    progress: Callable[[float, str], None] | None = None,
+    *,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    project: str = "",
+    origin: str | Sequence[float] = "local",
+    **workshop: Unpack[WorkshopSettings],
+) -> list[Path]:
+    """Write solids, flat patterns, lists and reports, all or none.
+
+    Args:
+        structure: from ``fabricate``.
+        folder: made when missing; other files in it stay.
+        progress: called with a fraction and words; whatever it raises stops the writing.
+        workers: processes on this machine to share the work on parts.
+        executor: any ``concurrent.futures`` executor to do so instead, e.g. that of a cluster.
+        project: what the readable report is headed by, such as the name of the mesh.
+        origin: what coordinates in the files are measured from: ``local`` for the round point near
+            a net that is far from the origin, ``keep`` for the model's own origin, or a point, mm.
+        workshop: settings of ``fabrication.Workshop`` (``sheet="3000x1500", kerf=0.2``), mm.
+
+    Returns:
+        The files.
+
+    Raises:
+        InputError: settings that cannot be used, a part that does not fit sheet or stock.
+        OutputError: the folder cannot be written.
+    """
+    chosen = fabrication.Workshop.of(workshop)
+    with fabrication.local_pool(None if executor else workers) as pool:
+        return fabrication.write(
+            structure.measured_from(origin),
+            folder,
+            progress,
+            workshop=chosen,
+            executor=executor or pool,
+            project=project,
+        )
