@@ -9,11 +9,14 @@ from functools import cached_property
 import numpy as np
 
 from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thickness
+from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.terms.base import Term, follows
 from solver.tuning import Tuning
 
+# What every term has.
+_TERM = ("name", "unknowns", "linear", "size", "linearise")
 # A measure sees the mesh in model units and the shared scalars.
 Judgement = Callable[[QuadMesh, FloatArray], FloatArray]
 Detail = float | list[float]
@@ -108,7 +111,14 @@ class Problem:
         By default that is the size of the term's own residuals. Terms that share a name are judged
         by one measure, the last given. ``place`` names the face, edge or vertex to which an entry
         of the measure belongs; by default the term's own.
+
+        Raises:
+            InputError: it is no term.
         """
+        missing = [word for word in _TERM if not hasattr(term, word)]
+        if missing:
+            kind = type(term).__name__
+            raise InputError(f"term: {kind} has no {', '.join(missing)}; see solver.Term")
         self.constraints.append(term)
         self.measures[term.name] = measure or self._own_residual(term.name)
         self.places[term.name] = place or (lambda index: self._place(term.name, index))

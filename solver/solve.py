@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+import numpy as np
+
 from solver.errors import InputError
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.constraints import Constraints, add_constraints, corners_that_stay, settled
 from solver.nets.settings import Weights, add_guides, fixed_vertices
 from solver.optimise import refuse_no_end
 from solver.problem import Problem
 from solver.report import Outcome, StepRecord
 from solver.run import Optimisation
+from solver.terms.base import Term
 
 
 def pose(
@@ -66,11 +69,36 @@ def solve(
         callback: called after each step; returning True stops.
 
     Raises:
-        InputError: nothing is required, or a setting that cannot be used.
+        InputError: nothing is required, a term whose arrays do not fit, or a setting that cannot be
+            used.
     """
     if not problem.constraints:
         raise InputError(
             f"{problem.net} net: nothing is required of it; add a term with problem.require"
         )
     refuse_no_end(tolerance, max_steps)
+    for term in problem.terms:
+        _refuse_misfit(term, problem.start)
     return Optimisation(problem, None, tolerance, max_steps, backend).run(callback)
+
+
+def _refuse_misfit(term: Term, x: FloatArray) -> None:
+    """Refuse a term whose arrays do not go together, or are no numbers at the start."""
+    unknowns = term.unknowns
+    if unknowns.ndim != 2 or ((unknowns < 0) | (unknowns >= len(x))).any():
+        raise InputError(
+            f"term {term.name}: expected unknowns of shape (n, k) between 0 and {len(x) - 1}, got "
+            f"shape {unknowns.shape} up to {unknowns.max(initial=0)}; those of vertex v are 3 v, "
+            "3 v + 1 and 3 v + 2"
+        )
+    (count, width), (residual, jacobian) = unknowns.shape, term.linearise(x)
+    right = residual.ndim == 2 and jacobian.shape == (*residual.shape, width)
+    if not right or len(residual) != count:
+        raise InputError(
+            f"term {term.name}: expected residuals ({count}, m) and a Jacobian ({count}, m, "
+            f"{width}), got {residual.shape} and {jacobian.shape}; one row of them an element"
+        )
+    if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
+        raise InputError(
+            f"term {term.name}: is not finite at the start; guard against lengths of zero"
+        )

@@ -46,7 +46,7 @@ class QuadMesh:
 
     @classmethod
     def from_arrays(cls, vertices: ArrayLike, faces: ArrayLike) -> QuadMesh:
-        """Build a mesh from (V, 3) coordinates and (F, 4) vertex numbers."""
+        """The same as ``QuadMesh(vertices, faces)``, for scripts that were written before it."""
         return cls(vertices, faces)
 
     @property

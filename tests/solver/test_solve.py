@@ -12,6 +12,7 @@ from solver import (
     InputError,
     Linearisation,
     OnEdges,
+    OnFaces,
     PlaneGlide,
     QuadMesh,
     of_mesh,
@@ -120,6 +121,58 @@ def test_what_cannot_be_solved_is_refused_in_one_line():
         solve(posed, max_steps=0)
     with pytest.raises(InputError, match=r"^fix: vertex 99 does not exist"):
         pose(start, fix=[99])
+
+
+class Wrong(OnFaces):
+    """Gives whatever it is told to."""
+
+    name = "wrong"
+    told = ()
+
+    def linearise(self, x):
+        return Linearisation(*self.told)
+
+
+@pytest.mark.parametrize(
+    ("residual", "jacobian", "says"),
+    [
+        (
+            np.zeros(9),
+            np.zeros((9, 12)),
+            r"residuals \(9, m\) and a Jacobian \(9, m, 12\), got \(9,\)",
+        ),
+        (np.zeros((9, 1)), np.zeros((9, 2, 12)), r"got \(9, 1\) and \(9, 2, 12\); one row of them"),
+        (np.zeros((8, 1)), np.zeros((8, 1, 12)), "expected residuals"),
+        (np.full((9, 1), np.nan), np.zeros((9, 1, 12)), "is not finite at the start"),
+    ],
+)
+def test_a_term_whose_arrays_do_not_fit_is_refused_in_one_line(
+    monkeypatch, residual, jacobian, says
+):
+    start = wavy_grid(4, 4)
+    monkeypatch.setattr(Wrong, "told", (residual, jacobian))
+    with pytest.raises(InputError, match=f"^term wrong: .*{says}") as said:
+        solve(pose(start).require(Wrong(start.faces)))
+    assert "\n" not in str(said.value)
+
+
+def test_what_is_no_term_or_sees_no_unknowns_is_refused_in_one_line():
+    start = wavy_grid(4, 4)
+    with pytest.raises(InputError, match=r"^term: str has no name, unknowns, linear, size, "):
+        pose(start).require("planarity")
+    strange = Planarity(np.array([[0, 1, 5, 99]]))
+    with pytest.raises(InputError, match=r"^term planarity: .* between 0 and 47, got .* up to 299"):
+        solve(pose(start).require(strange))
+
+
+def test_a_single_face_will_do_and_a_plane_where_it_is_asked_for():
+    face = QuadMesh([[0, 0, 0], [1, 0, 0], [1, 1, 0.3], [0, 1, 0]], [[0, 1, 2, 3]])
+    problem = pose(face, fix=[0, 1, 3]).require(Planarity(face.faces))
+    assert solve(problem).report.status == "collapsed"
+    problem.may_flatten = True
+    outcome = solve(problem)
+    assert outcome.report.status == "converged"
+    assert abs(outcome.mesh.vertices[2, 2]) < 1e-9
 
 
 def test_files_are_read_and_written(tmp_path):
