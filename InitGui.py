@@ -9,8 +9,10 @@ class OrthoWorkbench(FreeCADGui.Workbench):
     def __init__(self):
         from FreeCAD import Qt
 
-        from freecad_ortho import resources
+        from freecad_ortho import answers, resources
 
+        # A double click in the tree wants panels, whichever workbench is chosen.
+        answers.promise("freecad_ortho.commands.answers")
         FreeCADGui.addLanguagePath(resources.TRANSLATIONS)
         FreeCADGui.updateLocale()
         # FreeCAD looks there for the picture of the page, preferences-ortho.

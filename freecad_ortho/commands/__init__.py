@@ -55,7 +55,7 @@ def for_selection() -> list[str]:
     """FreeCAD's names of the commands for the context menu of what is selected."""
     import FreeCADGui
 
-    from freecad_ortho.commands import context
+    from freecad_ortho.window import context
 
     if not context.selected_nets_and_structures():
         return []

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from freecad_ortho.commands import context
 from freecad_ortho.resources import icon
+from freecad_ortho.window import context
 
 
 class Command:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands import context, dialogs, messages
 from freecad_ortho.commands.command import Command, NetCommand
+from freecad_ortho.window import context, dialogs, messages
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command
 from freecad_ortho.objects.structure import is_structure
+from freecad_ortho.window import context, messages
 from solver.errors import InputError
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP

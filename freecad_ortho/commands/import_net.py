@@ -6,8 +6,8 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_ortho import preferences
-from freecad_ortho.commands import context, dialogs, messages
 from freecad_ortho.commands.command import Command
+from freecad_ortho.window import context, dialogs, messages
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command
 from freecad_ortho.documents.examples import EXAMPLES
 from freecad_ortho.resources import icon
+from freecad_ortho.window import context, messages
 
 
 class OpenExample(Command):

@@ -56,7 +56,7 @@ def export(features: Sequence[FreeCAD.DocumentObject], filename: str) -> bool:
 
 def _tell(text: str) -> None:
     if FreeCAD.GuiUp:
-        from freecad_ortho.commands import messages
+        from freecad_ortho.window import messages
 
         messages.show_error(text)
     else:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands import dialogs, messages
 from freecad_ortho.commands.command import Command
+from freecad_ortho.window import dialogs, messages
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 

@@ -7,10 +7,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command
+from freecad_ortho.objects import cad_faces
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.sources import GROUPS, source
+from freecad_ortho.window import context, messages
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -178,7 +179,6 @@ def edit_source(net: FreeCAD.DocumentObject) -> None:
     """Open the panel with the options of a net that follows a source."""
     if FreeCADGui.Control.activeDialog():
         return
-    from freecad_ortho.objects import cad_faces
     from freecad_ortho.panels.form_panel import FormPanel
     from freecad_ortho.panels.multi_net_panel import MultiNetPanel
     from freecad_ortho.panels.source_panel import SourcePanel

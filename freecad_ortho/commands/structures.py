@@ -5,10 +5,10 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import Command, NetCommand
 from freecad_ortho.objects import outdated
 from freecad_ortho.objects.net import is_net
+from freecad_ortho.window import context, messages
 from solver.errors import InputError
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP

@@ -5,6 +5,8 @@ Each one is undone in one step. Lengths are numbers of mm, FreeCAD quantities, o
 as it was.
 """
 
+import FreeCAD
+
 from freecad_ortho.calls import list_keywords
 from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
@@ -49,6 +51,10 @@ from freecad_ortho.documents.systems import (
     add_panels,
     add_patches,
 )
+
+if FreeCAD.GuiUp:
+    # What is made in the window asks for its view.
+    import freecad_ortho.view.providers  # noqa: F401
 
 __all__ = [
     "add_beams",

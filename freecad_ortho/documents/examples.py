@@ -15,10 +15,13 @@ from freecad_ortho.objects import net as net_object
 from freecad_ortho.packages import HOME
 from solver import QuadMesh
 from solver.errors import InputError
+from solver.formfinding import CableNet, Loads, Membrane, find_form, supported
 from solver.mesh.coarsen import compact
 from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.grid import grid_mesh
 from solver.mesh.primitives import rectangle
+from solver.multinet import elliptic_net, reflected
+from solver.multinet.presets import preset
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -77,8 +80,6 @@ def _roof(document: FreeCAD.Document) -> None:
 
 
 def _gridshell(document: FreeCAD.Document) -> None:
-    from solver.formfinding import CableNet, Membrane, find_form, supported
-
     flat = rectangle(17, 17, length=16.0 * _METRE, width=16.0 * _METRE)
     held = supported(flat, "boundary")
     points = flat.vertices.copy()
@@ -93,9 +94,6 @@ def _gridshell(document: FreeCAD.Document) -> None:
 
 
 def _multi_nets(document: FreeCAD.Document) -> None:
-    from solver.multinet import elliptic_net, reflected
-    from solver.multinet.presets import preset
-
     def net(moving: str, curve: str, m: int, n: int, t: tuple[float, float] | None) -> QuadMesh:
         chosen = preset(curve)
         axes = (9.0, 5.0, 2.0)
@@ -128,8 +126,6 @@ def _sheets(document: FreeCAD.Document) -> None:
 
 
 def _dome(document: FreeCAD.Document) -> None:
-    from solver.formfinding import CableNet, Loads, find_form, supported
-
     flat = rectangle(17, 15, length=16.0 * _METRE, width=14.0 * _METRE)
     held = supported(flat, "boundary")
     # A net that hangs under its weight, upside down.

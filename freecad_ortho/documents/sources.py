@@ -17,6 +17,7 @@ from freecad_ortho.objects import net as net_object
 from freecad_ortho.sources import GROUPS, source
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
+from solver.mesh.remesh import quads_from_triangles
 
 Face = tuple[FreeCAD.DocumentObject, str]
 
@@ -231,8 +232,6 @@ def quads_from_mesh(
         InputError: a soup of triangles, the library missing, hanging or failing; the document is
             unchanged.
     """
-    from solver.mesh.remesh import quads_from_triangles
-
     label = getattr(mesh, "Label", None) or Path(str(mesh)).stem
     points, triangles = cad_faces.triangles_of(mesh, unit)
     taken = LocalOrigin.of(points)

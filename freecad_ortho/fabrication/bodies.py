@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from freecad_ortho.fabrication.pattern import polygon_area
+from freecad_ortho.fabrication.solids import polyhedron_solid
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -105,8 +106,6 @@ class Polyhedron(Body):
 
     def solid(self) -> cadquery.Solid:
         """Build the closed solid; no boolean operation, no sewing."""
-        from freecad_ortho.fabrication.solids import polyhedron_solid
-
         return polyhedron_solid(self.corners, self.loops)
 
     def pieces(self) -> tuple[Polyhedron, ...]:

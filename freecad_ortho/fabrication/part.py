@@ -10,6 +10,7 @@ import numpy as np
 from freecad_ortho.fabrication.bodies import Body
 from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.solids import placed, solid_from_bytes
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -150,8 +151,6 @@ class Part:
 
     def take_solid(self, data: bytes) -> None:
         """Take over the solid of the body as another process built it."""
-        from freecad_ortho.fabrication.solids import solid_from_bytes
-
         self._take(solid_from_bytes(data))
 
     @property
@@ -160,8 +159,6 @@ class Part:
         return self._built.solid is not None
 
     def _take(self, solid: cadquery.Solid) -> None:
-        from freecad_ortho.fabrication.solids import placed
-
         self._built.solid = placed(solid, self.origin, self.frame)
 
 

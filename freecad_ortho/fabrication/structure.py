@@ -15,6 +15,7 @@ from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.site import Selection, Site
+from freecad_ortho.fabrication.solids import compound, solid_bytes
 from freecad_ortho.fabrication.systems.system import System, SystemParts
 from freecad_ortho.fabrication.workers import in_chunks
 from solver.analysis.measures import diagonal_distances
@@ -108,8 +109,6 @@ class Structure:
 
     def compound(self, progress: Progress | None = None) -> cadquery.Compound:
         """Return one shape with the solids in the order of ``parts``, mm."""
-        from freecad_ortho.fabrication.solids import compound
-
         return compound(self.solids(progress))
 
     def solids(
@@ -132,8 +131,6 @@ class Structure:
         return result
 
     def _build_elsewhere(self, say: Progress, executor: Executor) -> None:
-        from freecad_ortho.fabrication.solids import solid_bytes
-
         missing = [part for part in self.parts if not (part.has_solid or part.body.quick)]
         bodies = [part.body for part in missing]
         made = in_chunks(solid_bytes, bodies, executor, lambda done: say(0.0, "solids"))

@@ -21,7 +21,7 @@ from freecad_ortho.fabrication import (
     material,
 )
 from freecad_ortho.objects import outdated, places
-from freecad_ortho.objects import structure as structure_object
+from freecad_ortho.objects.kinds import BEAMS, NODES, ON_BEAMS, TITLES, is_structure
 from freecad_ortho.objects.limit_properties import limits_of
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.system_properties import system_of
@@ -139,7 +139,7 @@ def _material(feature: FreeCAD.DocumentObject) -> Material:
 def _by_system(features: Sequence[FreeCAD.DocumentObject]) -> dict[str, FreeCAD.DocumentObject]:
     found: dict[str, FreeCAD.DocumentObject] = {}
     for feature in features:
-        system = structure_object.TITLES[feature.System]
+        system = TITLES[feature.System]
         if system in found:
             raise InputError(
                 f"structures: {found[system].Label} and {feature.Label} are both {system}; "
@@ -154,9 +154,9 @@ def _carrier(
 ) -> FreeCAD.DocumentObject | None:
     """The beams that the others lie on, None where they lie on the net."""
     beams = by_system.get("beams")
-    carriers = [by_system[name].OnBeams for name in structure_object.ON_BEAMS if name in by_system]
+    carriers = [by_system[name].OnBeams for name in ON_BEAMS if name in by_system]
     if beams is not None:
-        for name in structure_object.ON_BEAMS:
+        for name in ON_BEAMS:
             if name in by_system and by_system[name].OnBeams is not beams:
                 raise InputError(
                     f"{by_system[name].Label}: does not lie on {beams.Label}; export them one "
@@ -178,7 +178,7 @@ def _nodes_beside(
     if panels is None or panels.OnNodes is None or "nodes" in by_system:
         return None
     nodes = panels.OnNodes
-    known = structure_object.is_structure(nodes) and nodes.System == structure_object.NODES
+    known = is_structure(nodes) and nodes.System == NODES
     if not known or nodes.Net is not net or nodes.OnBeams is not panels.OnBeams:
         raise InputError(
             f"{panels.Label}: '{nodes.Label}' is not a structure of nodes on the same net and "
@@ -208,7 +208,7 @@ def _common_net(features: Sequence[FreeCAD.DocumentObject]) -> FreeCAD.DocumentO
         raise InputError(f"structures: none given; {_REMEDY}")
     for feature in features:
         places.refuse_link(feature)
-        if not structure_object.is_structure(feature):
+        if not is_structure(feature):
             raise InputError(f"structures: {feature.Label} is not a structure; {_REMEDY}")
         if feature.Net is None:
             raise InputError(f"{feature.Label}: stands on no net; set its property 'Net'")
@@ -232,7 +232,7 @@ def _check_carrier(carrier: FreeCAD.DocumentObject | None, net: FreeCAD.Document
     if carrier is None:
         return
     places.refuse_link(carrier)
-    beams = structure_object.is_structure(carrier) and carrier.System == structure_object.BEAMS
+    beams = is_structure(carrier) and carrier.System == BEAMS
     if not beams or carrier.Net is not net:
         raise InputError(
             f"structures: '{carrier.Label}' is not a structure of beams on {net.Label}; "

@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 import numpy as np
 
-from freecad_ortho.objects import drawings, outdated
+from freecad_ortho import answers
+from freecad_ortho.fabrication import Workshop
+from freecad_ortho.fabrication.dxf import row_layout
+from freecad_ortho.fabrication.kerf import compensated
+from freecad_ortho.fabrication.nesting import Nesting, nest, too_large_words
+from freecad_ortho.objects import build, drawings, outdated
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
@@ -17,8 +22,8 @@ from solver.errors import InputError
 if TYPE_CHECKING:
     import Part
 
-    from freecad_ortho.fabrication import FlatPattern, Structure, Workshop
-    from freecad_ortho.fabrication.nesting import Nesting, Sheet
+    from freecad_ortho.fabrication import FlatPattern, Structure
+    from freecad_ortho.fabrication.nesting import Sheet
     from solver.mesh.quadmesh import FloatArray
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -138,8 +143,6 @@ class FlatPatterns(outdated.Following):
 
     def fingerprint(self, feature: FreeCAD.DocumentObject) -> str:
         """A word that stands for all that the patterns are laid out from."""
-        from freecad_ortho.objects import build
-
         return build.fingerprint(feature.Structures, _workshop(feature))
 
     def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
@@ -158,9 +161,7 @@ def create(
     for name, value in properties.items():
         setattr(feature, name, value)
     if FreeCAD.GuiUp:
-        from freecad_ortho.view.flat_patterns_view import FlatPatternsView
-
-        FlatPatternsView(feature.ViewObject)
+        answers.ask("show flat patterns", feature.ViewObject)
     return feature
 
 
@@ -170,8 +171,6 @@ def rebuild(feature: FreeCAD.DocumentObject) -> None:
     Raises:
         OrthoError: nothing to lay out, or no part that fits on a sheet; nothing was changed.
     """
-    from freecad_ortho.objects import build
-
     with outdated.timed(feature):
         _lay_out(feature, build.structure(feature.Structures), _workshop(feature))
     feature.Outdated, feature.Notice = False, outdated.notice(feature)
@@ -186,9 +185,6 @@ def is_flat_patterns(feature: object) -> bool:
 
 def _lay_out(feature: FreeCAD.DocumentObject, structure: Structure, workshop: Workshop) -> None:
     import Part
-
-    from freecad_ortho.fabrication.kerf import compensated
-    from freecad_ortho.fabrication.nesting import Nesting
 
     flat = {
         part.name: compensated(part.name, part.pattern, workshop.kerf)
@@ -222,8 +218,6 @@ def _lay_out(feature: FreeCAD.DocumentObject, structure: Structure, workshop: Wo
 
 def _workshop(feature: FreeCAD.DocumentObject) -> Workshop:
     """What the parts are cut from and with."""
-    from freecad_ortho.fabrication import Workshop
-
     return Workshop(
         sheet=_sheet_size(feature),
         spacing=feature.Spacing.Value,
@@ -244,8 +238,6 @@ def _sheet_size(feature: FreeCAD.DocumentObject) -> tuple[float, float] | None:
 
 
 def _in_rows(flat: dict[str, FlatPattern]) -> list[tuple[str, Any]]:
-    from freecad_ortho.fabrication.dxf import row_layout
-
     places = row_layout(list(flat.values()))
     return [
         (name, lambda points, shift=place: points + shift)
@@ -254,8 +246,6 @@ def _in_rows(flat: dict[str, FlatPattern]) -> list[tuple[str, Any]]:
 
 
 def _nested(parts: Any, flat: dict[str, FlatPattern], workshop: Workshop) -> tuple[Nesting, Any]:
-    from freecad_ortho.fabrication.nesting import nest, too_large_words
-
     chosen = [part for part in parts if part.name in flat]
     nesting = nest(chosen, workshop, [flat[part.name] for part in chosen])
     placed = []

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import FreeCAD
 
+from freecad_ortho import answers, convert
 from freecad_ortho.objects import net_settings
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
 from solver.analysis.fields import fields
@@ -115,16 +116,12 @@ def create(document: FreeCAD.Document, mesh: QuadMesh, label: str) -> FreeCAD.Do
         mesh: positions in mm.
         label: name in the tree.
     """
-    from freecad_ortho import convert
-
     feature = document.addObject("App::FeaturePython", "Net")
     Net(feature)
     feature.Label = label
     convert.store_mesh(feature, mesh)
     if FreeCAD.GuiUp:
-        from freecad_ortho.view.net_view import NetView
-
-        NetView(feature.ViewObject)
+        answers.ask("show net", feature.ViewObject)
     return feature
 
 

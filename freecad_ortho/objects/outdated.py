@@ -193,7 +193,3 @@ def watch() -> None:
         return
     _observers.append(_Observer())
     FreeCAD.addDocumentObserver(_observers[0])
-    if FreeCAD.GuiUp:
-        from freecad_ortho.view import refresh
-
-        refresh.connect()

@@ -13,6 +13,7 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import convert
+from freecad_ortho.fabrication import Place
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
 
@@ -89,8 +90,6 @@ def by_hand(structure: FreeCAD.DocumentObject) -> FreeCAD.Placement:
 
 def seen(structure: FreeCAD.DocumentObject, shift: FloatArray) -> Place:
     """Where the parts of a structure stand in the document, moved by hand or not."""
-    from freecad_ortho.fabrication import Place
-
     place = container(structure).multiply(by_hand(structure)).multiply(built_at(structure, shift))
     return Place() if place.isIdentity() else Place(*convert.placing(place))
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 import numpy as np
 
-from freecad_ortho import convert
+from freecad_ortho import answers, convert
 from freecad_ortho.objects import cad_faces, outdated, places
 from freecad_ortho.objects.net import NET_PROPERTIES, Net
 from freecad_ortho.objects.option_properties import properties, read, write
@@ -168,9 +168,7 @@ def create(
     set_values(feature, values)
     _store(feature, made)
     if FreeCAD.GuiUp:
-        from freecad_ortho.view.source_net_view import SourceNetView
-
-        SourceNetView(feature.ViewObject)
+        answers.ask("show net with a source", feature.ViewObject)
     return feature
 
 

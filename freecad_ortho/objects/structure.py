@@ -8,8 +8,11 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_ortho.fabrication import MATERIALS, SYSTEMS
-from freecad_ortho.objects import outdated, places
+from freecad_ortho import answers, convert
+from freecad_ortho.fabrication import MATERIALS
+from freecad_ortho.fabrication.packages import missing_package_named
+from freecad_ortho.objects import build, outdated, places
+from freecad_ortho.objects.kinds import BEAMS, NODES, ON_BEAMS, PANELS, TITLES, Built, is_structure
 from freecad_ortho.objects.limit_properties import limit_properties
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, choose, ensure
 from freecad_ortho.objects.system_properties import properties_of
@@ -17,11 +20,6 @@ from freecad_ortho.objects.system_properties import properties_of
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 VERSION = 2
-BEAMS, PANELS, NODES = "Beams", "Panels", "Nodes"
-# The title of a system in documents -> its name in fabrication.
-TITLES = {name.capitalize(): name for name in SYSTEMS}
-# Systems whose parts may lie on beams that are a structure of their own.
-ON_BEAMS = ("panels", "nodes")
 FAMILIES = ("Both", "U", "V")
 
 _MATERIAL = Property(
@@ -119,7 +117,7 @@ _PROPERTIES = (
 )
 
 
-class Structure(outdated.Following):
+class Structure(Built):
     """Proxy of a structure. Only recomputing needs the fabrication packages, showing does not."""
 
     properties = _PROPERTIES
@@ -136,8 +134,6 @@ class Structure(outdated.Following):
 
     def fingerprint(self, feature: FreeCAD.DocumentObject) -> str:
         """A word that stands for all that the solids are built from."""
-        from freecad_ortho.objects import build
-
         return build.fingerprint([feature])
 
     def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
@@ -162,9 +158,7 @@ def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD
     ensure_options(feature)
     set_properties(feature, properties)
     if FreeCAD.GuiUp:
-        from freecad_ortho.view.structure_view import StructureView
-
-        StructureView(feature.ViewObject)
+        answers.ask("show structure", feature.ViewObject)
     return feature
 
 
@@ -227,10 +221,6 @@ def rebuild(
     Raises:
         OrthoError: the properties or the net do not make a structure; nothing was changed.
     """
-    from freecad_ortho import convert
-    from freecad_ortho.fabrication.packages import missing_package_named
-    from freecad_ortho.objects import build
-
     with outdated.timed(feature):
         structure = build.structure([feature])
         with missing_package_named():
@@ -270,8 +260,3 @@ def summary(feature: FreeCAD.DocumentObject) -> str:
         )
     words += report["messages"]
     return "; ".join(words)
-
-
-def is_structure(feature: object) -> bool:
-    """Tell whether a document object is a structure."""
-    return isinstance(getattr(feature, "Proxy", None), Structure)

@@ -10,7 +10,6 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad_ortho import convert
-from freecad_ortho.commands import context
 from freecad_ortho.objects import places
 from freecad_ortho.objects.net import COLOUR_MAPS
 from freecad_ortho.panels.buttons import close_only
@@ -19,6 +18,7 @@ from freecad_ortho.panels.net_words import net_words, reason_words, short_word
 from freecad_ortho.resources import icon
 from freecad_ortho.view.place_marks import PlaceMarks
 from freecad_ortho.view.screen import views
+from freecad_ortho.window import context
 from solver.analysis.check import check
 from solver.nets import all_measures
 

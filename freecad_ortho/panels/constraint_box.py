@@ -10,11 +10,12 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from freecad_ortho.commands import messages
 from freecad_ortho.objects import constraints
 from freecad_ortho.panels.fields import NARROW, ChoiceField, form_rows
 from freecad_ortho.panels.vertex_picker import VertexPicker
+from freecad_ortho.view.handles import CHOSEN, HELD
 from freecad_ortho.view.mouse import Mouse
+from freecad_ortho.window import messages
 from solver.errors import OrthoError
 from solver.mesh.quadmesh import QuadMesh
 
@@ -159,8 +160,6 @@ class ConstraintBox:
             self._mouse.handles.show_lines(starts, ends)
 
     def _markers(self) -> tuple[Any, list[int]]:
-        from freecad_ortho.view.handles import CHOSEN, HELD
-
         points = self._mesh().vertices
         held = [int(word) for word in self._fix_words() if word.isdigit()]
         held = [vertex for vertex in held if vertex < len(points)]

@@ -8,11 +8,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.net import COLOUR_MAPS, colour_field
 from freecad_ortho.panels.fields import ChoiceField, NumberField, elided, form_rows, hint
 from freecad_ortho.resources import icon
 from freecad_ortho.view import look
+from freecad_ortho.window import context, messages
 from solver.analysis.fields import residuals
 from solver.errors import InputError
 

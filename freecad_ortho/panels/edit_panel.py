@@ -9,7 +9,6 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.objects.source_net import is_outdated
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.editing import Editing
@@ -18,6 +17,7 @@ from freecad_ortho.panels.net_words import explain, net_words, outlook
 from freecad_ortho.panels.watch import cover, uncover
 from freecad_ortho.resources import icon
 from freecad_ortho.view import dragging
+from freecad_ortho.window import context, messages
 from solver.errors import OrthoError
 from solver.mesh.quadmesh import FloatArray
 

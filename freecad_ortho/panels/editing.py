@@ -11,7 +11,6 @@ import numpy as np
 from PySide import QtCore
 
 from freecad_ortho import convert, documents, preferences
-from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import net_settings
 from freecad_ortho.objects import constraints
 from freecad_ortho.objects.net_settings import ALL
@@ -21,6 +20,7 @@ from freecad_ortho.view import dragging
 from freecad_ortho.view.handles import CHOSEN, HANDLE, HELD, HOVERED
 from freecad_ortho.view.mouse import Mouse
 from freecad_ortho.view.screen import Ray, redraw
+from freecad_ortho.window import context, messages
 from solver.errors import OrthoError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray

@@ -10,7 +10,6 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad_ortho import convert, documents, preferences
-from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import net_settings
 from freecad_ortho.objects import source_net
 from freecad_ortho.panels.advanced_box import AdvancedBox
@@ -23,6 +22,7 @@ from freecad_ortho.panels.run import Run
 from freecad_ortho.panels.sight import bring_into_sight
 from freecad_ortho.panels.watch import NetWatch, cover, uncover
 from freecad_ortho.resources import icon
+from freecad_ortho.window import context, messages
 from solver import start_optimisation
 
 translate = FreeCAD.Qt.translate

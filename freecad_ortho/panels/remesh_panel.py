@@ -8,11 +8,11 @@ import FreeCAD
 import numpy as np
 from PySide import QtGui
 
-from freecad_ortho.commands import context
 from freecad_ortho.objects import cad_faces
 from freecad_ortho.panels.fields import LengthField, form_rows
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
+from freecad_ortho.window import context
 
 translate = FreeCAD.Qt.translate
 _QUADS = 400

@@ -10,7 +10,6 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.objects import places, source_net
 from freecad_ortho.panels.fields import form_rows, leave_room, shortened
 from freecad_ortho.panels.option_fields import OptionField
@@ -18,6 +17,7 @@ from freecad_ortho.resources import icon
 from freecad_ortho.sources import GROUPS, Made, Source, source
 from freecad_ortho.view.picture import three_d_view
 from freecad_ortho.view.preview import Preview
+from freecad_ortho.window import context, messages
 from solver.errors import OrthoError
 
 translate = FreeCAD.Qt.translate

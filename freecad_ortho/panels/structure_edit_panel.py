@@ -6,12 +6,12 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.documents import structures
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.panels.buttons import number
 from freecad_ortho.panels.fields import shortened
 from freecad_ortho.panels.structure_panel import StructurePanel
+from freecad_ortho.window import context, messages
 
 
 class StructureEditPanel(StructurePanel):

@@ -8,7 +8,6 @@ import FreeCAD
 from PySide import QtGui
 
 from freecad_ortho import preferences
-from freecad_ortho.commands import context, messages
 from freecad_ortho.fabrication import MATERIALS
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of, values
@@ -16,6 +15,7 @@ from freecad_ortho.panels.fields import ChoiceField, TextField, elided, form_row
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
+from freecad_ortho.window import context, messages
 from solver.errors import InputError
 from solver.option import Option
 

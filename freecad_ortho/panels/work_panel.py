@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import FreeCADGui
 
-from freecad_ortho.commands import messages
+from freecad_ortho.window import messages
 
 
 class WorkPanel:

@@ -10,13 +10,13 @@ import FreeCAD
 from PySide import QtGui
 
 from freecad_ortho import preferences
-from freecad_ortho.commands import context, dialogs, messages
 from freecad_ortho.documents.structures import lost_on_bars
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows, shortened
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
+from freecad_ortho.window import context, dialogs, messages
 
 translate = FreeCAD.Qt.translate
 

@@ -8,9 +8,11 @@ import FreeCAD
 from pivy import coin
 from PySide import QtGui
 
+from freecad_ortho import answers
 from freecad_ortho.objects.drawings import flat_shape
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
+from freecad_ortho.view import refresh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -37,6 +39,7 @@ class FlatPatternsView(Stateless):
 
     def attach(self, view_object: Any) -> None:
         """Add the names to what FreeCAD draws."""
+        refresh.connect()
         ensure(view_object, _PROPERTIES)
         self.ViewObject, self.Object = view_object, view_object.Object
         self._names = coin.SoSwitch()
@@ -49,9 +52,7 @@ class FlatPatternsView(Stateless):
 
     def doubleClicked(self, view_object: Any) -> bool:
         """Open the settings of the flat patterns."""
-        from freecad_ortho.commands.flat_patterns import edit_flat_patterns
-
-        edit_flat_patterns(view_object.Object)
+        answers.ask("edit flat patterns", view_object.Object)
         return True
 
     def setupContextMenu(self, view_object: Any, menu: Any) -> None:

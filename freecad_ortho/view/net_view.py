@@ -9,7 +9,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from freecad_ortho import convert, preferences
+from freecad_ortho import answers, convert, preferences
 from freecad_ortho.objects.constraints import reference_surface
 from freecad_ortho.objects.net import colour_field
 from freecad_ortho.objects.properties import Stateless, ensure
@@ -96,9 +96,7 @@ class NetView(Stateless):
         """Open the panel for live editing; modes other than the default one are FreeCAD's."""
         if mode != 0:
             return None
-        from freecad_ortho.panels import edit_panel
-
-        self._edit_panel = edit_panel.begin(view_object)
+        self._edit_panel = answers.ask("edit net", view_object)
         return self._edit_panel is not None
 
     def unsetEdit(self, view_object: Any, mode: int = 0) -> bool | None:

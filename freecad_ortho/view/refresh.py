@@ -5,16 +5,24 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from freecad_ortho import answers
+from freecad_ortho.objects import outdated
+
+_followed: list[object] = []
+
 
 def connect() -> None:
-    """Follow the button, the menu and the key; a macro says ``update_structures`` itself."""
-    for action in FreeCADGui.Command.get("Std_Refresh").getAction():
+    """Follow the button, the menu and the key; doing it again changes nothing.
+
+    A macro says ``update_structures`` itself.
+    """
+    if _followed:
+        return
+    _followed.extend(FreeCADGui.Command.get("Std_Refresh").getAction())
+    for action in _followed:
         action.triggered.connect(lambda *_: _update())
 
 
 def _update() -> None:
-    from freecad_ortho.commands.structures import update_waiting
-    from freecad_ortho.objects import outdated
-
     if FreeCAD.ActiveDocument is not None and outdated.waiting(FreeCAD.ActiveDocument):
-        update_waiting()
+        answers.ask("update waiting structures")

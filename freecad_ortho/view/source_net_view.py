@@ -7,6 +7,7 @@ from typing import Any
 import FreeCAD
 from PySide import QtGui
 
+from freecad_ortho import answers
 from freecad_ortho.resources import icon
 from freecad_ortho.view.net_view import NetView
 
@@ -38,7 +39,5 @@ class SourceNetView(NetView):
         menu.addAction(action)
 
     def _edit_source(self, view_object: Any) -> bool:
-        from freecad_ortho.commands.sources import edit_source
-
-        edit_source(view_object.Object)
+        answers.ask("edit source", view_object.Object)
         return True

@@ -7,9 +7,10 @@ from typing import Any
 import FreeCAD
 from PySide import QtGui
 
-from freecad_ortho import preferences
+from freecad_ortho import answers, preferences
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
+from freecad_ortho.view import refresh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -52,6 +53,7 @@ class StructureView(Stateless):
 
     def attach(self, view_object: Any) -> None:
         """Remember the object; the solids are shown by FreeCAD itself."""
+        refresh.connect()
         ensure(view_object, _PROPERTIES)
         self.Object = view_object.Object
         self.ViewObject = view_object
@@ -72,9 +74,7 @@ class StructureView(Stateless):
 
     def doubleClicked(self, view_object: Any) -> bool:
         """Open the settings of the structure."""
-        from freecad_ortho.commands.structures import edit_structure
-
-        edit_structure(view_object.Object)
+        answers.ask("edit structure", view_object.Object)
         return True
 
     def setupContextMenu(self, view_object: Any, menu: Any) -> None:

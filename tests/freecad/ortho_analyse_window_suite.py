@@ -11,11 +11,11 @@ from ortho_suite_tools import press, wait
 from PySide import QtGui
 
 from freecad_ortho import api, convert
-from freecad_ortho.commands import dialogs
 from freecad_ortho.objects import constraints
 from freecad_ortho.panels import check_panel, display_panel
 from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import reason_words
+from freecad_ortho.window import dialogs
 from solver.analysis.fields import field
 from solver.errors import InputError
 from solver.nets import all_measures

@@ -15,10 +15,11 @@ from ortho_suite_tools import press, wait
 from PySide import QtCore, QtGui
 
 from freecad_ortho import api, commands, packages, preferences, resources
-from freecad_ortho.commands import dialogs, open_file, requirements
+from freecad_ortho.commands import open_file, requirements
 from freecad_ortho.documents.examples import EXAMPLES
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.panels import installer
+from freecad_ortho.window import dialogs
 from solver.errors import InputError
 
 PREFIX = "Ortho_Example_"

@@ -2,8 +2,8 @@
 
 import FreeCAD
 
-from freecad_ortho.commands import context, messages
 from freecad_ortho.commands.command import NetCommand
+from freecad_ortho.window import context, messages
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 

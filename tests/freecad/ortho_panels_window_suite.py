@@ -11,11 +11,11 @@ from ortho_suite_tools import press, wait
 from PySide import QtGui
 
 from freecad_ortho import api
-from freecad_ortho.commands import dialogs
 from freecad_ortho.panels import structure_edit_panel, workshop_panels
 from freecad_ortho.panels.fields import LengthField
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.sources import source
+from freecad_ortho.window import dialogs
 
 LANGUAGES = ("English", "German", "French")
 # Lists at the top of these panels choose what fields there are.

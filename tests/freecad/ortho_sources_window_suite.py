@@ -15,10 +15,11 @@ from ortho_suite_tools import press, wait
 from PySide import QtGui
 
 from freecad_ortho import api, convert
-from freecad_ortho.commands import dialogs, sources
+from freecad_ortho.commands import sources
 from freecad_ortho.commands.groups import ChangeNet, NewNet
 from freecad_ortho.panels import form_panel, multi_net_panel, source_panel
 from freecad_ortho.sources import GROUPS
+from freecad_ortho.window import dialogs
 from solver.mesh.remesh import LIBRARY
 
 

@@ -62,7 +62,7 @@ class WindowCase(unittest.TestCase):
     def setUp(self):
         import FreeCADGui
 
-        from freecad_ortho.commands import messages
+        from freecad_ortho.window import messages
 
         follow_at_once()
         FreeCADGui.activateWorkbench("OrthoWorkbench")

@@ -14,8 +14,9 @@ from ortho_suite_tools import press, vertices, wait
 from PySide import QtCore, QtGui
 
 from freecad_ortho import api
-from freecad_ortho.commands import dialogs, open_file
+from freecad_ortho.commands import open_file
 from freecad_ortho.panels import optimise_panel
+from freecad_ortho.window import dialogs
 
 NEEDS_NET = ("Ortho_Optimise", "Ortho_EditNet", "Ortho_Beams", "Ortho_Panels")
 

@@ -1,0 +1,13 @@
+"""The panels that a double click in the tree asks for, and what the command Refresh does."""
+
+from __future__ import annotations
+
+from freecad_ortho import answers
+from freecad_ortho.commands import flat_patterns, sources, structures
+from freecad_ortho.panels import edit_panel
+
+answers.give("edit net", edit_panel.begin)
+answers.give("edit source", sources.edit_source)
+answers.give("edit structure", structures.edit_structure)
+answers.give("edit flat patterns", flat_patterns.edit_flat_patterns)
+answers.give("update waiting structures", structures.update_waiting)

@@ -1,0 +1,21 @@
+"""What kinds of structures there are, and which document objects are structures."""
+
+from __future__ import annotations
+
+from freecad_ortho.fabrication import SYSTEMS
+from freecad_ortho.objects import outdated
+
+BEAMS, PANELS, NODES = "Beams", "Panels", "Nodes"
+# The title of a system in documents -> its name in fabrication.
+TITLES = {name.capitalize(): name for name in SYSTEMS}
+# Systems whose parts may lie on beams that are a structure of their own.
+ON_BEAMS = ("panels", "nodes")
+
+
+class Built(outdated.Following):
+    """Base of the proxy of structures, by which they are known."""
+
+
+def is_structure(feature: object) -> bool:
+    """Tell whether a document object is a structure."""
+    return isinstance(getattr(feature, "Proxy", None), Built)

@@ -1,0 +1,1 @@
+"""What commands and panels share: what is selected, lines of a macro, messages, dialogs."""
