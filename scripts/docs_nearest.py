@@ -15,9 +15,9 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from solver import Constraints, QuadMesh, start_optimisation
+from solver.analysis.form import off_surface
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.grid import grid_faces
-from solver.nearest import off_surface
 
 Points = tuple[np.ndarray, np.ndarray, np.ndarray]
 

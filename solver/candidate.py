@@ -6,7 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thickness
+from solver.analysis.measures import (
+    area,
+    edge_ratio,
+    flipped,
+    sharpest_crease,
+    smoothness,
+    thickness,
+)
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.problem import Detail, Problem
 from solver.report import Spread
@@ -27,8 +34,11 @@ class Candidate:
         edge_ratio: shortest / mean edge; ``edge_ratio_start`` the same of the input.
         crease: sharpest angle between neighbouring faces, in degrees; ``crease_start`` likewise.
         thickness: smallest extent over the largest; ``thickness_start`` likewise.
+        area_ratio: area over that of the input.
+        smoothness: how evenly lines bend; ``smoothness_start`` the same of the input.
         flipped: number of folded faces; ``flipped_start`` the same of the input.
         may_flatten: a plane is as good as any other shape.
+        may_resize: an area is as good as any other.
         met: every measure is within the tolerance on every face or star.
         tuning: from where on a shape is shrunk, creased or flattened.
     """
@@ -45,9 +55,13 @@ class Candidate:
     crease_start: float
     thickness: float
     thickness_start: float
+    area_ratio: float
+    smoothness: float
+    smoothness_start: float
     flipped: int
     flipped_start: int
     may_flatten: bool
+    may_resize: bool
     met: bool
     tuning: Tuning
 
@@ -70,7 +84,8 @@ class Candidate:
     def good(self) -> bool:
         """A solution that no further attempt needs to improve."""
         roomy = self.kept >= self.tuning.cramped
-        return self.valid and roomy and not self.creased and not self.flattened
+        spoilt = self.creased or self.flattened or self.resized or self.uneven
+        return self.valid and roomy and not spoilt
 
     @property
     def flattened(self) -> bool:
@@ -90,15 +105,37 @@ class Candidate:
         return self.crease > max(self.tuning.creased, 2 * self.crease_start)
 
     @property
+    def resized(self) -> bool:
+        """The surface grew or shrank to another one than was drawn."""
+        least = self.tuning.whole
+        return not self.may_resize and not least <= self.area_ratio <= 1 / least
+
+    @property
+    def uneven(self) -> bool:
+        """The lines zigzag, and those of the input did not."""
+        return self._lost > self.tuning.uneven
+
+    @property
+    def _lost(self) -> float:
+        """How much less evenly lines bend than those of the input, or than is smooth."""
+        return max(min(self.smoothness_start, self.tuning.even) - self.smoothness, 0.0)
+
+    @property
     def worst(self) -> float:
         """Largest of all measures."""
         return max((spread.max for spread in self.residuals.values()), default=0.0)
 
     @property
     def rank(self) -> tuple[bool, bool, bool, bool, float, float]:
-        """Sorts candidates: solutions first, good, sound, with longer edges, smaller residuals."""
-        kept = round(self.kept, 2) if self.valid else 0.0
-        return (self.valid, not self.flattened, self.good, self.sound, kept, -self.worst)
+        """Sorts candidates: solutions first, good, sound, nearer to the form, smaller residuals."""
+        likeness = self.likeness if self.valid else 0.0
+        return (self.valid, not self.flattened, self.good, self.sound, likeness, -self.worst)
+
+    @property
+    def likeness(self) -> float:
+        """Part of the input's edge ratio, area and smoothness that is left: the least of them."""
+        area = 1.0 if self.may_resize else min(self.area_ratio, 1 / max(self.area_ratio, 1e-9))
+        return round(min(self.kept, area, 1.0 - self._lost), 2)
 
 
 def judge(
@@ -114,7 +151,7 @@ def judge(
         problem=problem,
         x=x,
         mesh=mesh,
-        details={name: tell(scalars) for name, tell in problem.details.items()},
+        details={name: tell(mesh, scalars) for name, tell in problem.details.items()},
         worst_place=_worst_place(problem, values),
         residuals=residuals,
         edge_ratio=edge_ratio(mesh),
@@ -123,9 +160,13 @@ def judge(
         crease_start=start.crease_start,
         thickness=thickness(mesh),
         thickness_start=start.thickness_start,
+        area_ratio=area(mesh) / start.area_start,
+        smoothness=smoothness(mesh),
+        smoothness_start=start.smoothness_start,
         flipped=int(flipped(mesh).sum()),
         flipped_start=start.flipped_start,
         may_flatten=start.may_flatten,
+        may_resize=start.may_resize,
         met=all(spread.max <= tolerance for spread in residuals.values()),
         tuning=problem.tuning,
     )

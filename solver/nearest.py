@@ -30,7 +30,7 @@ from solver.assembly import NormalEquations
 from solver.linear.backends import default_backend, symmetric_solver
 from solver.linear.threads import one_thread
 from solver.mesh.closest import Polyline, TriangleSurface
-from solver.mesh.quadmesh import FloatArray, QuadMesh, row_lengths
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.point import Point
 from solver.problem import Problem
 from solver.terms.base import Linearisation, Term
@@ -92,27 +92,13 @@ def nearness(problem: Problem, start: QuadMesh, surface: TriangleSurface) -> lis
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
         Wish(OnSurface(used, ground, name="close to surface"), 1.0),
-        Wish(Evenness(net.line_quadruples), 0.1),
+        Wish(Evenness(net.line_quadruples), 0.03),
         Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
         Wish(Closeness(used, points[used]), 1e-5),
         *(Wish(border, 1e-2) for border in borders),
         Wish(EdgeGuard(net.edges, 0.6 * shortest), 0.3),
         Wish(FaceGuard(net.faces, 0.3), 0.3),
     ]
-
-
-def off_surface(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
-    """(n,) distances of vertices and of points inside faces from a surface, in model units.
-
-    Faces are sampled four by four, bilinearly: a net may have all vertices on a surface and leave
-    it in between.
-    """
-    along = np.linspace(0.0, 1.0, 5)
-    u, v = (part.ravel() for part in np.meshgrid(along, along))
-    shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=1)
-    points = np.einsum("sk,fkc->fsc", shares, mesh.vertices[mesh.faces]).reshape(-1, 3)
-    feet, _ = surface.closest(points)
-    return row_lengths(points - feet)
 
 
 class NearestNet:

@@ -18,7 +18,8 @@ from solver.mesh.quadmesh import QuadMesh
 from solver.nets import Net, net_named
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
 from solver.nets.options import NetOptions
-from solver.nets.settings import Weights, fixed_vertices
+from solver.nets.settings import Weights
+from solver.nets.supports import supports_of
 from solver.plan import Plan
 from solver.problem import Problem
 from solver.report import Outcome, StepRecord
@@ -41,6 +42,8 @@ class Settings(TypedDict, total=False):
     multi: float | None
     isometry: float | None
     fix: str | Sequence[int]
+    supports: str | Sequence[int]
+    within: float | None
     tolerance: float
     max_steps: int
     backend: str | None
@@ -62,9 +65,9 @@ def optimise(
         mesh: the start, in any unit; it is not changed.
         net: name of the net, see ``solver.nets.NETS``.
         callback: called after each step; returning True stops.
-        settings: ``fairness``, ``closeness``, ``multi``, ``isometry``, ``fix``, ``tolerance``,
-            ``max_steps``, ``backend``, ``options``, ``constraints``, ``tuning``, as for
-            :func:`start_optimisation`.
+        settings: ``fairness``, ``closeness``, ``multi``, ``isometry``, ``fix``, ``supports``,
+            ``within``, ``tolerance``, ``max_steps``, ``backend``, ``options``, ``constraints``,
+            ``tuning``, as for :func:`start_optimisation`.
 
     Returns:
         The best mesh found, with its report. A ``KeyboardInterrupt`` during a step stops the run
@@ -86,6 +89,8 @@ def start_optimisation(
     multi: float | None = None,
     isometry: float | None = None,
     fix: str | Sequence[int] = "none",
+    supports: str | Sequence[int] = "",
+    within: float | None = None,
     tolerance: float = 1e-10,
     max_steps: int = 1000,
     backend: str | None = None,
@@ -106,7 +111,11 @@ def start_optimisation(
         isometry: start weight of faces keeping their shape, for sheets that only bend; by default
             none.
         fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
-            Where it is ``none``, what the net needs is held: the boundary of a stress net.
+        supports: of nets that carry loads ``boundary``, which slides along its own curve but for
+            its corners, ``corners`` or vertex numbers, which stay; by default what is fixed, and
+            where nothing is, what the net needs: the boundary of a stress net.
+        within: how far from the design surface, or the start where none is given, the result may
+            be, in model units: the report says whether it is.
         tolerance: largest residual that counts as zero, dimensionless.
         max_steps: largest number of steps, over all attempts.
         backend: ``rslab`` or ``scipy``; by default the fastest installed.
@@ -119,6 +128,8 @@ def start_optimisation(
     """
     asked = net_named(net)
     refuse_no_end(tolerance, max_steps)
+    if within is not None and not (math.isfinite(within) and within > 0):
+        raise InputError(f"within: expected a positive distance, got {within}")
     given = {
         "fairness": fairness,
         "closeness": closeness,
@@ -136,15 +147,19 @@ def start_optimisation(
         reference = np.asarray(chosen.reference, dtype=np.float64)
         chosen = replace(chosen, reference=LocalOrigin.of(reference).near(reference))
     wanted = (constraints or Constraints()).about(origin)
-    fixed = fixed_vertices(mesh, fix, asked)
-    held = _held(asked, bool(fixed.any()), wanted)
+    standing = supports_of(mesh, asked, fix, supports)
+    fixed = standing.fixed.copy()
+    held = _held(asked, bool(standing.standing.any()), wanted)
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
+    wanted = replace(wanted, glide=(*wanted.glide, *standing.glides(mesh, wanted)))
     remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
 
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     once = fairness is not None
-    plan = Plan(asked, mesh, fixed, chosen, wanted, weights, once, tuning or Tuning())
+    plan = Plan(
+        asked, mesh, fixed, chosen, wanted, weights, once, tuning or Tuning(), standing.standing
+    )
     _refuse_contradictions(plan.original)
     stay = not once and not wanted.handles and wanted.close_to is None
     return Optimisation(
@@ -158,6 +173,7 @@ def start_optimisation(
         held,
         origin,
         surface=TriangleSurface(*wanted.close_to) if wanted.close_to is not None else None,
+        within=within,
     )
 
 

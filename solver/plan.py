@@ -76,6 +76,7 @@ class Plan:
         weights: of the guides in the first attempt.
         once: one attempt with these weights, and no other.
         tuning: the numbers of the solver.
+        supports: (V,) true for vertices that carry its loads, by default the fixed ones.
     """
 
     net: Net
@@ -86,6 +87,7 @@ class Plan:
     weights: Weights
     once: bool = False
     tuning: Tuning = field(default_factory=Tuning)
+    supports: BoolArray | None = None
 
     def way(self) -> Way:
         """From the start to the net."""
@@ -101,8 +103,19 @@ class Plan:
         return self._pose(self.net, self.mesh, self._at_first)
 
     def _first(self) -> Way:
-        """The wanted net from the start, with one set of guides after the other."""
-        yield from _attempts(self.original, self._at_first)
+        """The wanted net from the start, with one set of guides after the other.
+
+        Where one leads to a surface of another size, faces that keep their shape lead next, once.
+        Not where nothing is left of the shape: no such net is like it, and it would crumple.
+        """
+        keep = not self.once
+        for attempt in _attempts(self.original, self._at_first):
+            reached = yield attempt
+            keep = keep and not reached.gone
+            if keep and reached.resized:
+                keep = False
+                keeping = [replace(self.weights, isometry=weight) for weight in self.tuning.keeping]
+                yield from self._tries(self.mesh, keeping)
 
     def _round_by_easier_nets(self) -> Way:
         """The net itself; if that folds, an easier net and from it the net; then other guides."""
@@ -152,7 +165,13 @@ class Plan:
     def _pose(self, net: Net, mesh: QuadMesh, ladder: Sequence[Weights]) -> Problem:
         """Pose the wanted net, or another with the same options, for all attempts of a ladder."""
         empty = Problem(
-            net.name, mesh, self.fixed, may_flatten=self._may_flatten, tuning=self.tuning
+            net.name,
+            mesh,
+            self.fixed,
+            may_flatten=self._may_flatten,
+            may_resize=bool(self.net.flat or self.constraints.handles),
+            tuning=self.tuning,
+            supports=self.supports,
         )
         problem = net.recipe(empty, self.options)
         add_constraints(problem, self.constraints, ladder[0].closeness)

@@ -8,7 +8,14 @@ from functools import cached_property
 
 import numpy as np
 
-from solver.analysis.measures import edge_ratio, flipped, sharpest_crease, thickness
+from solver.analysis.measures import (
+    area,
+    edge_ratio,
+    flipped,
+    sharpest_crease,
+    smoothness,
+    thickness,
+)
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -64,7 +71,11 @@ class Problem:
         net: name of the net.
         mesh: the start, in model units.
         fixed: (V,) true for vertices that must not move; they are eliminated.
+        supports: (V,) true for vertices that carry what a net is loaded with, by default the fixed
+            ones; others may slide.
         may_flatten: whether a plane is a shape as good as any other.
+        may_resize: whether the size of the surface is not what was drawn: sheets and what is
+            dragged.
         tuning: the numbers of the solver.
         exempt: how many faces, in diagonal variants vertices, lie at singular vertices and are not
             asked for right angles.
@@ -76,11 +87,13 @@ class Problem:
     constraints: list[Term] = field(default_factory=list)
     guides: list[Guide] = field(default_factory=list)
     measures: dict[str, Judgement] = field(default_factory=dict)
-    details: dict[str, Callable[[FloatArray], Detail]] = field(default_factory=dict)
+    details: dict[str, Callable[[QuadMesh, FloatArray], Detail]] = field(default_factory=dict)
     may_flatten: bool = False
+    may_resize: bool = False
     tuning: Tuning = field(default_factory=Tuning)
     places: dict[str, Callable[[int], str]] = field(default_factory=dict)
     exempt: int = 0
+    supports: BoolArray | None = None
 
     def __post_init__(self) -> None:
         used = self.mesh.connectivity.referenced
@@ -88,6 +101,11 @@ class Problem:
         self.centre = self.mesh.vertices[used].mean(axis=0)
         self.start: FloatArray = ((self.mesh.vertices - self.centre) / self.scale).ravel()
         self.free: BoolArray = np.repeat(used & ~self.fixed, 3)
+
+    @property
+    def supported(self) -> BoolArray:
+        """(V,) true for vertices that carry loads."""
+        return self.fixed if self.supports is None else self.supports
 
     def scalars(self, values: FloatArray) -> IntArray:
         """Add unknowns that elements share; return their positions in the flat vector."""
@@ -202,6 +220,16 @@ class Problem:
     def crease_start(self) -> float:
         """Sharpest angle between neighbouring faces of the start, degrees."""
         return sharpest_crease(self.mesh)
+
+    @cached_property
+    def area_start(self) -> float:
+        """Area of the start, in model units."""
+        return area(self.mesh)
+
+    @cached_property
+    def smoothness_start(self) -> float:
+        """How evenly the lines of the start bend."""
+        return smoothness(self.mesh)
 
     @cached_property
     def flipped_start(self) -> int:

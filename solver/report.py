@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from solver.analysis.form import Form
 from solver.mesh.quadmesh import QuadMesh
 
 CONVERGED = "converged"
@@ -83,8 +84,10 @@ class Report:
         exempt_faces: faces at singular vertices that are not asked for right angles; in diagonal
             variants the vertices around which a face of the diagonal meshes lies.
         moved: mean and largest distance from the input, in mean edges of the input.
-        off_surface: largest and mean distance from the surface that it had to be close to, of
-            vertices and of points inside faces, in model units; None without one.
+        form: how much of what was drawn is left; in ``report.json`` its numbers stand beside the
+            others: ``off_surface`` with ``max``, ``mean`` and ``percent``, ``border``,
+            ``area_ratio``, ``height_ratio``, ``zigzag``.
+        within: how far from the design surface it may be, in model units, where that was asked.
         mean_edge: of the input, in model units.
         size: lengths of the bounding box along x, y and z, in model units.
         size_start: the same of the input.
@@ -116,7 +119,8 @@ class Report:
     flipped_faces: int
     exempt_faces: int
     moved: Spread
-    off_surface: Spread | None
+    form: Form
+    within: float | None
     mean_edge: float
     size: list[float]
     size_start: list[float]
@@ -124,6 +128,11 @@ class Report:
     solver: str = ""
     remarks: list[str] = field(default_factory=list)
     history: list[StepRecord] = field(default_factory=list, repr=False)
+
+    @property
+    def is_within(self) -> bool:
+        """Whether it is as near to the design surface as was asked, if anything was."""
+        return self.within is None or self.form.off_surface.max <= self.within
 
     @property
     def far(self) -> bool:
@@ -137,6 +146,7 @@ class Report:
         """Return plain numbers and strings for JSON, without the history."""
         data = asdict(self)
         del data["history"]
+        data.update(data.pop("form"), is_within=self.is_within)
         return data
 
 

@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from solver.analysis.form import off_surface
 from solver.analysis.start import Remark
 from solver.best import Best
 from solver.candidate import Candidate, judge
@@ -16,7 +17,7 @@ from solver.linear.backends import default_backend
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nearest import NearestNet, nearness, off_surface
+from solver.nearest import NearestNet, nearness
 from solver.plan import Attempt, Way, alone
 from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
@@ -49,6 +50,7 @@ class Optimisation:
         descent: the first attempt where it is under way already.
         surface: the design surface, about the origin. Where the net is
             reached, the last phase moves along the nets to the one nearest to it.
+        within: how far from it the result may be, in model units, for the report.
     """
 
     def __init__(
@@ -64,6 +66,7 @@ class Optimisation:
         origin: LocalOrigin | None = None,
         descent: Descent | None = None,
         surface: TriangleSurface | None = None,
+        within: float | None = None,
     ) -> None:
         begin = time.perf_counter()
         self.original = original
@@ -76,7 +79,7 @@ class Optimisation:
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
-        self.surface = surface
+        self.surface, self.within = surface, within
         self._nearest: NearestNet | None = None
         self._most = 0
         self._way = self._begin_way()
@@ -109,6 +112,7 @@ class Optimisation:
             self.origin,
             descent,
             self.surface,
+            self.within,
         )
 
     @property
@@ -197,6 +201,7 @@ class Optimisation:
             self.held,
             self.origin,
             self.surface,
+            self.within,
         )
         return summarise(course, self._found())
 
@@ -301,7 +306,7 @@ class Optimisation:
         assert self.surface is not None
         before = self._found()
         found = judge(nearest.problem, nearest.exact(), self.tolerance, self.original)
-        whole = _area(found.mesh) >= _STILL_WHOLE * _area(before.mesh)
+        whole = found.area_ratio >= _STILL_WHOLE * before.area_ratio
         smooth = before.creased or not found.creased
         if found.valid and found.kept >= _STILL_ROOMY and smooth and whole:
             far, near = (off_surface(each.mesh, self.surface) for each in (before, found))
@@ -309,7 +314,3 @@ class Optimisation:
                 self._best = Best(self.original.tuning.worth)
                 self._best.consider(found)
         self.status = CONVERGED
-
-
-def _area(mesh: QuadMesh) -> float:
-    return float(np.linalg.norm(mesh.face_area_vectors, axis=1).sum())

@@ -8,13 +8,13 @@ from typing import cast
 
 import numpy as np
 
+from solver.analysis.form import form_of
 from solver.analysis.start import Remark
 from solver.candidate import Candidate, spread_of
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.seams import seams
-from solver.nearest import off_surface
 from solver.problem import Problem
 from solver.report import (
     COLLAPSED,
@@ -50,6 +50,7 @@ class Course:
         held: what keeps vertices from moving freely, such as "fixed vertices".
         origin: what coordinates were measured from.
         surface: the design surface, about the origin.
+        within: how far from it the net may be at most, in model units.
     """
 
     original: Problem
@@ -64,6 +65,7 @@ class Course:
     held: Sequence[str]
     origin: LocalOrigin
     surface: TriangleSurface | None
+    within: float | None
 
 
 def summarise(run: Course, best: Candidate) -> Outcome:
@@ -72,6 +74,7 @@ def summarise(run: Course, best: Candidate) -> Outcome:
     start = problem.mesh
     used = start.connectivity.referenced
     moved = np.linalg.norm(best.mesh.vertices - start.vertices, axis=1)[used] / start.mean_edge
+    form = form_of(start, best.mesh, run.surface)
     report = Report(
         net=problem.net,
         status=run.status,
@@ -94,7 +97,8 @@ def summarise(run: Course, best: Candidate) -> Outcome:
         flipped_faces=best.flipped,
         exempt_faces=run.original.exempt,
         moved=spread_of(moved),
-        off_surface=spread_of(off_surface(best.mesh, run.surface)) if run.surface else None,
+        form=form,
+        within=run.within,
         mean_edge=start.mean_edge,
         size=_size(best.mesh),
         size_start=_size(start),

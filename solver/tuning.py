@@ -54,6 +54,7 @@ class Tuning:
         nearest_fairness: factors of the attempt that looks for the nearest net: on fairness
         nearest_closeness: and on closeness.
         fairer: factor on fairness of the attempts against collapse: once, and squared.
+        keeping: weights of isometry in the attempts after one whose surface grew or shrank.
         handles: weight of handles.
         close_to: weight of a surface to stay close to, in closeness of one vertex.
         enough: of so many attempts that reached the net, though with short edges or creases, the
@@ -63,6 +64,9 @@ class Tuning:
         shrunk: a result whose shortest edge, relative to the input's, is shorter is a collapse.
         cramped: below this, another attempt with other guides is worth its time,
         creased: and where faces meet at more than this angle in degrees and twice the input's,
+        whole: and where the area is less than this part of the input's, or more than its inverse,
+        even: and where lines zigzag: bend less evenly than this and than the input's
+        uneven: by more than that,
         thick: and where a shape that was at least so thick, as part of its size,
         flattened: has less than this part of its thickness left.
         solid: a shape that was no plane to so much of its size,
@@ -104,6 +108,7 @@ class Tuning:
     nearest_fairness: float = 0.1
     nearest_closeness: float = 10.0
     fairer: float = 10.0
+    keeping: tuple[float, ...] = (0.3, 3.0)
     handles: float = 10.0
     close_to: float = 30.0
     enough: int = 3
@@ -111,7 +116,10 @@ class Tuning:
     shrunk: float = 0.25
     cramped: float = 0.5
     creased: float = 30.0
+    whole: float = 0.92
+    even: float = 0.85
+    uneven: float = 0.05
     thick: float = 0.02
     flattened: float = 0.4
     solid: float = 5e-3
-    gone: float = 0.05
+    gone: float = 0.1

@@ -29,8 +29,16 @@ from solver.nets.constraints import (
 )
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
+from solver.option import Option
 
 _AXES = "xyz"
+_WITHIN = Option(
+    "within",
+    None,
+    "length",
+    "Largest distance from the surface, or the start where none is given; beyond it the exit code "
+    "is 1",
+)
 # The end of a --glide that names vertices; a path may have an @ of its own.
 _VERTICES = re.compile(r"@([\d,]+)$")
 # Curves whose ends are nearer than this part of their size are closed.
@@ -49,7 +57,16 @@ def add(parser: argparse.ArgumentParser) -> None:
             f"--{word}", dest="forces", action="store_const", const=word, help=words
         )
     parser.add_argument(
-        "--supports", metavar="boundary|corners|I,J", help=f"{_nets(_supported())}: what is held"
+        "--supports",
+        default="",
+        metavar="boundary|corners|I,J",
+        help=f"{_nets(_supported())}: what carries the loads; boundary slides along its own curve, "
+        "but for its corners",
+    )
+    parser.add_argument(
+        "--supports-fixed",
+        action="store_true",
+        help=f"{_nets(_supported())}: supports do not slide",
     )
     parser.add_argument(
         "--handle", action="append", default=[], metavar="I:x,y,z", help="drag vertex I there"
@@ -62,6 +79,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         help="what boundary vertices (all, for a surface) move along; @I,J names others",
     )
     parser.add_argument("--close-to", metavar="FILE", help="a surface to stay near")
+    arguments.add(parser, _WITHIN)
     parser.add_argument("--symmetry", default="", metavar="x,y", help="mirror planes")
 
 
@@ -76,14 +94,23 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
     for name in chosen:
         if name not in asked.options:
             raise _not_for(arguments.flag_of(OPTIONS[name]), nets_with(name), asked)
-    if options.supports and asked.name not in _supported():
-        raise _not_for("--supports", _supported(), asked)
-    if options.supports and options.fix != "none":
-        raise InputError("--supports: what does not move is supported; give --fix or --supports")
+    for flag, value in (
+        ("--supports", options.supports),
+        ("--supports-fixed", options.supports_fixed),
+    ):
+        if value and asked.name not in _supported():
+            raise _not_for(flag, _supported(), asked)
+    if options.supports_fixed and options.fix != "none":
+        raise InputError(
+            "--supports-fixed: what --fix names does not move already; give one of them"
+        )
+    standing = options.supports or asked.supports
     if "reference" in chosen:
         chosen["reference"] = _reference(chosen["reference"], options.up, loaded)
     return {
-        "fix": options.supports or options.fix,
+        "fix": standing if options.supports_fixed else options.fix,
+        "supports": "" if options.supports_fixed else options.supports,
+        **arguments.given([_WITHIN], options, loaded.unit),
         **{name: option.default for name, option in WEIGHTS.items()},
         **arguments.given(WEIGHTS.values(), options),
         "options": NetOptions(**chosen),

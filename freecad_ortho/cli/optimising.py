@@ -10,14 +10,15 @@ from collections.abc import Callable
 
 from freecad_ortho import api
 from freecad_ortho.cli import net_options, reporting, values
+from freecad_ortho.units import millimetres_per
 from solver import Outcome, StepRecord
 from solver.analysis.upright import side_remark
 from solver.io.atomic import write_text
-from solver.report import CONVERGED
+from solver.report import CONVERGED, Report
 
 
 def run(options: argparse.Namespace) -> bool:
-    """Optimise as the options say; return whether the net was reached."""
+    """Optimise as the options say; return whether the net was reached, as near as was asked."""
     loaded = reporting.load(options)
     settings = net_options.settings(options, loaded)
     values.refuse_unwritable(options.output, options.report)
@@ -41,7 +42,7 @@ def run(options: argparse.Namespace) -> bool:
     _tell(outcome, options.output, loaded)
     if wanted.far:
         sys.stdout.write(f"{values.about(wanted, loaded.unit)}\n")
-    return outcome.report.status == CONVERGED
+    return outcome.report.status == CONVERGED and outcome.report.is_within
 
 
 def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepRecord], None]:
@@ -68,9 +69,9 @@ def _tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
         f"{report.status}: {report.message}; moved {moved.mean:.3g} mean edges on average, "
         f"{moved.max:.3g} at most ({most}); {report.seconds:.2f} s; {path}\n"
     )
-    if report.off_surface is not None:
-        mean, far = (_digits(each) for each in (report.off_surface.mean, report.off_surface.max))
-        stream.write(f"off the surface by {far} {unit} at most, {mean} {unit} on average\n")
+    stream.write(_form(report, unit))
+    if not report.is_within:
+        sys.stderr.write(_beyond(report, unit))
     if report.far:
         sizes = (report.size_start, report.size)
         before, after = (" x ".join(map(_digits, size)) for size in sizes)
@@ -81,6 +82,32 @@ def _tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
     for remark in report.remarks:
         if remark not in loaded.remarks:
             stream.write(f"note: {remark}\n")
+
+
+def _form(report: Report, unit: str) -> str:
+    """What is left of what was drawn."""
+    form = report.form
+    off, millimetre = form.off_surface, millimetres_per(unit)
+    far, mean, border = (
+        f"{_digits(length * millimetre)} mm" for length in (off.max, off.mean, form.border)
+    )
+    return (
+        f"off the surface by {far} at most ({off.percent:.2g} % of the size), {mean} on average, "
+        f"off the border by {border}; area x {form.area_ratio:.3f}, height x "
+        f"{form.height_ratio:.3f}, evenness of lines {form.zigzag:.2f} (was "
+        f"{form.zigzag_start:.2f})\n"
+    )
+
+
+def _beyond(report: Report, unit: str) -> str:
+    """Where a result is farther from the surface than it may be, and what to do."""
+    off, allowed = report.form.off_surface, (report.within or 0.0) * millimetres_per(unit)
+    far = _digits(off.max * millimetres_per(unit))
+    return (
+        f"within: {far} mm off the surface at face {off.face}, where {_digits(allowed)} mm are "
+        "allowed; try: a start whose lines follow the curvature of the surface, a finer mesh, or a "
+        "larger distance\n"
+    )
 
 
 def _digits(length: float) -> str:

@@ -21,6 +21,7 @@ from solver.nets import NETS
 from solver.nets.constraints import Constraints
 from solver.nets.options import OPTIONS, NetOptions
 from solver.nets.settings import WEIGHTS, fixed_vertices
+from solver.nets.supports import supports_of
 from solver.option import Option
 
 
@@ -127,7 +128,7 @@ def divided(settings: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 def held(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> np.ndarray:
     """(V,) true for vertices of a net that do not move: those that are fixed, or its supports."""
-    return fixed_vertices(mesh, for_solver(net, mesh)["fix"], NETS[net.NetType])
+    return supports_of(mesh, NETS[net.NetType], for_solver(net, mesh)["fix"]).fixed
 
 
 def for_solver(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> dict[str, Any]:
@@ -159,7 +160,7 @@ def solver_settings(
     fix = _numbers(mesh, *_fix(values["fix"]))
     handles = values["handles"]
     if handles:
-        handles = _drawn(handles, mesh, fixed_vertices(mesh, fix, asked))
+        handles = _drawn(handles, mesh, supports_of(mesh, asked, fix).fixed)
     wanted = Constraints(
         handles=handles,
         glide=constraints.glides(values["glide"], mesh, net),

@@ -24,6 +24,7 @@ from freecad_ortho.panels.watch import NetWatch, cover, uncover
 from freecad_ortho.resources import icon
 from freecad_ortho.window import context, messages
 from solver import start_optimisation
+from solver.report import Report
 
 translate = FreeCAD.Qt.translate
 
@@ -296,13 +297,11 @@ class OptimisePanel:
         return grid
 
 
-def _how_far(report: Any) -> list[str]:
+def _how_far(report: Report) -> list[str]:
     """How far the shape is from its surface, and from the start where that is far, in mm."""
-    said = []
-    if report.off_surface is not None:
-        words = translate("Ortho", "Off the surface by {} at most, {} on average.")
-        spread = report.off_surface
-        said = [words.format(length_words(spread.max), length_words(spread.mean))]
+    off = report.form.off_surface
+    words = translate("Ortho", "Off the surface by {} at most, {} on average.")
+    said = [words.format(length_words(off.max), length_words(off.mean))]
     if not report.far:
         return said
     before, after = (

@@ -11,6 +11,9 @@ import numpy as np
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, row_lengths, unit_rows
 
+# Bends less than this, as a sum of squares in mean edges, are rounding.
+_STRAIGHT = 1e-12
+
 
 def orthogonality(
     mesh: QuadMesh, diagonal: bool = False, chosen: BoolArray | None = None
@@ -171,6 +174,22 @@ def sharpest_crease(mesh: QuadMesh) -> float:
         return 0.0
     angles = _angles(mesh.face_normals[left], mesh.face_normals[right])
     return float(np.degrees(angles.max()))
+
+
+def area(mesh: QuadMesh) -> float:
+    """Sum of the areas of all faces, in the mesh's unit; of bent faces that of their projection."""
+    return float(np.linalg.norm(mesh.face_area_vectors, axis=1).sum())
+
+
+def smoothness(mesh: QuadMesh) -> float:
+    """Correlation of consecutive second differences along the parameter lines.
+
+    One where lines bend evenly, below zero where they zigzag, and one where they are straight.
+    """
+    a, b, c, d = mesh.vertices[mesh.connectivity.line_quadruples].transpose(1, 0, 2)
+    first, second = 2 * b - a - c, 2 * c - b - d
+    size = 0.5 * float((first**2).sum() + (second**2).sum())
+    return float((first * second).sum()) / size if size > _STRAIGHT * mesh.mean_edge**2 else 1.0
 
 
 def flipped(mesh: QuadMesh) -> BoolArray:

@@ -6,6 +6,7 @@ import numpy as np
 
 from solver.analysis import measures, spheres
 from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
 from solver.nets.orthogonal import ORTHOGONALITY, require_right_angles
@@ -41,7 +42,15 @@ def cmc(problem: Problem, options: NetOptions) -> Problem:
         radius = float(np.copysign(radius, mean))
         term = SphericalStar(stars, curvature=problem.scale / radius, name="cmc")
     else:
-        term = SphericalStar(stars, shared=problem.scalar(mean), name="cmc")
+        shared = problem.scalar(mean)
+        term = SphericalStar(stars, shared=shared, name="cmc")
+        number = shared - 3 * len(problem.mesh.vertices)
+
+        def found(mesh: QuadMesh, scalars: FloatArray) -> float:
+            curvature = float(abs(scalars[number])) / problem.scale
+            return 1 / curvature if curvature > 0 else 0.0
+
+        problem.details["radius"] = found
     return problem.require(term, of_mesh(spheres.cmc, radius=radius, diagonal=options.diagonal))
 
 

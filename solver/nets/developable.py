@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from solver.analysis import measures
 from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
 from solver.nets.orthogonal import ORTHOGONALITY, require_right_angles
@@ -89,11 +92,18 @@ def _equal_edges(problem: Problem, options: NetOptions) -> Problem:
         else:
             shared = problem.scalar(float(lengths[chosen].mean()))
             term = EqualEdges(edges[chosen], shared=shared, name=name)
+            word = "length" if number == 0 else f"length {number + 1}"
+            problem.details[word] = partial(_length, problem, shared)
         measure = of_mesh(
             measures.equal_edges, chosen=chosen, length=options.length, diagonal=across
         )
         problem.require(term, measure)
     return problem
+
+
+def _length(problem: Problem, shared: int, mesh: QuadMesh, scalars: FloatArray) -> float:
+    """The edge length that was found, in model units."""
+    return float(scalars[shared - 3 * len(mesh.vertices)]) * problem.scale
 
 
 GEODESIC = Measure("geodesic", measures.geodesic, "vertex", across="vertex")

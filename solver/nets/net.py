@@ -113,7 +113,8 @@ class Net:
         colours: field that shows best what is asked, by default the last measure.
         measures: by which a bare mesh is judged; none where that takes more than a mesh.
         options: names of those fields of ``NetOptions`` that it heeds.
-        supports: what is held where nothing is said, as for ``fix``.
+        supports: what carries its loads where nothing is said: boundary or corners; none of a net
+            that carries no loads.
         held: what fixed vertices are called.
         shape: surfaces that carry it: any, developable ones only, or minimal ones only.
         along_curvature: its lines follow the principal directions.

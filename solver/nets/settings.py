@@ -10,7 +10,6 @@ import numpy as np
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
-from solver.nets.net import Net
 from solver.option import Option
 from solver.problem import Guide, Problem
 from solver.terms.base import Term
@@ -160,12 +159,11 @@ def add_guides(problem: Problem, ladder: Sequence[Weights]) -> Problem:
     return problem
 
 
-def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int], net: Net | None = None) -> BoolArray:
+def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
     """(V,) mask of the vertices that ``none``, ``corners``, ``boundary`` or numbers name.
 
     Corners are boundary vertices where no parameter line runs along the boundary; on a boundary
-    that is one smooth loop there are none. Of a ``net`` that needs supports its own are meant where
-    nothing is named.
+    that is one smooth loop there are none.
 
     Raises:
         InputError: an unknown word or a number out of range.
@@ -173,8 +171,6 @@ def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int], net: Net | None = N
     around = mesh.connectivity
     if isinstance(fix, str):
         word = fix.strip().lower()
-        if word == "none" and net is not None:
-            word = net.supports
         if word == "none":
             return np.zeros(around.vertex_count, dtype=bool)
         if word == "corners":

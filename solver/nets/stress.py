@@ -26,12 +26,12 @@ _SIGNS = {"free": 0, "compression": -1, "tension": 1}
 def stress(problem: Problem, options: NetOptions) -> Problem:
     """Require equal diagonals, and balance at every vertex that is neither supported nor fixed.
 
-    Supported vertices are those that do not move. Loads are vertical.
+    Supports may slide along curves. Loads are vertical.
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.5.
     """
     net = problem.mesh.connectivity
-    supports = problem.fixed
+    supports = problem.supported
     refuse_mechanisms(net, supports)
     _refuse_one_line(problem)
     free = np.flatnonzero(~supports & net.referenced)
@@ -64,11 +64,16 @@ def stress(problem: Problem, options: NetOptions) -> Problem:
         problem.require(term, left, lambda index: f"vertex {free[index]}")
     real = 1.0 / (loads.scale * problem.scale)
 
-    def densities(scalars: FloatArray) -> list[float]:
+    def densities(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
         force = scalars[shared - shared[0]]
-        return list((real * (force if sign == 0 else sign * force**2)).tolist())
+        return np.asarray(real * (force if sign == 0 else sign * force**2))
 
-    problem.details["force_densities"] = densities
+    def forces(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
+        return np.asarray(densities(mesh, scalars) * mesh.edge_lengths)
+
+    problem.details["force_densities"] = lambda *found: densities(*found).tolist()
+    problem.details["least_force"] = lambda *found: float(forces(*found).min())
+    problem.details["largest_force"] = lambda *found: float(forces(*found).max())
     return problem
 
 
@@ -78,7 +83,7 @@ def _refuse_one_line(problem: Problem) -> None:
     for part in range(int(net.components.max()) + 1):
         own = np.zeros(net.vertex_count, dtype=bool)
         own[net.faces[net.components == part]] = True
-        held = problem.mesh.vertices[own & problem.fixed]
+        held = problem.mesh.vertices[own & problem.supported]
         extents = np.linalg.svd(held - held.mean(axis=0), compute_uv=False)
         if extents[1] <= _LINE * problem.scale:
             raise InputError(

@@ -8,8 +8,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from solver import InputError, NetOptions, QuadMesh, optimise, start_optimisation
+from solver import Constraints, InputError, NetOptions, QuadMesh, optimise, start_optimisation
 from solver.analysis import measures
+from solver.mesh.closest import Polyline
+from solver.nets.constraints import PlaneGlide
 from solver.statics import VerticalLoads, start_densities, unbalanced
 from tests.conftest import grid_faces, shared_mesh
 from tests.meshes import hanging_net, right_angles
@@ -168,6 +170,36 @@ def test_the_boundary_is_supported_where_nothing_is_said():
     start = hanging_net()
     said = start_optimisation(start, "stress", fix="boundary")
     unsaid = start_optimisation(start, "stress")
-    assert (unsaid.original.fixed == said.original.fixed).all()
+    net = start.connectivity
+    assert (said.original.fixed == net.boundary_vertices).all()
+    assert (unsaid.original.supported == net.boundary_vertices).all()
+    assert (unsaid.original.fixed == net.corners).all()
     assert unsaid.held == ("supports",)
     assert not start_optimisation(start, "principal").original.fixed.any()
+
+
+def test_supports_slide_along_the_border_and_nowhere_else():
+    start = shared_mesh("6-sub-lifted")
+    net, outcome = start.connectivity, optimise(start, "stress")
+    assert outcome.report.status == "converged", outcome.report.message
+    (loop,) = net.boundary_loops
+    rim, curve = outcome.mesh.vertices[loop], Polyline(start.vertices[loop], closed=True)
+    assert np.abs(curve.closest(rim)[0] - rim).max() < 1e-12 * start.mean_edge * len(loop)
+    moved = np.linalg.norm(outcome.mesh.vertices - start.vertices, axis=1)
+    assert moved[loop].max() > 1e-3 * start.mean_edge
+    assert not moved[net.corners].any()
+    some = loop[::3].tolist()
+    named = start_optimisation(start, "stress", supports=some).original
+    assert np.flatnonzero(named.fixed).tolist() == sorted(some)
+    assert (named.supported == named.fixed).all()
+    with pytest.raises(InputError, match="principal nets carry no loads"):
+        optimise(start, "principal", supports="boundary")
+
+
+def test_supports_slide_on_what_they_are_told_to():
+    start = hanging_net()
+    level = Constraints(glide=(PlaneGlide(2, float(start.vertices[0, 2])),))
+    run = start_optimisation(start, "stress", constraints=level)
+    names = [term.name for term in run.original.constraints]
+    assert names.count("glide") == 1
+    assert (run.original.supported == start.connectivity.boundary_vertices).all()

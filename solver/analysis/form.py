@@ -1,0 +1,110 @@
+"""How much of what was drawn is left: distances, sizes and smoothness of a result."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.analysis import measures
+from solver.mesh.closest import Polyline, TriangleSurface
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+# Points looked at on each side of a face; fewer where that would be more than so many points.
+_SAMPLES, _MOST = 5, 60_000
+# Heights below this part of the size are none.
+_LEVEL = 1e-9
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Distances from the design surface, of vertices and of points inside faces.
+
+    Attributes:
+        max: the largest, in model units.
+        mean: the mean, likewise.
+        percent: the largest in percent of the diagonal of the start's bounding box.
+        face: number of the face where it is largest.
+    """
+
+    max: float
+    mean: float
+    percent: float
+    face: int
+
+
+@dataclass(frozen=True)
+class Form:
+    """A result beside its start and its design surface.
+
+    Attributes:
+        off_surface: distances from the design surface, which is the start where none is given.
+        border: largest distance of border vertices from the start's border, in model units; zero
+            without a border.
+        area_ratio: area over the start's.
+        height_ratio: vertical extent over the start's; one for a start that lies level.
+        zigzag: correlation of consecutive bends along lines: one where they bend evenly, below
+            zero where they zigzag.
+        zigzag_start: the same of the start.
+    """
+
+    off_surface: Gap
+    border: float
+    area_ratio: float
+    height_ratio: float
+    zigzag: float
+    zigzag_start: float
+
+
+def form_of(start: QuadMesh, mesh: QuadMesh, surface: TriangleSurface | None = None) -> Form:
+    """Compare a mesh with its start.
+
+    Args:
+        start: the mesh as it was drawn.
+        mesh: the same faces with other positions.
+        surface: the design surface, by default the start itself.
+    """
+    used = start.connectivity.referenced
+    before, after = start.vertices[used], mesh.vertices[used]
+    diagonal = float(np.linalg.norm(np.ptp(before, axis=0)))
+    height, now = float(np.ptp(before[:, 2])), float(np.ptp(after[:, 2]))
+    distances = off_surface(mesh, surface or surface_of(start))
+    worst = int(np.argmax(distances.max(axis=1)))
+    far = float(distances[worst].max())
+    return Form(
+        off_surface=Gap(far, float(distances.mean()), 100 * far / diagonal, worst),
+        border=_off_border(start, mesh),
+        area_ratio=measures.area(mesh) / measures.area(start),
+        height_ratio=now / height if height > _LEVEL * diagonal else 1.0,
+        zigzag=measures.smoothness(mesh),
+        zigzag_start=measures.smoothness(start),
+    )
+
+
+def surface_of(mesh: QuadMesh) -> TriangleSurface:
+    """The faces of a mesh, each as two triangles."""
+    return TriangleSurface(mesh.vertices, mesh.faces[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3))
+
+
+def off_surface(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
+    """(F, s) distances of points of each face from a surface, in model units.
+
+    Faces are sampled bilinearly, their corners included: a net may have all vertices on a surface
+    and leave it in between.
+    """
+    side = int(np.clip(np.sqrt(_MOST / len(mesh.faces)), 2, _SAMPLES))
+    u, v = (part.ravel() for part in np.meshgrid(*[np.linspace(0.0, 1.0, side)] * 2))
+    shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=1)
+    points = np.einsum("sk,fkc->fsc", shares, mesh.vertices[mesh.faces])
+    feet, _ = surface.closest(points.reshape(-1, 3))
+    return np.asarray(np.linalg.norm(points - feet.reshape(points.shape), axis=2))
+
+
+def _off_border(start: QuadMesh, mesh: QuadMesh) -> float:
+    """Largest distance of a border vertex from the border that it belonged to."""
+    far = 0.0
+    for loop in start.connectivity.boundary_loops:
+        points = mesh.vertices[loop]
+        feet, _ = Polyline(start.vertices[loop], closed=True).closest(points)
+        far = max(far, float(np.linalg.norm(points - feet, axis=1).max()))
+    return far

@@ -1,0 +1,78 @@
+"""What carries a net that carries loads, and where it may slide."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import QuadMesh
+from solver.nets.constraints import BoundaryGlide, Constraints, CurveGlide, Glide, settled
+from solver.nets.net import Net
+from solver.nets.settings import fixed_vertices
+
+
+@dataclass(frozen=True, eq=False)
+class Supports:
+    """Vertices that a net stands on, and those that keep every bit.
+
+    Supports slide: a rib that ends on an edge beam may end beside where it was drawn, which leaves
+    the net the room that it needs to run along the principal stresses. The beam's own reaction is
+    any force, wherever on it the support comes to lie.
+
+    Attributes:
+        standing: (V,) true where a vertex is supported, fixed or not.
+        fixed: (V,) true where a vertex does not move.
+    """
+
+    standing: BoolArray
+    fixed: BoolArray
+
+    def glides(self, mesh: QuadMesh, wanted: Constraints) -> tuple[Glide, ...]:
+        """Curves on which supports slide that are neither fixed nor glide on something else.
+
+        Args:
+            mesh: the start, on whose border supports stay.
+            wanted: settled constraints.
+        """
+        loose = self.standing & ~self.fixed
+        for glide in wanted.glide:
+            if not isinstance(glide, BoundaryGlide) and glide.vertices is not None:
+                loose[glide.vertices] = False
+        borders = settled(mesh, ~loose, Constraints(glide=(BoundaryGlide(),))).glide
+        curves = [each for each in borders if isinstance(each, CurveGlide)]
+        return tuple(each for each in curves if each.vertices is not None and len(each.vertices))
+
+
+def supports_of(
+    mesh: QuadMesh, net: Net, fix: str | Sequence[int], supports: str | Sequence[int] = ""
+) -> Supports:
+    """Tell what a net stands on.
+
+    What is fixed is supported too. ``boundary`` slides along its own curve, but for corners; other
+    supports stay where they are. Where neither is named, the net's own supports are meant.
+
+    Args:
+        mesh: the start.
+        net: the net.
+        fix: ``none``, ``corners``, ``boundary`` or vertex numbers.
+        supports: ``boundary``, ``corners`` or vertex numbers; empty for what the net needs.
+
+    Raises:
+        InputError: supports of a net that carries no loads, a word or number that there is not.
+    """
+    fixed = fixed_vertices(mesh, fix)
+    named = supports if isinstance(supports, str) else list(supports)
+    if net.supports == "none":
+        if named:
+            raise InputError(f"supports: {net.name} nets carry no loads; fix vertices instead")
+        return Supports(fixed, fixed)
+    if not named and isinstance(fix, str) and fix.strip().lower() == "none":
+        named = net.supports
+    if not named:
+        return Supports(fixed, fixed)
+    standing = fixed_vertices(mesh, named) | fixed
+    slides = isinstance(named, str) and named.strip().lower() == "boundary"
+    stay = standing & mesh.connectivity.corners if slides else standing
+    return Supports(standing, fixed | stay)
