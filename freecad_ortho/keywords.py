@@ -92,6 +92,7 @@ class WorkshopSettings(TypedDict, total=False):
 class PassedSettings(TypedDict, total=False):
     """What the solver is told in one call, and the Net of a document does not keep."""
 
+    supports: str | Sequence[int]
     max_steps: int
     backend: str | None
     options: NetOptions

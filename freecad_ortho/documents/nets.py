@@ -153,8 +153,8 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
             ``z=0`` or ``(object, "Edge1")``, with vertices as a third entry); ``close_to`` (the
             same kind of list); ``handles`` (places in mm by vertex); ``symmetry``; the options of
             nets; the weights ``fairness``, ``closeness``, ``multi``, ``isometry``; ``tolerance``.
-            Not kept: ``max_steps``, ``backend``, and ``options`` and ``constraints`` as for
-            :func:`freecad_ortho.api.optimise`.
+            Not kept: ``supports``, ``max_steps``, ``backend``, and ``options`` and ``constraints``
+            as for :func:`freecad_ortho.api.optimise`.
 
     Returns:
         The outcome, its mesh in mm; the report is also in the Net's ``LastReport``.
