@@ -123,4 +123,5 @@ class NetSettings(PassedSettings, total=False):
     closeness: float | None
     multi: float | None
     isometry: float | None
+    within: float | str | None
     tolerance: float

@@ -149,7 +149,7 @@ VIEWS = {
     "geodesic-chebyshev": View("noisy sheet", lambda: noisy(bent_sheet())),
     "asymptotic": View("knet1", lambda: paper("knet1", lambda: noisy(scherk()))),
     "asymptotic --diagonal": View(
-        "enneper2", lambda: paper("enneper2", lambda: noisy(helicoid())), turn=-95, tilt=55
+        "complete01", lambda: paper("complete01", lambda: noisy(helicoid())), turn=-60, tilt=30
     ),
     "cmc": View("cmc1", lambda: paper("cmc1", lambda: noisy(unduloid()))),
     "snet": View("sheared dome", lambda: sheared(primitive("translational", 19, 19))),

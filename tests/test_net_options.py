@@ -234,7 +234,10 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--symmetry", "q"], "symmetry: expected letters"),
         (["--net", "isometric", "--reference", "absent.obj"], "absent.obj: no such file"),
         (["--supports", "corners"], "--supports: only stress nets have it, not principal"),
-        (["--net", "stress", "--supports", "boundary", "--fix", "5"], "give --fix or --supports"),
+        (["--net", "stress", "--supports-fixed", "--fix", "5"], "give one of them"),
+        (["--supports-fixed"], "--supports-fixed: only stress nets have it, not principal"),
+        (["--singular", "maybe"], "singular: expected exempt or include"),
+        (["--within", "0"], "within: expected a positive"),
         (
             ["--net", "conical", "--diagonal"],
             "--diagonal: only geodesic, dog, chebyshev, geodesic-chebyshev",

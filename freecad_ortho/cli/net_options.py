@@ -29,16 +29,8 @@ from solver.nets.constraints import (
 )
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
-from solver.option import Option
 
 _AXES = "xyz"
-_WITHIN = Option(
-    "within",
-    None,
-    "length",
-    "Largest distance from the surface, or the start where none is given; beyond it the exit code "
-    "is 1",
-)
 # The end of a --glide that names vertices; a path may have an @ of its own.
 _VERTICES = re.compile(r"@([\d,]+)$")
 # Curves whose ends are nearer than this part of their size are closed.
@@ -79,7 +71,6 @@ def add(parser: argparse.ArgumentParser) -> None:
         help="what boundary vertices (all, for a surface) move along; @I,J names others",
     )
     parser.add_argument("--close-to", metavar="FILE", help="a surface to stay near")
-    arguments.add(parser, _WITHIN)
     parser.add_argument("--symmetry", default="", metavar="x,y", help="mirror planes")
 
 
@@ -110,9 +101,8 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
     return {
         "fix": standing if options.supports_fixed else options.fix,
         "supports": "" if options.supports_fixed else options.supports,
-        **arguments.given([_WITHIN], options, loaded.unit),
         **{name: option.default for name, option in WEIGHTS.items()},
-        **arguments.given(WEIGHTS.values(), options),
+        **arguments.given(WEIGHTS.values(), options, loaded.unit),
         "options": NetOptions(**chosen),
         "constraints": _constraints(options, loaded),
     }

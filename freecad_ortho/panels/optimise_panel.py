@@ -302,6 +302,9 @@ def _how_far(report: Report) -> list[str]:
     off = report.form.off_surface
     words = translate("Ortho", "Off the surface by {} at most, {} on average.")
     said = [words.format(length_words(off.max), length_words(off.mean))]
+    if report.within is not None and not report.is_within:
+        words = translate("Ortho", "That is more than the {} that were allowed, at face {}.")
+        said.append(words.format(length_words(report.within), off.face))
     if not report.far:
         return said
     before, after = (

@@ -71,6 +71,15 @@ WEIGHTS: dict[str, Option] = {
             "Largest residual that counts as zero",
             stored="TargetTolerance",
         ),
+        Option(
+            "within",
+            None,
+            "length",
+            "How far the result may be off the surface, or the start where none is given",
+            absent="not limited",
+            brief="how far the result may be off the surface, or off the start where none is "
+            "given; beyond it the exit code is 1",
+        ),
     )
 }
 

@@ -59,6 +59,7 @@ class TestTable(DocumentCase):
             "multi": None,
             "isometry": 10.0,
             "tolerance": 1e-9,
+            "within": 20.0,
             "fix": ["corners", 8],
             "handles": {9: (1.0, 2.0, 3.0)},
             "glide": ["boundary", (box, "Edge1", [0, 1]), (box, "Face6")],
