@@ -205,7 +205,7 @@ def test_a_mesh_without_stars_cannot_carry_star_nets(net):
     ("options", "words"),
     [
         ({"radius": -2.0}, "radius: expected a positive length"),
-        ({"length": float("nan")}, "length: expected a positive length"),
+        ({"length": float("nan")}, "length: expected a number, got nan"),
         ({"angle": 180.0}, "angle: expected degrees"),
     ],
 )
