@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from freecad_ortho.fabrication import MATERIALS, SYSTEMS
+from freecad_ortho.fabrication import MATERIALS, SYSTEMS, Limits
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis.fields import fields
 from solver.nets import NETS
@@ -38,6 +38,8 @@ def words() -> Iterator[tuple[str, str]]:
         for option in source.options:
             yield from _option(option)
             yield _PROPERTIES, option.meaning
+    for limit in Limits.options:
+        yield _PROPERTIES, limit.sentence
     for system in SYSTEMS.values():
         for entry in system.options:
             yield from _option(entry)

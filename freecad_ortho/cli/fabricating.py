@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +22,6 @@ from solver.option import Option
 
 # A workshop's own as well, so of use with every system.
 _SHARED = {option.name for option in Workshop.options}
-_LIMITS = {field.name: field.default for field in fields(Limits)}
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -53,7 +51,9 @@ def add(parser: argparse.ArgumentParser) -> None:
         metavar="KG/M3",
         help="of what has no material named for it alone (default: the material's)",
     )
-    _add_limits(parser)
+    held = parser.add_argument_group("limits", "a part that exceeds one is named in the reports")
+    for option in Limits.options:
+        arguments.add(held, option, length="MM")
     shop = parser.add_argument_group("workshop", "what parts are cut from and with")
     for option in Workshop.options:
         arguments.add(shop, option, length="MM")
@@ -78,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
         material=options.material,
         density=options.density,
         unit=loaded.unit,
-        limits=Limits(**_limits(options)),
+        limits=Limits.of(arguments.given(Limits.options, options)),
         **_sizes(options),
     )
     with kept_whole(), missing_package_named():
@@ -106,27 +106,6 @@ def _sizes(options: argparse.Namespace) -> dict[str, Any]:
         for name, value in arguments.given(_options().values(), options).items()
         if name not in _SHARED or set(chosen) & set(_users(_options()[name]))
     }
-
-
-def _add_limits(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("limits", "a part that exceeds one is named in the reports")
-    for name, default in _LIMITS.items():
-        words, _, unit = name.rpartition("_")
-        flag = f"--limit-{words.replace('_', '-')}"
-        shown = "none" if default is None else f"{default:g}"
-        group.add_argument(
-            flag,
-            type=float,
-            dest=f"limit_{name}",
-            metavar="DEGREES" if unit == "deg" else unit.upper(),
-            help=f"largest {words.replace('_', ' ')} (default: {shown})",
-        )
-
-
-def _limits(options: argparse.Namespace) -> dict[str, float]:
-    """The limits that the user gave."""
-    given = {name: getattr(options, f"limit_{name}") for name in _LIMITS}
-    return {name: value for name, value in given.items() if value is not None}
 
 
 def _options() -> dict[str, Option]:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
+from typing import ClassVar
 
 from freecad_ortho.fabrication.part import Part, measure_words
 from freecad_ortho.fabrication.sizes import positive
+from solver.option import Option
 
 OK = "ok"
 # Limits of parts whose patterns are straight or arcs.
@@ -35,6 +38,58 @@ class Limits:
     straightness_mm: float | None = 1.0
     radius_spread_mm: float | None = 1.0
     lean_deg: float | None = None
+
+    # In the order of the fields; 0 is no limit.
+    options: ClassVar[tuple[Option, ...]] = (
+        Option(
+            "limit_gap",
+            1.0,
+            "length",
+            "Largest distance from plane or developable that passes; 0: any",
+            brief="largest gap; 0 for any",
+        ),
+        Option(
+            "limit_twist",
+            1.0,
+            "angle",
+            "Largest twist of a beam that passes; 0: any",
+            brief="largest twist; 0 for any",
+        ),
+        Option(
+            "limit_straightness",
+            1.0,
+            "length",
+            "Largest distance of an unrolled axis from straight that passes; 0: any",
+            brief="largest straightness; 0 for any",
+        ),
+        Option(
+            "limit_radius_spread",
+            1.0,
+            "length",
+            "Largest distance of an unrolled axis from its arc that passes; 0: any",
+            brief="largest radius spread; 0 for any",
+        ),
+        Option(
+            "limit_lean",
+            0.0,
+            "angle",
+            "Largest angle from the surface normal that passes; 0: any",
+            absent="any",
+            brief="largest lean",
+        ),
+    )
+
+    @classmethod
+    def of(cls, values: Mapping[str, float]) -> Limits:
+        """Make the limits from values of some of ``options``.
+
+        Raises:
+            InputError: a limit below 0.
+        """
+        names = {
+            option.name: own.name for option, own in zip(cls.options, fields(cls), strict=True)
+        }
+        return cls(**{names[name]: value or None for name, value in values.items()})
 
     def __post_init__(self) -> None:
         for field in fields(self):

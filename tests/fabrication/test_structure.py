@@ -165,3 +165,12 @@ def test_a_net_without_inner_edges_has_no_inner_beams(ends):
         build(plane_grid(2), systems_of("beams", {"ends": ends, "no_boundary_beams": True}))
     with pytest.raises(InputError, match="nodes: nothing to build on this net"):
         build(plane_grid(2), systems_of("nodes", {"no_boundary_beams": True}))
+
+
+def test_limits_are_made_of_their_options():
+    given = {"limit_gap": 0.5, "limit_twist": 0.0, "limit_lean": 12.0}
+    assert Limits.of(given) == Limits(gap_mm=0.5, twist_deg=None, lean_deg=12.0)
+    usual = {option.name: option.default for option in Limits.options}
+    assert Limits.of(usual) == Limits()
+    with pytest.raises(InputError, match="limit of twist: expected a number above 0"):
+        Limits.of({"limit_twist": -1.0})
