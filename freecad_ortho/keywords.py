@@ -122,6 +122,10 @@ class NetSettings(PassedSettings, total=False):
     fairness: float | None
     closeness: float | None
     multi: float | None
+    multi_patch: tuple[int, int]
+    evenness: float | None
+    smooth_motion: float | None
+    edge_vectors: float | None
     isometry: float | None
     within: float | str | None
     tolerance: float

@@ -40,6 +40,10 @@ class Settings(TypedDict, total=False):
     fairness: float | None
     closeness: float | None
     multi: float | None
+    multi_patch: tuple[int, int]
+    evenness: float | None
+    smooth_motion: float | None
+    edge_vectors: float | None
     isometry: float | None
     fix: str | Sequence[int]
     supports: str | Sequence[int]
@@ -65,7 +69,8 @@ def optimise(
         mesh: the start, in any unit; it is not changed.
         net: name of the net, see ``solver.nets.NETS``.
         callback: called after each step; returning True stops.
-        settings: ``fairness``, ``closeness``, ``multi``, ``isometry``, ``fix``, ``supports``,
+        settings: ``fairness``, ``closeness``, ``multi``, ``multi_patch``,
+            ``evenness``, ``smooth_motion``, ``edge_vectors``, ``isometry``, ``fix``, ``supports``,
             ``within``, ``tolerance``, ``max_steps``, ``backend``, ``options``, ``constraints``,
             ``tuning``, as for :func:`start_optimisation`.
 
@@ -87,6 +92,10 @@ def start_optimisation(
     fairness: float | None = None,
     closeness: float | None = None,
     multi: float | None = None,
+    multi_patch: tuple[int, int] = (1, 2),
+    evenness: float | None = None,
+    smooth_motion: float | None = None,
+    edge_vectors: float | None = None,
     isometry: float | None = None,
     fix: str | Sequence[int] = "none",
     supports: str | Sequence[int] = "",
@@ -108,6 +117,10 @@ def start_optimisation(
         fairness: start weight of straight parameter lines, by default that of every net.
         closeness: start weight of staying near the start.
         multi: start weight of orthogonality of neighbouring pairs of faces.
+        multi_patch: faces along and across the patches that this guide keeps orthogonal.
+        evenness: start weight of lines that bend evenly.
+        smooth_motion: start weight of neighbours that move alike.
+        edge_vectors: start weight of edges that keep direction and length.
         isometry: start weight of faces keeping their shape, for sheets that only bend; by default
             none.
         fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
@@ -130,10 +143,17 @@ def start_optimisation(
     refuse_no_end(tolerance, max_steps)
     if within is not None and not (math.isfinite(within) and within > 0):
         raise InputError(f"within: expected a positive distance, got {within}")
+    if min(multi_patch) < 1 or max(multi_patch) < 2:
+        raise InputError(
+            f"multi_patch: expected two counts, one of them 2 or more, got {multi_patch}"
+        )
     given = {
         "fairness": fairness,
         "closeness": closeness,
         "multi": multi,
+        "evenness": evenness,
+        "smooth_motion": smooth_motion,
+        "edge_vectors": edge_vectors,
         "isometry": isometry,
     }
     weights = replace(
@@ -158,7 +178,16 @@ def start_optimisation(
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     once = fairness is not None
     plan = Plan(
-        asked, mesh, fixed, chosen, wanted, weights, once, tuning or Tuning(), standing.standing
+        asked,
+        mesh,
+        fixed,
+        chosen,
+        wanted,
+        weights,
+        once,
+        tuning or Tuning(),
+        standing.standing,
+        multi_patch,
     )
     _refuse_contradictions(plan.original)
     stay = not once and not wanted.handles and wanted.close_to is None

@@ -77,6 +77,7 @@ class Plan:
         once: one attempt with these weights, and no other.
         tuning: the numbers of the solver.
         supports: (V,) true for vertices that carry its loads, by default the fixed ones.
+        patch: faces along and across the patches of the multi-net guide.
     """
 
     net: Net
@@ -88,6 +89,7 @@ class Plan:
     once: bool = False
     tuning: Tuning = field(default_factory=Tuning)
     supports: BoolArray | None = None
+    patch: tuple[int, int] = (1, 2)
 
     def way(self) -> Way:
         """From the start to the net."""
@@ -175,7 +177,7 @@ class Plan:
         )
         problem = net.recipe(empty, self.options)
         add_constraints(problem, self.constraints, ladder[0].closeness)
-        return add_guides(problem, ladder)
+        return add_guides(problem, ladder, self.patch)
 
     @property
     def _may_flatten(self) -> bool:

@@ -57,6 +57,38 @@ WEIGHTS: dict[str, Option] = {
             stored="MultiWeight",
         ),
         Option(
+            "multi_patch",
+            (1, 2),
+            "count",
+            "Faces along and across the patches that the multi-net guide keeps orthogonal",
+            suffixes=("Rows", "Columns"),
+            brief="faces along and across the patches of the multi-net guide",
+        ),
+        Option(
+            "evenness",
+            None,
+            "weight",
+            "More of it bends lines more evenly on the way; none is usual",
+            brief="weight of lines that bend evenly",
+            stored="EvennessWeight",
+        ),
+        Option(
+            "smooth_motion",
+            None,
+            "weight",
+            "More of it moves neighbours more alike; 0.1 is usual",
+            brief="weight of neighbours that move alike",
+            stored="MotionWeight",
+        ),
+        Option(
+            "edge_vectors",
+            None,
+            "weight",
+            "More of it keeps direction and length of edges; 0.02 is usual",
+            brief="weight of edges that keep direction and length",
+            stored="EdgeVectorWeight",
+        ),
+        Option(
             "isometry",
             None,
             "weight",
@@ -145,14 +177,22 @@ class Weights:
         return replace(self, evenness=evenness, smooth_motion=0.0, edge_vectors=0.0)
 
 
-def add_guides(problem: Problem, ladder: Sequence[Weights]) -> Problem:
-    """Add the guides that all recipes share and that lead some attempt of a ladder."""
+def add_guides(
+    problem: Problem, ladder: Sequence[Weights], patch: tuple[int, int] = (1, 2)
+) -> Problem:
+    """Add the guides that all recipes share and that lead some attempt of a ladder.
+
+    Args:
+        problem: to which they are added.
+        ladder: weights of its attempts.
+        patch: faces along and across the patches of the multi-net guide.
+    """
     net, start = problem.mesh.connectivity, problem.start
     points = start[: 3 * net.vertex_count].reshape(-1, 3)
     used, guarded = np.flatnonzero(net.referenced), problem.tuning.guarded
     guides: dict[str, Callable[[], Term]] = {
         "fairness": lambda: Fairness(net.line_triples),
-        "multi": lambda: multi_net(net),
+        "multi": lambda: multi_net(net, *patch),
         "closeness": lambda: Closeness(used, points[used]),
         "evenness": lambda: Evenness(net.line_quadruples),
         "smooth_motion": lambda: Fairness(net.line_triples, start, "smooth motion"),

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from solver import Constraints, NetOptions
+from solver import Constraints, InputError, NetOptions, start_optimisation
 from solver.candidate import judge
 from solver.nets import NETS
-from solver.nets.settings import Weights
+from solver.nets.settings import WEIGHTS, Weights
 from solver.plan import Plan
 from tests.conftest import wavy_grid
 from tests.meshes import bent_sheet, noisy
@@ -138,3 +138,20 @@ def test_posing_stops_with_the_attempts():
     assert next(way).problem.net == "stress"
     assert way.send(candidate(plan, plan.mesh)).problem.net == "orthogonal"
     way.close()
+
+
+def test_every_guide_can_be_weighed_and_switched_off_and_patches_have_a_size():
+    mesh = wavy_grid(7, 6)
+    words = ("fairness", "multi", "closeness", "evenness", "smooth_motion", "edge_vectors")
+    terms = {word: word.replace("_", " ") for word in words} | {"multi": "multi-net"}
+    assert set(words) | {"isometry"} <= set(WEIGHTS)
+    for word, term in terms.items():
+        off, on = (
+            start_optimisation(mesh, **{word: weight}).descent.attempt for weight in (0.0, 0.7)
+        )
+        assert term not in leading(off) and leading(on)[term] == 0.7
+    large = start_optimisation(mesh, multi=0.5, multi_patch=(2, 3)).original
+    (guide,) = [one for one in large.guides if one.term.name == "multi-net"]
+    assert len(guide.term.faces) == len(mesh.connectivity.rectangles(2, 3)) > 0
+    with pytest.raises(InputError, match="multi_patch: expected two counts"):
+        start_optimisation(mesh, multi_patch=(1, 1))
