@@ -56,6 +56,8 @@ SOUND = {
     "rows": ["1,0,0,0", "0,1,0,1"],
     "supports": ["boundary", "corners", "0,3"],
     "net": ["principal", "orthogonal", "asymptotic", "stress", "cmc"],
+    # In which the small meshes are as large as parts need them.
+    "unit": ["m", "m", "ft", "mm"],
     "system": ["beams", "panels", "beams+panels", "lamellas", "nodes", "louvres"],
 }
 # Options that a verb cannot do without, though its table does not say so.
@@ -157,6 +159,8 @@ def verbs() -> dict[str, list[argparse.Action]]:
 
 def value(action: argparse.Action, dice: random.Random, path: str, folder: str) -> str:
     """A word for an option: most often one that it may have."""
+    # Declared options are read as texts: what stands for a value in the help tells numbers.
+    kind = float if action.metavar in ("MM", "DEG", "L", "N", "W", "PERCENT") else action.type
     if dice.random() < 0.8:
         if action.dest in SOUND:
             return dice.choice(SOUND[action.dest])
@@ -164,11 +168,11 @@ def value(action: argparse.Action, dice: random.Random, path: str, folder: str) 
             return str(dice.choice(list(action.choices)))
         if "|" in str(action.metavar):
             return dice.choice(str(action.metavar).split("|"))
-        if action.type in (int, float):
-            return dice.choice(["1", "2", "3"] if action.type is int else ["1", "2.5", "0.01"])
-    if action.type is int:
+        if kind in (int, float):
+            return dice.choice(["1", "2", "3"] if kind is int else ["1", "2.5", "0.01"])
+    if kind is int:
         return dice.choice(COUNTS)
-    if action.type is float:
+    if kind is float:
         return dice.choice(NUMBERS)
     return dice.choice(WORDS).replace("PATH", path).replace("FOLDER", folder)
 
