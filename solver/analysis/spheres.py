@@ -100,7 +100,8 @@ def least_squares(system: FloatArray, right: FloatArray) -> FloatArray:
     left, which restores the digits that squaring loses.
     """
     size = np.sqrt(np.einsum("smk,smk->sk", system, system))
-    scaled = system / np.where(size > 0, size, 1.0)[:, None, :]
+    size[size == 0] = 1.0
+    scaled = system / size[:, None, :]
     a, b, c = np.moveaxis(scaled.swapaxes(1, 2) @ scaled + _SINGULAR * np.eye(3), 1, 0)
     rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
     inverse = rows / np.einsum("sk,sk->s", a, rows[:, 0])[:, None, None]
@@ -109,7 +110,7 @@ def least_squares(system: FloatArray, right: FloatArray) -> FloatArray:
         left = right - np.einsum("smk,sk->sm", scaled, solution)
         slope = np.einsum("smk,sm->sk", scaled, left)
         solution += np.einsum("skj,sj->sk", inverse, slope)
-    return solution / np.where(size > 0, size, 1.0)
+    return np.asarray(solution / size)
 
 
 def cmc(mesh: QuadMesh, radius: float | None = None, diagonal: bool = False) -> FloatArray:

@@ -236,9 +236,7 @@ class _Solid:
             for start, end, curve in zip(ring, ring[1:] + ring[:1], loop, strict=True):
                 self._keep_handles(face, start, end, curve)
                 # Along a station the next face goes on.
-                if not any(
-                    (curve[:, 0] == at).all() and 0 < face + at < self.last for at in (0, 1)
-                ):
+                if not self._shared(face, curve):
                     self.walls.append((2 * start, 2 * end, 2 * end + 1, 2 * start + 1))
         above, below = self.rails[face, 1], self.rails[face, 0, ::-1]
         self.sheets.append(

@@ -46,8 +46,8 @@ def lift_over(planes: Planes, hubs: Hubs) -> FloatArray:
     """
     faces = planes.faces
     lift = np.zeros(len(faces))
-    for count, vertices in _by_count(hubs).items():
-        tops = np.array([hubs[vertex][1] for vertex in vertices]).reshape(-1, count, 3)
+    for vertices in _by_count(hubs).values():
+        tops = np.array([hubs[vertex][1] for vertex in vertices])
         number = np.full(max(int(faces.max()), *vertices) + 1, -1)
         number[vertices] = np.arange(len(vertices))
         face, corner = np.nonzero(number[faces] >= 0)
