@@ -7,6 +7,7 @@ from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, Panels, build
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.systems import Nodes
+from freecad_ortho.fabrication.systems.panels.bearing import bearings
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from tests.conftest import demo_roof, grid_faces, shared_mesh
@@ -144,6 +145,22 @@ def test_bearing_is_what_the_solids_overlap_by(roof):
             over = (local[:, 0] >= reach.min()) & (local[:, 0] <= reach.max())
             widths.append(15 - (inner * local[over, 2]).max())
         assert panel.measures.bearing_mm == pytest.approx(min(widths), abs=0.02)
+
+
+def test_bearing_of_sides_askew_to_their_beams_is_least_where_the_beams_end(plane):
+    """Sides that reach 500 mm beyond both ends of their edges, from on it to 10 mm beside it."""
+    made = build(plane, [Beams(200, 20)])
+    net, beams = plane.connectivity, made.results["beams"].geometry
+    corner = made.site.mesh.vertices[plane.faces]
+    ahead = (np.roll(corner, -1, axis=1) - corner) / 1000
+    inwards = np.cross([0.0, 0, 1], ahead)
+    sides = np.stack([corner - 500 * ahead, corner + 1500 * ahead + 10 * inwards], axis=2)
+    found = bearings(net, beams, sides)
+    inside = ~net.boundary_edges[net.face_edges]
+    whole = inside & ~net.boundary_vertices[np.roll(plane.faces, -1, axis=1)]
+    assert whole.sum() > 4
+    # Four beams meet at the end: each is cut back there by half its width.
+    assert found[whole] == pytest.approx(10 - 10 * (1500 - 10) / 2000)
 
 
 def test_panels_without_beams_on_two_sides_bear_on_nothing(roof):

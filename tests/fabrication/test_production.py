@@ -118,6 +118,21 @@ def test_stock_holds_every_beam_once_and_what_sawing_takes(roof):
     assert stock_list(parts, Workshop()).bars[0].length == 6000
 
 
+def test_waste_is_what_is_neither_cut_nor_kept():
+    square = QuadMesh(
+        1000.0 * np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), [[0, 1, 2, 3]]
+    )
+    made = build(square, [Beams(200, 12)])
+    cut = sum(part.length for part in made.parts)
+    for least, kept in ((300, 4 * (1600 - 5 - 2 * 12) - cut), (900, 0.0)):
+        shop = Workshop(stock=1600, saw=5, trim=12, rest=least)
+        report = produce(made, shop).report()["stock"]
+        assert (report["bars"], report["length_mm"]) == (4, 1600)
+        assert report["rests_kept_mm"] == pytest.approx(kept)
+        assert report["waste"] == pytest.approx(1 - (cut + kept) / 6400)
+    assert produce(build(square, [Panels(20, 15)])).report()["stock"]["waste"] is None
+
+
 def test_a_bar_as_long_as_its_part_alone_is_too_short(roof):
     part = build(roof, [Beams(200, 12)]).parts[0]
     needed = part.length + 2 * 10 + 3
@@ -237,6 +252,19 @@ def test_kerf_that_closes_something_is_refused():
         compensated("B0006", plate(slotted), 3.0)
     with pytest.raises(InputError, match="kerf: 3 mm closes a hole of 2 mm in B0006"):
         compensated("B0006", plate(slotted, holes=(Hole(np.ones(2), 2.0),)), 3.0)
+    fine = [[x + (0.9 if x == 49 else -0.9 if x == 51 else 0), y] for x, y in slotted]
+    with pytest.raises(InputError, match=r"kerf: 0\.4 mm closes a slot of B0006"):
+        compensated("B0006", plate(fine), 0.4)
+
+
+def test_a_notch_that_ends_in_a_needle_is_no_slot():
+    """Only the tip of the needle is lost, and the wider the kerf the more of it."""
+    wide = 100 * np.tan(np.radians(7.5))
+    notch = [[0, 0], [200 - wide, 0], [200, 100], [200 + wide, 0], [400, 0], [400, 200], [0, 200]]
+    for kerf in (0.2, 12.0):
+        path = compensated("P0000", plate(notch), kerf).outline
+        assert np.ptp(path, axis=0) == pytest.approx([400 + kerf, 200 + kerf])
+        assert polygon_area(path) > polygon_area(np.array(notch, float)) + 1000 * kerf / 2
 
 
 @pytest.mark.parametrize("name", ["roof", "skewed", "dodecahedron"])

@@ -5,6 +5,7 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from OCP.Interface import Interface_Static
 from scipy.spatial import cKDTree
 
 from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build
@@ -37,6 +38,25 @@ def entities(path):
 def twisted_lamellas():
     net = helicoid(rows=9, columns=7).scaled(1000.0)
     return build(net, [Lamellas(width=40, thickness=4, layers=2, strip="twisted")]).parts[:4]
+
+
+def test_files_are_in_mm_whatever_unit_the_kernel_was_set_to(tmp_path):
+    ring = np.array([[0, 0, 0], [900.0, 0, 0], [900, 400, 0], [0, 400, 0]])
+    before = Interface_Static.CVal_s("xstep.cascade.unit")
+    write_step(tmp_path / "plain.step", [plate(ring, "P0000")])
+    try:
+        assert Interface_Static.SetCVal_s("xstep.cascade.unit", "M")
+        write_step(tmp_path / "set.step", [plate(ring, "P0000")])
+        ((name, shape),) = read_step(tmp_path / "set.step")
+    finally:
+        Interface_Static.SetCVal_s("xstep.cascade.unit", before)
+    text = (tmp_path / "set.step").read_text()
+    assert text == (tmp_path / "plain.step").read_text()
+    assert re.findall(r"SI_UNIT\((\S+?),\.METRE\.\)", text) == [".MILLI."]
+    box = shape.BoundingBox()
+    assert name == "P0000"
+    assert (box.xlen, box.ylen, box.zlen) == pytest.approx((900, 400, 10))
+    assert (box.xmin, box.ymin, box.zmin) == pytest.approx((10, 20, 30))
 
 
 def test_beams_take_a_third_of_what_the_kernel_writes(roof, tmp_path):

@@ -108,3 +108,19 @@ def test_a_first_polyline_lies_on_its_quadric_wherever_that_is(kind):
     low, high = net.admissible
     mesh = net.sampled(9, 7, (0.5 * low, min(0.5 * high, -low)))
     assert multi_net_residual(mesh).bound < 1e-12
+
+
+@pytest.mark.parametrize("kind", QUADRICS)
+def test_a_quadric_is_shown_all_around(kind):
+    """With three planes of symmetry, wherever it is."""
+    quadric = quadric_of(kind, (9000.0, 6000.0, 4000.0), TURNED)
+    points = (quadric_mesh(quadric).vertices - TURNED[1]) @ TURNED[0]
+    low, high = points.min(axis=0), points.max(axis=0)
+    np.testing.assert_allclose(low, -high, rtol=1e-9)
+    np.testing.assert_allclose(points.mean(axis=0), 0.0, atol=1e-9 * high.max())
+
+
+def test_a_shown_sphere_is_as_large_as_it_is():
+    shown = quadric_mesh(quadric_of("ellipsoid", (500.0, 500.0, 500.0), TURNED))
+    zone = 4 * np.pi * 500.0**2 * np.cos(0.12)
+    assert np.linalg.norm(shown.face_area_vectors, axis=1).sum() == pytest.approx(zone, rel=0.01)

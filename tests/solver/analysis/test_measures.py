@@ -8,7 +8,13 @@ import pytest
 from solver import QuadMesh
 from solver.analysis import measures
 from solver.analysis.check import check
-from solver.analysis.spheres import cmc, common_radius, least_squares, star_curvatures
+from solver.analysis.spheres import (
+    cmc,
+    common_radius,
+    least_squares,
+    star_centres,
+    star_curvatures,
+)
 from tests.conftest import grid_faces, surface_of_revolution, wavy_grid
 
 
@@ -124,6 +130,19 @@ def test_many_small_least_squares_are_those_of_the_pseudo_inverse():
     system[25:, :, 2] = 0.0
     expected = np.einsum("sij,sj->si", np.linalg.pinv(system), right)
     assert np.allclose(least_squares(system, right), expected, rtol=1e-9, atol=1e-11)
+
+
+@pytest.mark.parametrize("radius", [2.0, -3.0, 30.0])
+def test_no_centre_near_that_of_a_star_fits_its_points_better(radius):
+    """Where the sum of squares is least, its slope is zero."""
+    mesh = wavy_grid(7, 6)
+    centres = star_centres(mesh, radius)
+    spokes = measures.star_spokes(mesh)
+    away = centres[:, None] - np.concatenate([np.zeros_like(spokes[:, :1]), spokes], axis=1)
+    distance = np.linalg.norm(away, axis=2, keepdims=True)
+    slope = ((distance - abs(radius)) * away / distance).sum(axis=1)
+    assert np.abs(distance - abs(radius)).max() > 1e-3 * mesh.mean_edge
+    assert np.abs(slope).max() < 1e-9 * mesh.mean_edge
 
 
 def test_check_of_a_mesh_without_interior_vertices():

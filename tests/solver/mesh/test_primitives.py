@@ -129,6 +129,15 @@ def test_points_lie_on_their_surfaces():
     assert np.abs(np.hypot(x, y) - 2 * np.cosh(z / 2)).max() < 1e-12
 
 
+def test_angles_turn_a_helicoid_of_curvature_lines_along_itself():
+    still = primitive("helicoid", 9, 7, lines="principal", pitch=3.0, angles=(0.0, 90.0)).vertices
+    turned = primitive("helicoid", 9, 7, lines="principal", pitch=3.0, angles=(60.0, 90.0)).vertices
+    turn = np.exp(1j * np.radians(60.0))
+    here, there = still[:, 0] + 1j * still[:, 1], turned[:, 0] + 1j * turned[:, 1]
+    assert np.abs(there - turn * here).max() < 1e-12
+    assert turned[:, 2] == pytest.approx(still[:, 2] + 3.0 / 6)
+
+
 def test_translational_nets_are_planar_and_chebyshev_where_edges_agree():
     mesh = primitive("translational", 12, 9)
     assert measures.planarity(mesh).max() < 1e-13

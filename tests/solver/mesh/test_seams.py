@@ -117,6 +117,17 @@ def test_a_result_says_that_its_seam_came_apart():
     assert optimise(welded([tube()]), "orthogonal").report.remarks == []
 
 
+def test_how_far_a_seam_came_apart_is_measured_at_pairs_and_on_edges():
+    mesh = stepped()
+    found = seams(mesh)
+    assert len(found.pairs) and len(found.junctions)
+    assert found.opened(mesh, mesh) == pytest.approx(0, abs=1e-12)
+    for vertex, share in ((found.junctions[-1, 0], 0.1), (found.pairs[-1, 1], 0.3)):
+        points = mesh.vertices + [5.0, -3.0, 2.0]
+        points[vertex, 2] += share * mesh.mean_edge
+        assert found.opened(mesh, mesh.with_vertices(points)) == pytest.approx(share)
+
+
 def test_every_command_says_it_and_reports_keep_it(tmp_path, capsys):
     path, net = tmp_path / "tube.obj", tmp_path / "net.obj"
     api.write_mesh(path, tube(1e-9).scaled(1000.0), "mm")
