@@ -27,6 +27,7 @@ from solver import InputError
 from solver.io.points import read_points
 from solver.isolated import LibraryError
 from solver.mesh import remesh
+from solver.nets import NETS
 from tests.conftest import wavy_grid
 
 CALLS, FILES = 300, 600
@@ -56,6 +57,11 @@ SOUND = {
     "rows": ["1,0,0,0", "0,1,0,1"],
     "supports": ["boundary", "corners", "0,3"],
     "net": ["principal", "orthogonal", "asymptotic", "stress", "cmc"],
+    "origin": ["keep", "local", "1,2,3"],
+    "centre": ["0,0,9", "1,2,-30"],
+    "fix": ["none", "corners", "boundary", "0,3"],
+    "handle": ["0:0,0,1"],
+    "glide": ["boundary", "z=0@0"],
     # In which the small meshes are as large as parts need them.
     "unit": ["m", "m", "ft", "mm"],
     "system": ["beams", "panels", "beams+panels", "lamellas", "nodes", "louvres"],
@@ -185,8 +191,9 @@ def arguments(verb: str, actions: list, dice: random.Random, path: str, folder: 
         if flag in ("--help", "--workers", "--verbose"):
             continue
         users = set((action.help or "").partition(": ")[0].split(", "))
-        # Sizes that the usual systems do not have are refused, most calls shall get further.
-        if users <= set(SYSTEMS) and not users & {"beams", "panels"} and dice.random() < 0.9:
+        # What the usual systems and the usual net do not have is refused, most shall get further.
+        special = users <= {*SYSTEMS, *NETS} and not users & {"beams", "panels", "principal"}
+        if (special or action.dest in ("forces", "symmetry")) and dice.random() < 0.9:
             continue
         if flag == "--output":
             name = dice.choice(["out.obj"] * 9 + ["out.json", "o" * 300, ""])
@@ -196,7 +203,7 @@ def arguments(verb: str, actions: list, dice: random.Random, path: str, folder: 
         elif not flag:
             words.append(value(action, dice, path, folder))
         elif flag == "--max-steps":
-            words += [flag, dice.choice(["1", "2", "3", "3", "0", "x"])]
+            words += [flag, dice.choice(["1", "2", "3", "3", "3", "3", "0", "x"])]
         elif action.required or flag in NEEDED.get(verb, ()) or dice.random() < 1.5 / len(actions):
             words += [flag] if action.nargs == 0 else [flag, value(action, dice, path, folder)]
     return words
