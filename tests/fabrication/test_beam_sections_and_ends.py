@@ -180,6 +180,22 @@ def turned(before, here, direction, angle_deg):
     return after
 
 
+@pytest.mark.parametrize("kind", ["lapped", "through-u", "through-v"])
+@pytest.mark.parametrize("rim", [True, False])
+def test_plates_along_level_lines_are_boxes_less_their_slots(kind, rim):
+    i, j = np.meshgrid(1000.0 * np.arange(4), 800.0 * np.arange(5), indexing="ij")
+    mesh = QuadMesh(np.stack([i, j, 0 * i], axis=-1).reshape(-1, 3), grid_faces(4, 5))
+    made = build(mesh, [beams(ends=kind, boundary_beams=rim)])
+    folded = [part for part in made.parts if part.pattern.axis is not None]
+    assert len(folded) >= 2
+    for part in folded:
+        # On both sides, or in the middle of an end.
+        assert set(np.round(part.body.corners[:, 2], 9).tolist()) <= {-5.0, 0.0, 5.0}
+        # Those of the rim of laps are mitred at the corners of the net.
+        if kind != "lapped" or not mesh.connectivity.boundary_vertices[list(part.vertices)].all():
+            assert part.volume == pytest.approx(part.area * 10)
+
+
 def test_hub_ends_keep_their_distance(skewed):
     made = build(skewed, [beams(ends="hub", hub_diameter=150, clearance=3)])
     axes = made.axes.directions

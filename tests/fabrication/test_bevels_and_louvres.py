@@ -8,6 +8,7 @@ from freecad_ortho.fabrication import Beams, Panels, build
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.systems import Louvres
 from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.test_beam_sections_and_ends import assert_closed
 from tests.fabrication.test_beams_and_panels import inset_area
 
@@ -87,6 +88,17 @@ def test_louvres_are_rhombi_between_midpoints(roof, axis, tilt):
     ]
     assert np.abs(cosines).max() <= 1e-9  # medial lines of an orthogonal net are square
     assert check_clashes(made.parts).clashes == ()
+
+
+@pytest.mark.parametrize("axis", ["u", "v"])
+def test_louvres_that_are_no_rhombi_shrink_until_their_shorter_sides_are_gone(axis):
+    """Diagonals of 1789 and 894 mm, square to each other: half of them are the louvre's sides."""
+    corners = np.array([[0, 0, 0], [1000, 0, 0], [1600, 800, 0], [600, 800, 0.0]])
+    (part,) = build(QuadMesh(corners, [[0, 1, 2, 3]]), [Louvres(6, 440, axis)]).parts
+    long, short = np.sqrt(800000), np.sqrt(200000)
+    assert part.area == pytest.approx((long - 440) * (short - 440))
+    with pytest.raises(InputError, match="louvre in face 0; take a gap below 447 mm"):
+        build(QuadMesh(corners, [[0, 1, 2, 3]]), [Louvres(6, 500, axis)])
 
 
 def test_louvres_between_beams(skewed):

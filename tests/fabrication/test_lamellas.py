@@ -304,6 +304,8 @@ def test_nets_that_are_not_fit_are_refused_with_what_to_do(minimal):
         build(minimal, [Lamellas(250, 3, strip="developable")])
     with pytest.raises(InputError, match="run into each other"):
         build(flat_grid(), [Lamellas(500, 410, overhang=900)])
+    with pytest.raises(InputError, match=r"L-U000 and L-V000 cross at vertex 0 at .* 8 degrees"):
+        build(flat_grid(angle=8), [Lamellas(80, 3)])
     with pytest.raises(InputError, match="runs out at the end"):
         build(minimal, [Lamellas(40, 3, overhang=1)])
 
@@ -336,6 +338,7 @@ def test_rulings_with_few_digits_do_not_make_lamellas_lean(strip):
     settings = Lamellas(60.0, 4.0, strip=strip)
     one, two = (build(mesh, [settings]).results["lamellas"] for mesh in (exact, rounded_off))
     assert two.report["pattern"] == "straight" and two.report["lean_max_deg"] < 0.5
+    assert {lamella.pattern for lamella in two.geometry} == {"straight"}
     torsion = one.report["torsion_max_deg_per_m"]
     assert two.report["torsion_max_deg_per_m"] == pytest.approx(torsion, rel=1e-3)
     for part in two.parts:

@@ -11,6 +11,7 @@ from freecad_ortho.fabrication import BentPanels, Patches, Selection, Workshop, 
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.pattern import polygon_area
 from solver.errors import InputError
+from solver.mesh.grid import grid_mesh
 from tests.fabrication.test_lamellas import check_solids
 from tests.fabrication.test_patches import LENGTH, RADIUS, TURN, cone, cylinder
 
@@ -60,6 +61,18 @@ def test_a_sheet_is_cut_in_both_directions(tmp_path):
     assert any("1 patch cut along lines of the net into 12 parts" in w for w in report["messages"])
     assert not check_clashes(structure.parts).clashes
     check_solids(structure)
+
+
+@pytest.mark.parametrize("across", [False, True])
+@pytest.mark.parametrize("size", [(1020.0, 620.0), (620.0, 1020.0)])
+def test_a_sheet_is_cut_the_way_that_makes_fewer_parts(size, across):
+    """3000 x 900 mm on 1000 x 600: five strips in a row beat three by two, whatever lies along."""
+    x, y = np.meshgrid(200.0 * np.arange(16), 150.0 * np.arange(7), indexing="ij")
+    points = np.stack([x, y, 0 * x], axis=-1)
+    mesh = grid_mesh(points.swapaxes(0, 1) if across else points)
+    structure = build(mesh, [Patches(6, gap=4.0, sheet=size, spacing=10)])
+    assert len(structure.parts) == 5
+    assert sum(part.area for part in structure.parts) == pytest.approx((3000 - 4 * 4) * 900)
 
 
 def test_a_sector_is_cut_until_its_curved_pieces_fit(tmp_path):

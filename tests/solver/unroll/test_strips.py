@@ -165,6 +165,20 @@ def test_rulings_that_meet_are_found_with_the_width_that_would_do():
     assert Strip(points, np.tile([0, 0, 1.0], (3, 1))).admissible_width()[0] == np.inf
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_a_strip_and_its_mirror_image_get_rulings_as_far_apart(seed):
+    """Where those nearest to the normals meet, planes on both sides of these are tried."""
+    points, normals = wild(seed, 8)
+    near = developable_strip(points, normals, np.zeros(6)).admissible_width()[0]
+    mirror = np.array([1.0, -1.0, 1.0])
+    one, other = (
+        developable_strip(points * by, normals * by, np.zeros(6), width=3 * near)
+        for by in (1.0, mirror)
+    )
+    assert one.admissible_width()[0] > near
+    assert one.admissible_width()[0] == pytest.approx(other.admissible_width()[0])
+
+
 def test_collinear_points_leave_the_planes_alone():
     points = np.stack([np.arange(6.0), np.zeros(6), np.zeros(6)], axis=1)
     normals = unit_rows(np.stack([0 * points[:, 0], 0.02 * points[:, 0], 1 + 0 * points[:, 0]], 1))
