@@ -138,6 +138,7 @@ OTHER = View("waved shell", lambda: deformed(primitive("translational", 21, 15),
 VIEWS = {
     "orthogonal": View("sheared wave", lambda: wavy_grid(24, 17, 0.25, 0.3), turn=-20),
     "principal": View("demo roof", demo_roof),
+    "planar": View("waved shell", lambda: deformed(primitive("translational", 21, 15), 0.02)),
     "circular": View("waved catenoid", lambda: deformed(primitive("catenoid", 33, 15)), tilt=25),
     "geodesic": View(
         "waved cylinder", lambda: deformed(primitive("cylinder", 25, 15, angles=(0, 200)), 0.08)

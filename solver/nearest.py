@@ -40,6 +40,7 @@ from solver.terms.evenness import Evenness
 from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
 from solver.terms.gliding import OnCurve, OnSurface
+from solver.terms.orthogonality import Orthogonality
 
 # Part of the wishes in the energy whose minimum a step aims at. The smaller, the better the step
 # keeps to the net; rounding is the limit.
@@ -71,18 +72,22 @@ class Wish(NamedTuple):
     weight: float
 
 
-def nearness(problem: Problem, start: QuadMesh, surface: TriangleSurface) -> list[Wish]:
+def nearness(
+    problem: Problem, start: QuadMesh, surface: TriangleSurface, evenness: float
+) -> list[Wish]:
     """Wish for a net on a surface whose lines run as evenly as those of the start did.
 
     Most weighs the distance from the surface. Evenness of the lines, and a little of the motion,
     keeps them from zigzagging for the last millimetre; the border stays about where it was, though
-    a net across the surface's curvature has to leave it; short edges and crossed faces are pushed
+    a net across the surface's curvature has to leave it; faces are not sheared where the net lets
+    them; short edges and crossed faces are pushed
     back by guards that are silent elsewhere.
 
     Args:
         problem: the net.
         start: the mesh as it was drawn, with the problem's faces.
         surface: in the units of the problem's mesh.
+        evenness: weight of lines that bend evenly, where that of the distance is one.
     """
     net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
     rest = problem.at(start)
@@ -92,9 +97,10 @@ def nearness(problem: Problem, start: QuadMesh, surface: TriangleSurface) -> lis
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
         Wish(OnSurface(used, ground, name="close to surface"), 1.0),
-        Wish(Evenness(net.line_quadruples), 0.03),
+        Wish(Evenness(net.line_quadruples), evenness),
         Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
         Wish(Closeness(used, points[used]), 1e-5),
+        Wish(Orthogonality(net.faces, name="right angles"), 0.3 * evenness),
         *(Wish(border, 1e-2) for border in borders),
         Wish(EdgeGuard(net.edges, 0.6 * shortest), 0.3),
         Wish(FaceGuard(net.faces, 0.3), 0.3),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
+from solver.analysis.form import surface_of
 from solver.analysis.start import start_remarks
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.closest import TriangleSurface
@@ -201,7 +202,7 @@ def start_optimisation(
         remarks,
         held,
         origin,
-        surface=TriangleSurface(*wanted.close_to) if wanted.close_to is not None else None,
+        surface=_surface(asked, mesh, wanted),
         within=within,
     )
 
@@ -216,6 +217,13 @@ def refuse_no_end(tolerance: float, max_steps: int) -> None:
         raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
     if max_steps < 1:
         raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
+
+
+def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface | None:
+    """The design surface, about the origin, where the last phase is to come near to one."""
+    if wanted.close_to is not None:
+        return TriangleSurface(*wanted.close_to)
+    return surface_of(mesh) if asked.nearest else None
 
 
 def _held(net: Net, fixed: bool, wanted: Constraints) -> list[str]:

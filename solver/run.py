@@ -25,8 +25,10 @@ from solver.summary import Course, summarise
 
 # The last phase takes as many steps as there were before it, and so many where those were fewer.
 _NEARER_STEPS = 24
+# Weight of lines that bend evenly in the last phase, and in another where they zigzag then.
+_EVENNESS, _EVENER = 0.03, 1.0
 # A net that is nearer but has less than this part of the area is less of what was drawn.
-_STILL_WHOLE = 0.9
+_STILL_WHOLE = 0.85
 # Its edges are pushed back at 0.6 of the shortest, and give way where the surface asks for it.
 _STILL_ROOMY = 0.4
 
@@ -81,7 +83,7 @@ class Optimisation:
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
         self.surface, self.within = surface, within
         self._nearest: NearestNet | None = None
-        self._most = 0
+        self._most, self._evenness = 0, _EVENNESS
         self._way = self._begin_way()
         attempt = next(self._way)
         self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
@@ -263,7 +265,7 @@ class Optimisation:
     def _conclude(self, status: str) -> None:
         best = self._best.consider(self._judged())
         if status == STALLED and best.valid and not best.gone and self._may_go_nearer:
-            self._begin_nearest(best)
+            self._begin_nearest(best, _EVENNESS)
         else:
             self.status = (COLLAPSED if best.gone else CONVERGED) if best.valid else status
 
@@ -273,12 +275,12 @@ class Optimisation:
         asked = self.surface is not None and not self.descent.pulled
         return asked and steps_left > 0 and bool(self.original.free.any())
 
-    def _begin_nearest(self, best: Candidate) -> None:
+    def _begin_nearest(self, best: Candidate, evenness: float) -> None:
         """Begin the last phase, of no more steps than there were, but for a few."""
         assert self.surface is not None
-        wishes = nearness(best.problem, self.original.mesh, self.surface)
+        wishes = nearness(best.problem, self.original.mesh, self.surface, evenness)
         self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
-        done = len(self.history)
+        self._evenness, done = evenness, len(self.history)
         self._most = min(self.max_steps, done + max(done, _NEARER_STEPS))
         self.attempts += 1
 
@@ -306,9 +308,13 @@ class Optimisation:
         assert self.surface is not None
         before = self._found()
         found = judge(nearest.problem, nearest.exact(), self.tolerance, self.original)
-        whole = found.area_ratio >= _STILL_WHOLE * before.area_ratio
-        smooth = before.creased or not found.creased
-        if found.valid and found.kept >= _STILL_ROOMY and smooth and whole:
+        creased = found.creased and not before.creased
+        smooth = not (creased or (found.uneven and not before.uneven))
+        sound = found.valid and found.kept >= _STILL_ROOMY and smooth
+        if not sound and self._evenness < _EVENER and len(self.history) < self.max_steps:
+            self._begin_nearest(before, _EVENER)
+            return
+        if sound and found.area_ratio >= _STILL_WHOLE * before.area_ratio:
             far, near = (off_surface(each.mesh, self.surface) for each in (before, found))
             if near.max() < far.max():
                 self._best = Best(self.original.tuning.worth)

@@ -84,7 +84,7 @@ NETS = (
     Net(
         "asymptotic",
         asymptotic,
-        place=9,
+        place=10,
         title="asymptotic: minimal",
         condition="equal diagonals, flat stars",
         purpose="minimal surfaces; straight lamellas upright on the surface",
@@ -100,7 +100,7 @@ NETS = (
     Net(
         "cmc",
         cmc,
-        place=10,
+        place=11,
         title="constant mean curvature",
         condition="equal diagonals, stars on spheres of one radius",
         purpose="pneumatic shapes; lamellas that are arcs of one radius",
@@ -117,7 +117,7 @@ NETS = (
     Net(
         "snet",
         snet,
-        place=11,
+        place=12,
         title="spherical stars",
         abbreviation="S-net",
         condition="equal diagonals, stars on spheres",

@@ -120,6 +120,8 @@ class Net:
         along_curvature: its lines follow the principal directions.
         flat: a plane is a shape as good as any other, as it is of sheets.
         general: others are special cases of it, and are advised before it.
+        nearest: the start is the design surface where no other is given: of all such nets the one
+            nearest to it is meant.
         way: how it is reached where the start leads nowhere.
     """
 
@@ -140,6 +142,7 @@ class Net:
     along_curvature: bool = False
     flat: bool = False
     general: bool = False
+    nearest: bool = False
     way: Way = Way()
 
     @property

@@ -151,7 +151,7 @@ class NetOptions:
         metadata=_offered(
             "choice",
             "Right angles of faces at inner irregular vertices, which no smooth surface has there",
-            title="Irregular vertices",
+            title="Irregular",
             brief="right angles at inner irregular vertices, which no smooth surface has there",
             choices=tuple(_SINGULAR),
             shown=_SINGULAR,

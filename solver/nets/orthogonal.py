@@ -83,7 +83,7 @@ NETS = (
     Net(
         "orthogonal",
         orthogonal,
-        place=2,
+        place=3,
         title="orthogonal",
         condition="equal diagonals in every face",
         purpose="layouts that look square, cladding that bends",

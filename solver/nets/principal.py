@@ -1,4 +1,4 @@
-"""Nets with planar faces: principal, circular, conical."""
+"""Nets with planar faces: principal, planar, circular, conical."""
 
 from __future__ import annotations
 
@@ -18,6 +18,14 @@ def principal(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.1.
     """
     require_right_angles(problem, options)
+    return problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
+
+
+def planar(problem: Problem, options: NetOptions) -> Problem:
+    """Require flat faces and nothing else.
+
+    Source: Liu et al. (2006), Geometric modeling with conical meshes and developable surfaces.
+    """
     return problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
 
 
@@ -57,9 +65,22 @@ NETS = (
         along_curvature=True,
     ),
     Net(
+        "planar",
+        planar,
+        place=2,
+        title="planar: flat panels, any angles",
+        condition="flat faces",
+        purpose="flat panels on a surface that is to stay as it is",
+        gives="Flat faces of any angles, near the surface that was drawn.",
+        abbreviation="planar",
+        measures=(PLANARITY,),
+        general=True,
+        nearest=True,
+    ),
+    Net(
         "circular",
         circular,
-        place=3,
+        place=4,
         title="circular",
         condition="flat faces with a circle through their corners",
         purpose="flat panels, second layer at equal distance from the vertices",
@@ -71,7 +92,7 @@ NETS = (
     Net(
         "conical",
         conical,
-        place=4,
+        place=5,
         title="conical",
         condition="flat faces that touch a cone at every vertex",
         purpose="flat panels, layers of constant thickness",

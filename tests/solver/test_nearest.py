@@ -150,7 +150,9 @@ def test_where_it_ends_no_motion_along_the_net_helps(start):
 
 def test_wishes_measure_in_the_units_of_the_problem(start, surface):
     problem = Problem("principal", start, np.zeros(len(start.vertices), dtype=bool))
-    wishes = {wish.term.name: wish for wish in nearness(problem, start, TriangleSurface(*surface))}
+    wishes = {
+        wish.term.name: wish for wish in nearness(problem, start, TriangleSurface(*surface), 0.03)
+    }
     # The start itself lies where it was drawn: it has moved nowhere, nor left its border.
     x = problem.start
     for name in ("smooth motion", "closeness", "edge guard", "face guard"):

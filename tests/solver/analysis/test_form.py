@@ -100,3 +100,14 @@ def test_within_is_a_wish_with_a_verdict():
     for wrong in (0.0, -1.0, float("nan")):
         with pytest.raises(InputError, match="within: expected a positive distance"):
             optimise(start, "principal", within=wrong)
+
+
+def test_planar_nets_stay_on_the_surface_that_was_drawn():
+    """A saddle whose lines run across its curvature: flat faces need not move it."""
+    x, y = parameters(21, 21, 10.0, 10.0)
+    start = grid(x, y, 0.04 * (x**2 - y**2) + 0.02 * x * y)
+    planar, principal = (optimise(start, net).report for net in ("planar", "principal"))
+    assert planar.status == "converged", planar.message
+    assert planar.form.off_surface.percent < 0.3
+    assert planar.form.off_surface.max < 0.5 * principal.form.off_surface.max
+    assert 0.95 <= planar.form.area_ratio <= 1.05 and planar.form.zigzag > 0.9

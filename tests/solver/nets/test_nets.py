@@ -17,6 +17,7 @@ from tests.meshes import START_MESHES, noisy, right_angles
 # What must vanish in each net, on every face, edge or star.
 MEASURES = {
     "principal": (right_angles, measures.planarity),
+    "planar": (measures.planarity,),
     "circular": (measures.planarity, measures.circular),
     "conical": (measures.planarity, measures.conical),
     "geodesic": (right_angles, measures.geodesic),
@@ -41,6 +42,7 @@ REQUIRED = [
         for net in ("principal", "circular", "conical")
         for name in ("heart", "conical1", "botanic-garden-bubble-0", "complete01")
     ],
+    *[("planar", name, False) for name in ("botanic-garden-bubble-0", "6-sub-lifted")],
     *[
         (net, name, False)
         for net in ("geodesic", "dog", "geodesic-chebyshev")

@@ -40,9 +40,9 @@ def test_a_name_is_given_once_and_a_net_that_has_gone_is_unknown(own):
         register(replace(own, place=1))
     assert list(NETS)[-1] == "flat"
     unregister("flat")
-    with pytest.raises(InputError, match="net: expected one of principal, orthogonal"):
+    with pytest.raises(InputError, match="net: expected one of principal, planar"):
         optimise(wavy_grid(4, 4), "flat")
-    with pytest.raises(InputError, match="net: expected one of principal, orthogonal"):
+    with pytest.raises(InputError, match="net: expected one of principal, planar"):
         unregister("flat")
     register(own)
 
@@ -69,13 +69,13 @@ def test_the_advisor_knows_every_net_that_a_mesh_alone_is_judged_by():
     }
     assert advised == expected
     flat_strip = {one.net for one in advise(wavy_grid(5, 2))}
-    assert flat_strip == {"orthogonal", "principal", "circular", "chebyshev"}
+    assert flat_strip == {"orthogonal", "planar", "principal", "circular", "chebyshev"}
 
 
 def test_nets_of_which_others_are_special_cases_are_advised_last():
     mesh = wavy_grid(7, 6, height=0.0, shear=0.0)
     names = [one.net for one in advise(mesh)]
-    assert set(names[-3:]) == {"orthogonal", "snet"}
+    assert set(names[-4:]) == {"planar", "orthogonal", "snet"}
 
 
 def test_every_net_with_a_variant_has_measures_of_it():
