@@ -7,6 +7,7 @@ from itertools import pairwise
 import ezdxf
 import numpy as np
 import pytest
+import shapely.affinity
 
 from freecad_ortho.fabrication import BentPanels, Selection, build, write
 from freecad_ortho.fabrication.clash import check_clashes
@@ -94,6 +95,23 @@ def test_on_a_cylinder_a_row_unrolls_to_its_rectangle():
     flat = build(cylinder(), [BentPanels(6, 10)], selection=V)
     assert all(not part.pattern.bends for part in flat.parts)
     check_solids(structure)
+
+
+@pytest.mark.parametrize(("scale", "largest"), [(1.0, 12.0), (0.1, 4.0)])
+@pytest.mark.parametrize("selection", [U, V])
+def test_names_of_neighbours_are_as_large_as_fits_on_their_face(scale, largest, selection):
+    made = build(cylinder().scaled(scale), [BentPanels(3 * scale, 10 * scale)], selection=selection)
+    parts = {part.name: part for part in made.parts}
+    for part in parts.values():
+        plate = shapely.Polygon(part.pattern.outline)
+        names = [mark for mark in part.pattern.marks if mark.text]
+        assert {mark.text for mark in names} <= set(parts) - {part.name} and names
+        for mark in names:
+            assert 0.25 * largest < mark.size <= largest
+            wide = mark.size * np.array([len(mark.text), 1.0]) / 2
+            box = shapely.box(*-wide, *wide)
+            box = shapely.affinity.rotate(box, mark.angle, origin=(0, 0))
+            assert plate.contains(shapely.affinity.translate(box, *mark.points[0]))
 
 
 def test_on_a_cone_the_clear_gap_is_what_was_asked_for():

@@ -144,27 +144,35 @@ def _slot(
     slot = Slot(station, direction, -settings.clearance / 2, width, upward)
     if lamella.twisted:
         return slot
-    return _clear_of_bend(lamella, slot, other.name)
+    return clear_of_bend(ribbon, slot, lamella.name, other.name)
 
 
-def _clear_of_bend(lamella: Lamella, slot: Slot, other: str) -> Slot:
+def clear_of_bend(ribbon: Ribbon, slot: Slot, name: str, other: str) -> Slot:
     """The slot, widened until no bend line grazes its corners.
 
     On both sides of the plate a bend line lies off its place in the middle by the mitre, so a
     corner nearer than that would lie in one face on one side and in the other on the other.
+
+    Args:
+        ribbon: that the slot is cut from.
+        slot: where and how wide.
+        name: of the lamella, for the message.
+        other: of the one that crosses.
+
+    Raises:
+        InputError: the bend line runs along the slot, or a side of it misses the edge.
     """
-    ribbon = lamella.ribbon
     station = slot.station
     mitre = ribbon.thickness * abs(np.tan(ribbon.strip.bends[station] / 2)) + _GRAZING
     widest = slot.width + _WIDEST * ribbon.thickness
     while slot.width <= widest:
-        made = notch(ribbon, slot, lamella.name, other)
+        made = notch(ribbon, slot, name, other)
         corners = np.concatenate([made.floor, made.mouth])
         if np.abs(ribbon.ahead(station, corners)).min() > mitre:
             return slot
         slot = replace(slot, width=slot.width + 0.5 * mitre)
     raise InputError(
-        f"lamellas: a bend line of {lamella.name} runs along its slot for {other}; take strip "
+        f"lamellas: a bend line of {name} runs along its slot for {other}; take strip "
         "twisted or auto, or a smaller thickness"
     )
 
