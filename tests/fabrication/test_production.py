@@ -122,6 +122,10 @@ def test_waste_is_what_is_neither_cut_nor_kept():
         shop = Workshop(stock=1600, saw=5, trim=12, rest=least)
         report = produce(made, shop).report()["stock"]
         assert (report["bars"], report["length_mm"]) == (4, 1600)
+        assert (report["saw_mm"], report["trim_mm"]) == (5, 12)
+        (section,) = report["sections"]
+        assert (section["parts"], section["thickness_mm"]) == (4, 12)
+        assert section["width_min_mm"] == pytest.approx(section["width_max_mm"])
         assert report["rests_kept_mm"] == pytest.approx(kept)
         assert report["waste"] == pytest.approx(1 - (cut + kept) / 6400)
     assert produce(build(square, [Panels(20, 15)])).report()["stock"]["waste"] is None

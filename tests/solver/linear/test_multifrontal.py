@@ -87,6 +87,19 @@ def test_fixed_unknowns_and_scalars_that_few_or_all_share():
     assert_solves(pattern)
 
 
+def test_the_order_does_not_depend_on_where_the_mesh_lies():
+    """Scalars too have a place, amid the vertices that they meet."""
+    mesh = wavy_grid(30, 30)
+    edges = mesh.connectivity.edges
+    own = 3 * len(mesh.vertices) + np.arange(len(edges))[:, None]
+    stencils = [np.hstack([coordinates_of(edges), own])]
+    here, there = (
+        layout_of(stencils, mesh.vertices + [shift, 0, 0], scalars=len(edges)).unknowns
+        for shift in (0.0, 1024.0)
+    )
+    assert (here == there).all()
+
+
 def test_nothing_free():
     mesh = wavy_grid(3, 3)
     pattern = layout_of([coordinates_of(mesh.faces)], mesh.vertices, np.zeros(27, dtype=bool))

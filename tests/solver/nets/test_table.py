@@ -72,6 +72,15 @@ def test_the_advisor_knows_every_net_that_a_mesh_alone_is_judged_by():
     assert flat_strip == {"orthogonal", "planar", "principal", "circular", "chebyshev"}
 
 
+def test_a_strip_without_inner_vertices_is_not_called_curved(monkeypatch):
+    bent = replace(FLAT, name="bent", shape="developable")
+    monkeypatch.setitem(NETS, "bent", bent)
+    (said,) = (one for one in advise(wavy_grid(5, 2)) if one.net == "bent")
+    assert (said.cause, said.reason) == ("", "")
+    (said,) = (one for one in advise(wavy_grid(7, 6)) if one.net == "bent")
+    assert said.cause == "bends"
+
+
 def test_nets_of_which_others_are_special_cases_are_advised_last():
     mesh = wavy_grid(7, 6, height=0.0, shear=0.0)
     names = [one.net for one in advise(mesh)]
