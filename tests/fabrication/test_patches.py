@@ -7,6 +7,7 @@ from itertools import pairwise
 import ezdxf
 import numpy as np
 import pytest
+import shapely.affinity
 
 from freecad_ortho.fabrication import Patches, Selection, build, write
 from freecad_ortho.fabrication.clash import check_clashes
@@ -110,6 +111,22 @@ def test_strips_of_a_sheet_that_is_bent_too_far_fail_as_it_does(tmp_path):
         worst = max(rows, key=lambda row: float(row["stress_MPa"]))
         assert 900 < float(worst["stress_MPa"]) < 1200
         assert worst["verdict"].startswith("bending stress 1") and "355 MPa" in worst["verdict"]
+
+
+@pytest.mark.parametrize("long", [5.0, 30.0])
+def test_names_of_lines_cross_no_line(long):
+    """Faces six times as long as wide, or square: each name lies in one face."""
+    x, y = np.meshgrid(long * np.arange(5), 5.0 * np.arange(7), indexing="ij")
+    (part,) = build(grid_mesh(np.stack([x, y, 0 * x], axis=-1)), [Patches(0.5)]).parts
+    texts = [mark for mark in part.pattern.marks if mark.text]
+    lines = [shapely.LineString(mark.points) for mark in part.pattern.marks if not mark.text]
+    lines.append(shapely.Polygon(part.pattern.outline).exterior)
+    assert len({mark.text for mark in texts}) == len(texts) == 3 + 5
+    for mark in texts:
+        wide = mark.size * np.array([len(mark.text), 1.0]) / 2
+        box = shapely.affinity.rotate(shapely.box(*-wide, *wide), mark.angle, origin=(0, 0))
+        box = shapely.affinity.translate(box, *mark.points[0])
+        assert mark.size > 0.1 * 5 and not any(box.intersects(line) for line in lines)
 
 
 def test_joints_are_as_wide_as_asked_for():
