@@ -16,7 +16,7 @@ _FORCES = {
     "compression": "compression only",
     "tension": "tension only",
 }
-_SINGULAR = {"exempt": "no right angles there", "include": "right angles there too"}
+_SINGULAR = {"exempt": "left out", "include": "asked too"}
 
 
 def _offered(kind: Kind, meaning: str, **words: Any) -> dict[str, Any]:

@@ -68,7 +68,7 @@ NETS = (
         "planar",
         planar,
         place=2,
-        title="planar: flat panels, any angles",
+        title="planar: flat faces",
         condition="flat faces",
         purpose="flat panels on a surface that is to stay as it is",
         gives="Flat faces of any angles, near the surface that was drawn.",

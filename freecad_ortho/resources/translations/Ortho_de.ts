@@ -174,6 +174,16 @@
    <translation>u und v vertauschen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
+   <translation>Flächen längs und quer in den Feldern, die die Multinetz-Führung rechtwinklig hält</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces keep their shape the more of it there is, such as 10; none is usual; -1 is automatic</source>
+   <translation>Je mehr davon, desto mehr behalten Flächen ihre Form, etwa 10; üblich ist keines; -1 ist automatisch</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Faces that the net is sampled from and stays linked to</source>
    <translation>Flächen, aus denen das Netz abgetastet ist und mit denen es verknüpft bleibt</translation>
@@ -304,24 +314,9 @@
    <translation>Wie weit das Netz über die Fläche reicht</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly faces keep their shape; -1 automatic</source>
-   <translation>Wie stark Maschen ihre Form behalten; -1 automatisch</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly lines are drawn straight; -1 automatic</source>
-   <translation>Wie stark Linien gestreckt werden; -1 automatisch</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly pairs of faces stay orthogonal; -1 automatic</source>
-   <translation>Wie stark Paare von Maschen orthogonal bleiben; -1 automatisch</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly vertices stay at the start; -1 automatic</source>
-   <translation>Wie stark Ecken am Anfang bleiben; -1 automatisch</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the result may be off the surface, or the start where none is given; 0 is not limited</source>
+   <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist; 0 ist unbegrenzt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -340,6 +335,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the ends of a curve that is no preset</source>
+   <translation>Die Enden einer Kurve verbinden, die keine Vorgabe ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Den letzten Punkt mit dem ersten verbinden</translation>
   </message>
@@ -354,32 +354,32 @@
    <translation>Schnittfuge: Umrisse wachsen um die halbe Breite der Schnittfuge</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest angle from the surface normal that passes; 0: any</source>
    <translation>Größter zulässiger Winkel zur Flächennormalen; 0: jeder</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance from plane or developable that passes; 0: any</source>
    <translation>Größter zulässiger Abstand von eben oder abwickelbar; 0: jeder</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance of an unrolled axis from its arc that passes; 0: any</source>
    <translation>Größter zulässiger Abstand einer abgewickelten Achse von ihrem Bogen; 0: jeder</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance of an unrolled axis from straight that passes; 0: any</source>
    <translation>Größter zulässiger Abstand einer abgewickelten Achse von der Geraden; 0: jeder</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest residual that counts as zero</source>
    <translation>Größtes Residuum, das als null gilt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest twist of a beam that passes; 0: any</source>
    <translation>Größte zulässige Verwindung eines Trägers; 0: jede</translation>
   </message>
@@ -457,6 +457,36 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Spiegelebenen durch den Ursprung: Buchstaben aus x, y, z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it bends lines more evenly on the way; none is usual; -1 is automatic</source>
+   <translation>Mehr davon biegt Linien unterwegs gleichmäßiger; üblich ist keines; -1 ist automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it draws lines straighter on the way; 0.01 is usual; -1 is automatic</source>
+   <translation>Mehr davon zieht Linien unterwegs gerader; üblich ist 0,01; -1 ist automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps direction and length of edges; 0.02 is usual; -1 is automatic</source>
+   <translation>Mehr davon erhält Richtung und Länge der Kanten; üblich ist 0,02; -1 ist automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual; -1 is automatic</source>
+   <translation>Mehr davon hält Paare von Flächen rechtwinklig; üblich ist 0,001; -1 ist automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps vertices nearer to where they are; 0.003 is usual; -1 is automatic</source>
+   <translation>Mehr davon hält Ecken näher an ihrem Ort; üblich ist 0,003; -1 ist automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it moves neighbours more alike; 0.1 is usual; -1 is automatic</source>
+   <translation>Mehr davon bewegt Nachbarn ähnlicher; üblich ist 0,1; -1 ist automatisch</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -625,6 +655,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of a curve in place of it, about the centre</source>
+   <translation>Stattdessen Punkte einer Kurve, um die Mitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points of the polyline, in the frame of the quadric</source>
    <translation>Punkte des Linienzugs, im System der Quadrik</translation>
   </message>
@@ -692,6 +727,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Residuals: red at and above 10 to this power</source>
    <translation>Residuen: rot bei und über 10 hoch diesem</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
+   <translation>Rechte Winkel von Flächen an inneren irregulären Ecken, die keine glatte Fläche dort hat</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -834,11 +874,6 @@
    <translation>Abstand: so weit bleiben Teile voneinander und vom Rand</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Squares of the semi-axes of the first ellipse</source>
-   <translation>Quadrate der Halbachsen der ersten Ellipse</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Stands for all that the shape was built from</source>
    <translation>Steht für alles, woraus die Form gebaut wurde</translation>
@@ -890,8 +925,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
-   <translation>Zuerst anzuhebende Lager, ECKE,HÖHE in mm, etwa 0,1500;20,900</translation>
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Auflager, die zuerst gehoben werden, ECKE:HÖHE in mm, etwa 0:1500; 20:900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -972,6 +1007,11 @@
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Unit of the file that the net came from</source>
    <translation>Einheit der Datei, aus der das Netz kam</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Values of the two other coordinates in place of it</source>
+   <translation>Stattdessen Werte der beiden anderen Koordinaten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1157,11 +1197,6 @@
    <translation>Ein Punkt der Ebene</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>A residual up to this counts as zero.</source>
-   <translation>Ein Residuum bis zu diesem Wert gilt als null.</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>A saw cut behind each part of a bar is this wide.</source>
    <translation>So breit ist der Sägeschnitt hinter jedem Teil einer Stange.</translation>
@@ -1210,6 +1245,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Arrow on the upper side</source>
    <translation>Pfeil auf der Oberseite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ask it of the diagonals of the faces, not of the edges</source>
+   <translation>Von den Diagonalen der Flächen verlangen, nicht von den Kanten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1308,6 +1348,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>CMC nets: radius of the vertex spheres</source>
+   <translation>CMC-Netze: Radius der Eckenkugeln</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cables of given force density, or constant stress</source>
    <translation>Seile gegebener Kraftdichte, oder konstante Spannung</translation>
   </message>
@@ -1345,6 +1390,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev</source>
    <translation>Tschebyschow</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev diagonals</source>
+   <translation>Tscheb. diagonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev nets: each direction has a length of its own</source>
+   <translation>Tschebyschow-Netze: jede Richtung hat ihre eigene Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev nets: length of the edges</source>
+   <translation>Tschebyschow-Netze: Länge der Kanten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1447,7 +1507,7 @@
    <translation>Geschlossen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Closeness</source>
    <translation>Nähe</translation>
   </message>
@@ -1603,6 +1663,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge vectors</source>
+   <translation>Kantenvektoren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edges</source>
    <translation>Kanten</translation>
   </message>
@@ -1658,6 +1723,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Evenness</source>
+   <translation>Gleichmaß</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Every</source>
    <translation>Jede</translation>
   </message>
@@ -1688,16 +1758,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
+   <translation>Flächen längs und quer in den Feldern, die die Multinetz-Führung rechtwinklig hält</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Faces keep the shape they have: paper that is bent.</source>
    <translation>Maschen behalten ihre Form: Papier, das gebogen wird.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>Faces keep their shape the more of it there is, such as 10; none is usual.</source>
-   <translation>Je mehr davon, etwa 10, desto mehr behalten die Maschen ihre Form; üblich ist keine.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces keep their shape the more of it there is, such as 10; none is usual</source>
+   <translation>Je mehr davon, desto mehr behalten Flächen ihre Form, etwa 10; üblich ist keines</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Fairness</source>
    <translation>Glattheit</translation>
   </message>
@@ -1748,6 +1823,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat faces of any angles, near the surface that was drawn.</source>
+   <translation>Ebene Flächen mit beliebigen Winkeln, nahe an der entworfenen Fläche.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with an exact offset at constant thickness.</source>
    <translation>Ebene Maschen mit exaktem Versatz konstanter Dicke.</translation>
   </message>
@@ -1777,7 +1857,7 @@
    <translation>Netz wenden</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Ordner für die Fertigungsdateien</translation>
   </message>
@@ -1933,6 +2013,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the result may be off the surface, or the start where none is given</source>
+   <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter</source>
    <translation>Nabendurchmesser</translation>
   </message>
@@ -1947,7 +2032,7 @@
    <translation>Nur Bild</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Import quad mesh</source>
    <translation>Vierecksnetz importieren</translation>
   </message>
@@ -1977,6 +2062,11 @@
    <translation>An einer Kugel invertiert</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Irregular</source>
+   <translation>Irreguläre</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Irregular vertices</source>
    <translation>Irreguläre Ecken</translation>
@@ -1987,9 +2077,19 @@
    <translation>Isometrisch (ohne Dehnung)</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
+   <translation>Isometrische Netze: Netz, dessen Flächen die Form geben; leer: wie am Start</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Isometry</source>
    <translation>Isometrie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the ends of a curve that is no preset</source>
+   <translation>Die Enden einer Kurve verbinden, die keine Vorgabe ist</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2015,6 +2115,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Art</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Largest residual that counts as zero</source>
+   <translation>Größter Rest, der als null gilt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2152,19 +2257,34 @@
    <translation>Möbius-Transformation</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>More of it draws lines straighter on the way; 0.01 is usual.</source>
-   <translation>Mehr davon streckt die Linien unterwegs stärker; üblich ist 0.01.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it bends lines more evenly on the way; none is usual</source>
+   <translation>Mehr davon biegt Linien unterwegs gleichmäßiger; üblich ist keines</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual.</source>
-   <translation>Mehr davon hält Paare von Maschen orthogonal; üblich ist 0.001.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it draws lines straighter on the way; 0.01 is usual</source>
+   <translation>Mehr davon zieht Linien unterwegs gerader; üblich ist 0,01</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>More of it keeps vertices nearer to where they are; 0.003 is usual.</source>
-   <translation>Mehr davon hält die Ecken näher an ihrem Ort; üblich ist 0.003.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps direction and length of edges; 0.02 is usual</source>
+   <translation>Mehr davon erhält Richtung und Länge der Kanten; üblich ist 0,02</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual</source>
+   <translation>Mehr davon hält Paare von Flächen rechtwinklig; üblich ist 0,001</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps vertices nearer to where they are; 0.003 is usual</source>
+   <translation>Mehr davon hält Ecken näher an ihrem Ort; üblich ist 0,003</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it moves neighbours more alike; 0.1 is usual</source>
+   <translation>Mehr davon bewegt Nachbarn ähnlicher; üblich ist 0,1</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2187,7 +2307,12 @@
    <translation>Bewegt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Multi patch</source>
+   <translation>Multinetz-Feld</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Multi-net</source>
    <translation>Multinetz</translation>
   </message>
@@ -2333,8 +2458,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonal nets: angle between the two directions</source>
+   <translation>Orthogonale Netze: Winkel zwischen den beiden Richtungen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonality</source>
    <translation>Orthogonalität</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonality diagonals</source>
+   <translation>Rechtwinkligkeit diag.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2427,7 +2562,7 @@
    <translation>Lager wählen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Picture (*.png)</source>
    <translation>Bild (*.png)</translation>
   </message>
@@ -2465,6 +2600,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points (radius, height) that are turned about z</source>
    <translation>Punkte (Radius, Höhe), die um z gedreht werden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of a curve in place of it, about the centre</source>
+   <translation>Stattdessen Punkte einer Kurve, um die Mitte</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2512,7 +2652,7 @@
    <translation>Zurückgestellt.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Quad mesh</source>
    <translation>Vierecksnetz</translation>
   </message>
@@ -2527,7 +2667,7 @@
    <translation>Quadrik, die den Linienzug trägt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Quads from triangles</source>
    <translation>Vierecke aus Dreiecken</translation>
   </message>
@@ -2593,6 +2733,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
+   <translation>Rechte Winkel von Flächen an inneren irregulären Ecken, die keine glatte Fläche dort hat</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rings</source>
    <translation>Ringe</translation>
   </message>
@@ -2642,7 +2787,7 @@
    <translation>Abtastung</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Save picture</source>
    <translation>Bild speichern</translation>
   </message>
@@ -2762,6 +2907,11 @@
    <translation>Glatt</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Smooth motion</source>
+   <translation>Glatte Bewegung</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>So many processes share the work.</source>
    <translation>So viele Prozesse teilen sich die Arbeit.</translation>
@@ -2800,16 +2950,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Spine</source>
    <translation>Leitkurve</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Squares</source>
-   <translation>Quadrate</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Squares of the semi-axes of the first ellipse</source>
-   <translation>Quadrate der Halbachsen der ersten Ellipse</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -2868,6 +3008,26 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: downward load at every vertex</source>
+   <translation>Spannungsnetze: Last nach unten an jeder Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: downward load of a square millimetre</source>
+   <translation>Spannungsnetze: Last nach unten je Quadratmillimeter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: forces that edges may carry</source>
+   <translation>Spannungsnetze: Kräfte, die Kanten tragen dürfen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: weight of a millimetre of edge</source>
+   <translation>Spannungsnetze: Gewicht eines Millimeters Kante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
   </message>
@@ -2888,8 +3048,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
-   <translation>Zuerst anzuhebende Lager, ECKE,HÖHE in mm, etwa 0,1500;20,900</translation>
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Auflager, die zuerst gehoben werden, ECKE:HÖHE in mm, etwa 0:1500; 20:900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2905,6 +3065,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>T range</source>
    <translation>Bereich von t</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>That is more than the {} that were allowed, at face {}.</source>
+   <translation>Das ist mehr als die erlaubten {}, an Fläche {}.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -3045,7 +3210,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Bis</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tolerance</source>
    <translation>Toleranz</translation>
   </message>
@@ -3055,7 +3220,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Oberer Radius</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Triangle mesh</source>
    <translation>Dreiecksnetz</translation>
   </message>
@@ -3130,6 +3295,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Teil von v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Values of the two other coordinates in place of it</source>
+   <translation>Stattdessen Werte der beiden anderen Koordinaten</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Vertex</source>
    <translation>Ecke</translation>
@@ -3195,14 +3365,14 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Breite</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Width x height in pixels</source>
    <translation>Breite x Höhe in Pixeln</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>Without a number the solver finds it.</source>
-   <translation>Ohne Zahl findet der Löser sie selbst.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Within</source>
+   <translation>Innerhalb</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -3323,6 +3493,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>as text</source>
    <translation>als Text</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>asked too</source>
+   <translation>mitverlangt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3661,6 +3836,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>left out</source>
+   <translation>ausgelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>Länge</translation>
   </message>
@@ -3738,6 +3918,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>not at all</source>
    <translation>gar nicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>not limited</source>
+   <translation>unbegrenzt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3838,6 +4023,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>plain lines without blocks</source>
    <translation>nur Linien, ohne Blöcke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>planar</source>
+   <translation>planar</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>planar: flat faces</source>
+   <translation>planar: ebene Flächen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4347,7 +4542,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>{}, diag.</source>
-   <translation>{}, diag.</translation>
+   <translation>{} diag.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />

@@ -174,6 +174,16 @@
    <translation>Échanger u et v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
+   <translation>Faces en long et en travers des carreaux que le guide multi-réseau garde orthogonaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces keep their shape the more of it there is, such as 10; none is usual; -1 is automatic</source>
+   <translation>Plus il y en a, plus les faces gardent leur forme, par exemple 10 ; d'habitude aucun; -1 : automatique</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Faces that the net is sampled from and stays linked to</source>
    <translation>Faces dont le réseau est échantillonné et auxquelles il reste lié</translation>
@@ -304,24 +314,9 @@
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly faces keep their shape; -1 automatic</source>
-   <translation>Avec quelle force les faces gardent leur forme ; -1 automatique</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly lines are drawn straight; -1 automatic</source>
-   <translation>Avec quelle force les lignes sont redressées ; -1 automatique</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly pairs of faces stay orthogonal; -1 automatic</source>
-   <translation>Avec quelle force les paires de faces restent orthogonales ; -1 automatique</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
-   <source>How strongly vertices stay at the start; -1 automatic</source>
-   <translation>Avec quelle force les sommets restent au départ ; -1 automatique</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the result may be off the surface, or the start where none is given; 0 is not limited</source>
+   <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée ; 0 : sans limite</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -340,6 +335,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the ends of a curve that is no preset</source>
+   <translation>Joindre les extrémités d'une courbe qui n'est pas prédéfinie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Relier le dernier point au premier</translation>
   </message>
@@ -354,32 +354,32 @@
    <translation>Trait de coupe : les contours croissent de la moitié du trait de coupe</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest angle from the surface normal that passes; 0: any</source>
    <translation>Plus grand angle admis à la normale de la surface ; 0 : tous</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance from plane or developable that passes; 0: any</source>
    <translation>Plus grande distance admise au plan ou au développable ; 0 : toutes</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance of an unrolled axis from its arc that passes; 0: any</source>
    <translation>Plus grande distance admise d'un axe déroulé à son arc ; 0 : toutes</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance of an unrolled axis from straight that passes; 0: any</source>
    <translation>Plus grande distance admise d'un axe déroulé à la droite ; 0 : toutes</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/net_settings.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest residual that counts as zero</source>
    <translation>Plus grand résidu qui compte pour zéro</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/limit_properties.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest twist of a beam that passes; 0: any</source>
    <translation>Plus grande torsion admise d'une poutre ; 0 : toutes</translation>
   </message>
@@ -457,6 +457,36 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Plans de symétrie par l'origine : lettres parmi x, y, z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it bends lines more evenly on the way; none is usual; -1 is automatic</source>
+   <translation>Plus il y en a, plus les lignes se courbent régulièrement en chemin ; d'habitude aucun; -1 : automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it draws lines straighter on the way; 0.01 is usual; -1 is automatic</source>
+   <translation>Plus il y en a, plus les lignes sont tirées droites en chemin ; d'habitude 0,01; -1 : automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps direction and length of edges; 0.02 is usual; -1 is automatic</source>
+   <translation>Plus il y en a, plus les arêtes gardent direction et longueur ; d'habitude 0,02; -1 : automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual; -1 is automatic</source>
+   <translation>Plus il y en a, plus les paires de faces restent orthogonales ; d'habitude 0,001; -1 : automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps vertices nearer to where they are; 0.003 is usual; -1 is automatic</source>
+   <translation>Plus il y en a, plus les sommets restent près de leur place ; d'habitude 0,003; -1 : automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it moves neighbours more alike; 0.1 is usual; -1 is automatic</source>
+   <translation>Plus il y en a, plus les voisins se déplacent de même ; d'habitude 0,1; -1 : automatique</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -625,6 +655,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of a curve in place of it, about the centre</source>
+   <translation>Points d'une courbe à sa place, autour du centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points of the polyline, in the frame of the quadric</source>
    <translation>Points de la polyligne, dans le repère de la quadrique</translation>
   </message>
@@ -692,6 +727,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Residuals: red at and above 10 to this power</source>
    <translation>Résidus : rouge à 10 à cette puissance et au-dessus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
+   <translation>Angles droits des faces aux sommets irréguliers intérieurs, qu'aucune surface lisse n'a là</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -834,11 +874,6 @@
    <translation>Espacement : distance entre les pièces et jusqu'au bord</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Squares of the semi-axes of the first ellipse</source>
-   <translation>Carrés des demi-axes de la première ellipse</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Stands for all that the shape was built from</source>
    <translation>Représente tout ce dont la forme a été construite</translation>
@@ -890,8 +925,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
-   <translation>Appuis à relever d'abord, SOMMET,HAUTEUR en mm, par exemple 0,1500;20,900</translation>
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Appuis à lever d'abord, SOMMET:HAUTEUR en mm, comme 0:1500; 20:900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -972,6 +1007,11 @@
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Unit of the file that the net came from</source>
    <translation>Unité du fichier d'où vient le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Values of the two other coordinates in place of it</source>
+   <translation>Valeurs des deux autres coordonnées à sa place</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1157,11 +1197,6 @@
    <translation>Un point du plan</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>A residual up to this counts as zero.</source>
-   <translation>Un résidu jusqu'à cette valeur compte pour zéro.</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>A saw cut behind each part of a bar is this wide.</source>
    <translation>Largeur du trait de scie après chaque pièce d'une barre.</translation>
@@ -1210,6 +1245,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Arrow on the upper side</source>
    <translation>Flèche sur le dessus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ask it of the diagonals of the faces, not of the edges</source>
+   <translation>Le demander aux diagonales des faces, non aux arêtes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1308,6 +1348,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>CMC nets: radius of the vertex spheres</source>
+   <translation>Réseaux CMC : rayon des sphères aux sommets</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cables of given force density, or constant stress</source>
    <translation>Câbles de densité de force donnée, ou contrainte constante</translation>
   </message>
@@ -1345,6 +1390,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Chebyshev</source>
    <translation>Tchebychev</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev diagonals</source>
+   <translation>Tchebychev diag.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev nets: each direction has a length of its own</source>
+   <translation>Réseaux de Tchebychev : chaque direction a sa propre longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Chebyshev nets: length of the edges</source>
+   <translation>Réseaux de Tchebychev : longueur des arêtes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1447,7 +1507,7 @@
    <translation>Fermé</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Closeness</source>
    <translation>Proximité</translation>
   </message>
@@ -1603,6 +1663,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge vectors</source>
+   <translation>Vecteurs d'arêtes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edges</source>
    <translation>Arêtes</translation>
   </message>
@@ -1658,6 +1723,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Evenness</source>
+   <translation>Régularité</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Every</source>
    <translation>Chaque</translation>
   </message>
@@ -1688,16 +1758,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
+   <translation>Faces en long et en travers des carreaux que le guide multi-réseau garde orthogonaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Faces keep the shape they have: paper that is bent.</source>
    <translation>Les faces gardent leur forme : du papier que l'on courbe.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>Faces keep their shape the more of it there is, such as 10; none is usual.</source>
-   <translation>Plus il y en a, par exemple 10, plus les faces gardent leur forme ; aucune est usuel.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Faces keep their shape the more of it there is, such as 10; none is usual</source>
+   <translation>Plus il y en a, plus les faces gardent leur forme, par exemple 10 ; d'habitude aucun</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Fairness</source>
    <translation>Lissage</translation>
   </message>
@@ -1748,6 +1823,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat faces of any angles, near the surface that was drawn.</source>
+   <translation>Faces planes d'angles quelconques, près de la surface dessinée.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with an exact offset at constant thickness.</source>
    <translation>Faces planes avec un décalage exact d'épaisseur constante.</translation>
   </message>
@@ -1777,7 +1857,7 @@
    <translation>Retourner le réseau</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Dossier des fichiers de fabrication</translation>
   </message>
@@ -1933,6 +2013,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the result may be off the surface, or the start where none is given</source>
+   <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter</source>
    <translation>Diamètre du moyeu</translation>
   </message>
@@ -1947,7 +2032,7 @@
    <translation>Image seule</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Import quad mesh</source>
    <translation>Importer un maillage de quadrilatères</translation>
   </message>
@@ -1977,6 +2062,11 @@
    <translation>Inversé dans une sphère</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Irregular</source>
+   <translation>Irréguliers</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Irregular vertices</source>
    <translation>Sommets irréguliers</translation>
@@ -1987,9 +2077,19 @@
    <translation>Isométrique (sans étirement)</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
+   <translation>Réseaux isométriques : réseau dont les faces donnent la forme ; vide : celle du départ</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Isometry</source>
    <translation>Isométrie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Join the ends of a curve that is no preset</source>
+   <translation>Joindre les extrémités d'une courbe qui n'est pas prédéfinie</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2015,6 +2115,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Largest residual that counts as zero</source>
+   <translation>Plus grand résidu qui compte pour zéro</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2152,19 +2257,34 @@
    <translation>Transformation de Möbius</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>More of it draws lines straighter on the way; 0.01 is usual.</source>
-   <translation>Plus il y en a, plus les lignes sont redressées en chemin ; 0.01 est usuel.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it bends lines more evenly on the way; none is usual</source>
+   <translation>Plus il y en a, plus les lignes se courbent régulièrement en chemin ; d'habitude aucun</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual.</source>
-   <translation>Plus il y en a, plus les paires de faces restent orthogonales ; 0.001 est usuel.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it draws lines straighter on the way; 0.01 is usual</source>
+   <translation>Plus il y en a, plus les lignes sont tirées droites en chemin ; d'habitude 0,01</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
-   <source>More of it keeps vertices nearer to where they are; 0.003 is usual.</source>
-   <translation>Plus il y en a, plus les sommets restent près de leur place ; 0.003 est usuel.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps direction and length of edges; 0.02 is usual</source>
+   <translation>Plus il y en a, plus les arêtes gardent direction et longueur ; d'habitude 0,02</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps pairs of faces orthogonal; 0.001 is usual</source>
+   <translation>Plus il y en a, plus les paires de faces restent orthogonales ; d'habitude 0,001</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it keeps vertices nearer to where they are; 0.003 is usual</source>
+   <translation>Plus il y en a, plus les sommets restent près de leur place ; d'habitude 0,003</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>More of it moves neighbours more alike; 0.1 is usual</source>
+   <translation>Plus il y en a, plus les voisins se déplacent de même ; d'habitude 0,1</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2187,7 +2307,12 @@
    <translation>Mobile</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Multi patch</source>
+   <translation>Carreau multi</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Multi-net</source>
    <translation>Multi-réseau</translation>
   </message>
@@ -2333,8 +2458,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonal nets: angle between the two directions</source>
+   <translation>Réseaux orthogonaux : angle entre les deux directions</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonality</source>
    <translation>Orthogonalité</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Orthogonality diagonals</source>
+   <translation>Orthogonalité diag.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2427,7 +2562,7 @@
    <translation>Choisir les appuis</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Picture (*.png)</source>
    <translation>Image (*.png)</translation>
   </message>
@@ -2465,6 +2600,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points (radius, height) that are turned about z</source>
    <translation>Points (rayon, hauteur) tournés autour de z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Points of a curve in place of it, about the centre</source>
+   <translation>Points d'une courbe à sa place, autour du centre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2512,7 +2652,7 @@
    <translation>Remis en place.</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Quad mesh</source>
    <translation>Maillage de quadrilatères</translation>
   </message>
@@ -2527,7 +2667,7 @@
    <translation>Quadrique qui porte la polyligne</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Quads from triangles</source>
    <translation>Quads de triangles</translation>
   </message>
@@ -2593,6 +2733,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
+   <translation>Angles droits des faces aux sommets irréguliers intérieurs, qu'aucune surface lisse n'a là</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rings</source>
    <translation>Anneaux</translation>
   </message>
@@ -2642,7 +2787,7 @@
    <translation>Échantillonnage</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Save picture</source>
    <translation>Enregistrer l'image</translation>
   </message>
@@ -2762,6 +2907,11 @@
    <translation>Lisse</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Smooth motion</source>
+   <translation>Mouvement lisse</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>So many processes share the work.</source>
    <translation>Autant de processus se partagent le travail.</translation>
@@ -2800,16 +2950,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Spine</source>
    <translation>Courbe directrice</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Squares</source>
-   <translation>Carrés</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Squares of the semi-axes of the first ellipse</source>
-   <translation>Carrés des demi-axes de la première ellipse</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -2868,6 +3008,26 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: downward load at every vertex</source>
+   <translation>Réseaux de contraintes : charge vers le bas à chaque sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: downward load of a square millimetre</source>
+   <translation>Réseaux de contraintes : charge vers le bas par millimètre carré</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: forces that edges may carry</source>
+   <translation>Réseaux de contraintes : forces que les arêtes peuvent porter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: weight of a millimetre of edge</source>
+   <translation>Réseaux de contraintes : poids d'un millimètre d'arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
   </message>
@@ -2888,8 +3048,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX,HEIGHT in mm as 0,1500;20,900</source>
-   <translation>Appuis à relever d'abord, SOMMET,HAUTEUR en mm, par exemple 0,1500;20,900</translation>
+   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Appuis à lever d'abord, SOMMET:HAUTEUR en mm, comme 0:1500; 20:900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2905,6 +3065,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>T range</source>
    <translation>Plage de t</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>That is more than the {} that were allowed, at face {}.</source>
+   <translation>C'est plus que les {} admis, à la face {}.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -3045,7 +3210,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>À</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/advanced_box.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tolerance</source>
    <translation>Tolérance</translation>
   </message>
@@ -3055,7 +3220,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Rayon supérieur</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Triangle mesh</source>
    <translation>Maillage de triangles</translation>
   </message>
@@ -3130,6 +3295,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Part de v</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Values of the two other coordinates in place of it</source>
+   <translation>Valeurs des deux autres coordonnées à sa place</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Vertex</source>
    <translation>Sommet</translation>
@@ -3195,14 +3365,14 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Largeur</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/commands/dialogs.py" />
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Width x height in pixels</source>
    <translation>Largeur x hauteur en pixels</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>Without a number the solver finds it.</source>
-   <translation>Sans nombre, le solveur le trouve.</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Within</source>
+   <translation>À moins de</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -3323,6 +3493,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>as text</source>
    <translation>en texte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>asked too</source>
+   <translation>inclus</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3661,6 +3836,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>left out</source>
+   <translation>exclus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>length</source>
    <translation>longueur</translation>
   </message>
@@ -3738,6 +3918,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>not at all</source>
    <translation>pas du tout</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>not limited</source>
+   <translation>sans limite</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3838,6 +4023,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>plain lines without blocks</source>
    <translation>lignes simples sans blocs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>planar</source>
+   <translation>plan</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>planar: flat faces</source>
+   <translation>plan : faces planes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
