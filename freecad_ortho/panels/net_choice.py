@@ -34,7 +34,10 @@ class NetChoice:
 
     def __init__(self, net: FreeCAD.DocumentObject, stored: dict[str, Any]) -> None:
         self._net = net
-        self._advice = advise(convert.quad_mesh(net))
+        mesh = convert.quad_mesh(net)
+        self._advice = advise(mesh)
+        # What makes no difference to this mesh is not asked.
+        self._idle = () if mesh.connectivity.singular.any() else ("singular",)
         self.net_type = ChoiceField(net_words(), stored["net"])
         self.recommendation = _wrapped()
         self.use = QtGui.QPushButton(translate("Ortho", "Use"))
@@ -84,7 +87,7 @@ class NetChoice:
         """Show what belongs to the net that is chosen."""
         chosen = self.net_type.word
         for name, row in self.rows.items():
-            row.setVisible(name in NETS[chosen].options)
+            row.setVisible(name in NETS[chosen].options and name not in self._idle)
         best = self._best()
         if best is None:
             self.recommendation.setText(translate("Ortho", "No recommendation for this mesh."))
