@@ -133,7 +133,7 @@ def test_session_refuses_strangers():
 
 def test_settings_are_those_of_one_call_and_others_are_listed():
     start = wavy_grid(5, 5)
-    said = r"has no 'fairnes'; it has fairness, closeness, multi, isometry, fix, tolerance"
+    said = r"has no 'fairnes'; it has fairness, closeness, multi, multi_patch, evenness"
     with pytest.raises(InputError, match=f"^session: {said}"):
         Session(start, [0], fairnes=1.0)
     with pytest.raises(InputError, match=f"^optimise: {said}"):
