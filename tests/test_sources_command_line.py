@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -362,3 +363,22 @@ def test_bad_offsets_are_one_line(tmp_path, capsys, words, expected):
     error = capsys.readouterr().err
     assert expected in error and error.count("\n") == 1
     assert not out.exists()
+
+
+def test_the_sail_of_the_page_on_sources_is_a_start_for_a_minimal_net(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    commands = (
+        "primitive rectangle --sampling 13x13 --set length=12 --set width=12 --unit m -o flat.obj",
+        "formfind flat.obj --supports corners --lift 0:3;168:3 --border-density 10 -o sail.obj",
+        "diagonal sail.obj -o diagonal.obj",
+        "optimise sail.obj --net asymptotic -o net.obj --report of-sail.json",
+        "optimise diagonal.obj --net asymptotic -o net.obj --report of-diagonal.json",
+    )
+    for command in commands:
+        assert main(command.split()) == 0, command
+    sail, other = (
+        json.loads(Path(name).read_text(encoding="utf-8"))
+        for name in ("of-sail.json", "of-diagonal.json")
+    )
+    assert sail["off_surface"]["percent"] < 0.5 * other["off_surface"]["percent"]
+    assert sail["zigzag"] >= 0.8 and 0.9 <= sail["area_ratio"] <= 1.1
