@@ -133,9 +133,12 @@ class Candidate:
 
     @property
     def likeness(self) -> float:
-        """Part of the input's edge ratio, area and smoothness that is left: the least of them."""
+        """Part of the input's area, smoothness and edges that is left: the least of them.
+
+        Short edges count half: they may come of a net that is finer in places.
+        """
         area = 1.0 if self.may_resize else min(self.area_ratio, 1 / max(self.area_ratio, 1e-9))
-        return round(min(self.kept, area, 1.0 - self._lost), 2)
+        return round(min(0.5 * (1.0 + self.kept), area, 1.0 - self._lost), 2)
 
 
 def judge(
