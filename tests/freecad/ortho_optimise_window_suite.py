@@ -98,9 +98,24 @@ class TestChoices(OptimiseCase):
             rows = panel.choice.rows
             seen[name] = [option for option, row in rows.items() if not row.isHidden()]
             self.assertTrue(panel.choice.explanation.text())
-        self.assertEqual(seen, {name: asked_of(net) for name, net in NETS.items()})
+        # A grid has no irregular vertices, so that nothing is asked of them.
+        wanted = {name: asked_of(net) for name, net in NETS.items()}
+        regular = {name: [one for one in row if one != "singular"] for name, row in wanted.items()}
+        self.assertEqual(seen, regular)
         self.assertNotEqual(seen["cmc"], seen["chebyshev"])
         self.assertEqual(panel.settings()["radius"], 5000)
+
+    def test_irregular_vertices_are_asked_of_where_there_are_any(self):
+        path = tools.SCRATCH / "three.obj"
+        rim = [
+            f"v {1e3 * np.cos(turn)} {1e3 * np.sin(turn)} 0" for turn in np.pi / 3 * np.arange(6)
+        ]
+        faces = ["f 1 2 3 4", "f 1 4 5 6", "f 1 6 7 2"]
+        path.write_text("\n".join(["# unit: mm", "v 0 0 300", *rim, *faces]) + "\n")
+        panel = self.opened(api.import_net(path))
+        self.assertFalse(panel.choice.rows["singular"].isHidden())
+        panel.net_type.choose("circular")
+        self.assertTrue(panel.choice.rows["singular"].isHidden())
 
     def test_a_diagonal_that_was_ticked_for_one_net_is_not_for_the_next(self):
         net = self.net()
