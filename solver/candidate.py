@@ -101,7 +101,7 @@ class Candidate:
 
     @property
     def creased(self) -> bool:
-        """Folds appeared that the input did not have."""
+        """Sharp creases appeared that the input did not have; folded faces are ``flipped``."""
         return self.crease > max(self.tuning.creased, 2 * self.crease_start)
 
     @property

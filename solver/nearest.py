@@ -55,7 +55,7 @@ _CORRECTIONS, _ON_NET = 4, 1e-9
 # Largest residual after them with which a step counts as one along the net.
 _NEAR_NET = 1e-4
 # Steps that lower the wishes by less than this part of them are not worth their time.
-_WORTH = 1e-3
+_WORTH = 3e-4
 # Corrections at the end, to the last digit.
 _LAST, _ROUNDING = 5, 1e-15
 

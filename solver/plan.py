@@ -120,7 +120,7 @@ class Plan:
                 yield from self._tries(self.mesh, keeping)
 
     def _round_by_easier_nets(self) -> Way:
-        """The net itself; if that folds, an easier net and from it the net; then other guides."""
+        """The net; where that is not good, an easier net and from it the net; then other guides."""
         yield from self._first()
         for easier in self.net.way.easier:
             yield from self._by(easier)

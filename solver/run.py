@@ -26,7 +26,7 @@ from solver.summary import Course, summarise
 # The last phase takes as many steps as there were before it, and so many where those were fewer.
 _NEARER_STEPS = 24
 # Weight of lines that bend evenly in the last phase, and in another where they zigzag then.
-_EVENNESS, _EVENER = 0.03, 1.0
+_EVENNESS, _EVENER = 0.04, 1.0
 # A net that is nearer but has less than this part of the area is less of what was drawn.
 _STILL_WHOLE = 0.85
 # Its edges are pushed back at 0.6 of the shortest, and give way where the surface asks for it.

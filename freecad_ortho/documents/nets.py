@@ -152,7 +152,8 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
             ``corners``, ``boundary``, numbers, or a list of both); ``glide`` (list of ``boundary``,
             ``z=0`` or ``(object, "Edge1")``, with vertices as a third entry); ``close_to`` (the
             same kind of list); ``handles`` (places in mm by vertex); ``symmetry``; the options of
-            nets; the weights ``fairness``, ``closeness``, ``multi``, ``isometry``; ``tolerance``.
+            nets; the weights of ``solver.nets.settings.WEIGHTS``, ``tolerance`` and ``within`` with
+            them.
             Not kept: ``supports``, ``max_steps``, ``backend``, and ``options`` and ``constraints``
             as for :func:`freecad_ortho.api.optimise`.
 

@@ -15,7 +15,7 @@ from solver.terms.spherical_star import SphericalStar
 
 
 def asymptotic(problem: Problem, options: NetOptions) -> Problem:
-    """Require equal diagonals and planar stars: asymptotic lines of a minimal surface.
+    """Require equal diagonals and planar stars (E_Anet): asymptotic lines of a minimal surface.
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 4.3.
     """

@@ -22,6 +22,9 @@ _LARGEST_SINE = 0.999
 class SphericalStar:
     """A star's points lie on a sphere of curvature k through its centre; k = 0 is a plane.
 
+    The paper's E_Anet with ``curvature=0``, for constant mean curvature with one curvature given or
+    shared, E_Snet with neither.
+
     With the spokes s1 .. s4 from the centre and w_j = |s_j|^2 / 2, the sphere with unit normal n
     at the centre contains s_j where n . s_j = k w_j. The differences of opposite spokes fix n,
 

@@ -144,6 +144,7 @@ def pieces(geometry: BeamGeometry, section: Section) -> tuple[Piece, ...]:
         inner = _prism(geometry, low + wall, high - wall, half - wall)
         corners = np.concatenate([outer, inner], axis=1)
         return (Piece("", "tube", corners, HOLLOW_LOOPS, wall, geometry.height),)
+    # What is left are I and T.
     flange = section.flange
     below = flange if section.kind == "I" else 0.0
     web = _prism(geometry, low + below, high - flange, wall / 2)
