@@ -169,7 +169,7 @@ class Optimisation:
         if self.finished:
             return
         if self._nearest is not None:
-            self._end_nearest(self._nearest)
+            self._end_nearest(self._nearest, again=False)
         else:
             self._conclude(STOPPED)
 
@@ -303,15 +303,19 @@ class Optimisation:
             self._end_nearest(nearest)
         return record
 
-    def _end_nearest(self, nearest: NearestNet) -> None:
-        """Keep what the last phase reached, unless it lost what made the shape before it good."""
+    def _end_nearest(self, nearest: NearestNet, again: bool = True) -> None:
+        """Keep what the last phase reached, unless it lost what made the shape before it good.
+
+        Then it is tried ``again``, once, with more weight on even lines.
+        """
         assert self.surface is not None
         before = self._found()
         found = judge(nearest.problem, nearest.exact(), self.tolerance, self.original)
         creased = found.creased and not before.creased
         smooth = not (creased or (found.uneven and not before.uneven))
         sound = found.valid and found.kept >= _STILL_ROOMY and smooth
-        if not sound and self._evenness < _EVENER and len(self.history) < self.max_steps:
+        again = again and self._evenness < _EVENER and len(self.history) < self.max_steps
+        if again and not sound:
             self._begin_nearest(before, _EVENER)
             return
         if sound and found.area_ratio >= _STILL_WHOLE * before.area_ratio:

@@ -158,3 +158,14 @@ def test_wishes_measure_in_the_units_of_the_problem(start, surface):
     for name in ("smooth motion", "closeness", "edge guard", "face guard"):
         assert np.abs(wishes[name].term.linearise(x).residual).max() == 0
     assert np.abs(wishes["close to surface"].term.linearise(x).residual).max() <= 1e-2
+
+
+def test_a_last_phase_that_is_stopped_is_not_tried_again(start, surface, monkeypatch):
+    run = start_optimisation(start, constraints=Constraints(close_to=surface))
+    while run.attempts == 1:
+        run.step()
+    # No result of the last phase is roomy enough, so that each would be tried again.
+    monkeypatch.setattr("solver.run._STILL_ROOMY", 10.0)
+    run.step()
+    run.stop()
+    assert run.finished and run.outcome().report.status == CONVERGED
