@@ -10,6 +10,8 @@ from solver.mesh.quadmesh import FloatArray
 from solver.unroll.strip import Strip
 
 _STEPS = 20
+# Share of its rise up to a ruling by which the curvature of a strip may go on rising beyond it.
+_OVERSHOOT = 0.25
 
 
 @dataclass(frozen=True)
@@ -60,7 +62,7 @@ def strip_measures(strip: Strip, width: float, normals: FloatArray) -> StripMeas
         twist_deg=float(np.degrees(np.abs(strip.twists).max())),
         torsion_deg=float(np.degrees(torsion.max())),
         warp_deg=float(np.degrees((np.abs(strip.twists) / strip.lengths).max())),
-        smallest_bend_radius=smallest_bend_radius(strip, width),
+        smallest_bend_radius=smallest_bend_radius(strip, strip.reach(width / 2)),
         gap=developability_gap(strip, width),
         admissible_width=strip.admissible_width()[0],
     )
@@ -111,26 +113,34 @@ def developability_gap(strip: Strip, width: float) -> float:
     return worst
 
 
-def smallest_bend_radius(strip: Strip, width: float) -> float:
-    """Smallest radius of a strip of this width when its bends are spread over its faces.
+def smallest_bend_radius(strip: Strip, reach: FloatArray, flat_ends: bool = True) -> float:
+    """Smallest radius of a strip when its bends are spread over its faces.
 
     At the axis and at both edges: half the distance to the rulings before and after, measured
-    square to the ruling, divided by the bend angle.
+    square to the ruling, divided by the bend angle. Between two rulings the curvature may go on
+    rising by a quarter of what it rose by before.
+
+    Args:
+        strip: at least two points.
+        reach: (K,) how far each of its rulings goes to both sides.
+        flat_ends: the first and last face stay flat whatever their length, as overhangs do.
     """
-    reach = strip.reach(width / 2)[:, None]
+    inner = strip.flat_rulings[1:-1]
     sharpest = 0.0
     for side in (-1, 0, 1):
-        points = strip.flat_points + side * reach * strip.flat_rulings
+        points = strip.flat_points + side * reach[:, None] * strip.flat_rulings
         steps = np.diff(points, axis=0)
-        inner = strip.flat_rulings[1:-1]
         before, after = (
             np.abs(step[:, 0] * inner[:, 1] - step[:, 1] * inner[:, 0])
             for step in (steps[:-1], steps[1:])
         )
         if not len(inner):
             break
-        # The face beyond the last bend is flat, whatever its end.
-        before[0], after[-1] = after[0], before[-1]
+        if flat_ends:
+            before[0], after[-1] = after[0], before[-1]
         room = np.maximum(0.5 * (before + after), 1e-300)
-        sharpest = max(sharpest, float((np.abs(strip.bends[1:-1]) / room).max()))
+        curvature = np.abs(strip.bends[1:-1]) / room
+        steps = np.diff(curvature, prepend=curvature[0], append=curvature[-1])
+        rise = np.maximum(np.maximum(steps[:-1], -steps[1:]), 0)
+        sharpest = max(sharpest, float((curvature + _OVERSHOOT * rise).max()))
     return 1 / sharpest if sharpest > 1e-15 else np.inf

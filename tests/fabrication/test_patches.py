@@ -99,7 +99,8 @@ def test_strips_cut_from_a_sheet_are_bent_as_it_is(family):
     (whole,) = build(sheet, [Patches(3)]).parts
     strips = build(sheet, [Patches(3)], selection=Selection(family)).parts
     sharpest = min(part.measures.min_bend_radius_mm for part in strips)
-    assert sharpest == pytest.approx(whole.measures.min_bend_radius_mm, rel=0.2)
+    assert sharpest <= 1010.0
+    assert sharpest == pytest.approx(whole.measures.min_bend_radius_mm, rel=0.1)
 
 
 def test_strips_of_a_sheet_that_is_bent_too_far_fail_as_it_does(tmp_path):

@@ -147,7 +147,7 @@ class BentPanels(System):
     ) -> Part:
         """The part, its own coordinates in its middle face."""
         place = plate.ribbon.middle()
-        bend = smallest_bend_radius(plate.ribbon.strip, 2 * float(plate.reach.min()))
+        bend = smallest_bend_radius(plate.ribbon.strip, plate.reach, flat_ends=False)
         return plate_part(
             site,
             row.name,

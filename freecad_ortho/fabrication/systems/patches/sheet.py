@@ -5,12 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_ortho.fabrication.ruled import RuledBody
-from solver.analysis.curvature import mean_curvature
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
-
-# Angle of a bend line below which a sheet is flat there, radians.
-_BENT = 1e-6
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 
 def half_thicknesses(mesh: QuadMesh, thickness: float) -> FloatArray:
@@ -51,43 +47,6 @@ def sheet_body(mesh: QuadMesh, half: FloatArray, thickness: float, name: str) ->
         corners[[*face, *(corner + count for corner in face)]] for face in faces.tolist()
     )
     return RuledBody(corners, tuple(sides), blocks=blocks)
-
-
-def smallest_radius(mesh: QuadMesh) -> float:
-    """Smallest radius of a developable mesh, inf where it is flat.
-
-    At inner vertices 1 / (2 H); in a row of faces, which has none, that of its bend lines.
-    """
-    curvature = np.abs(mean_curvature(mesh))
-    inner = 2 * curvature[np.isfinite(curvature)]
-    if not len(inner):
-        inner = _across_bend_lines(mesh)
-    sharpest = float(inner.max()) if len(inner) else 0.0
-    return 1 / sharpest if sharpest * mesh.mean_edge > 1e-9 else np.inf
-
-
-def _across_bend_lines(mesh: QuadMesh) -> FloatArray:
-    """(I,) principal curvature at each inner edge of a developable mesh.
-
-    Across the edge the mesh has the curvature L, the angle between its faces over the distance of
-    their middles. Where the rulings slant, faces warp: with the twist M of the faces and L N = M^2
-    the principal curvature is L + N.
-    """
-    net, corner = mesh.connectivity, mesh.vertices[mesh.faces]
-    edges = np.flatnonzero((net.edge_faces >= 0).all(axis=1))
-    sides = net.edge_faces[edges]
-    start, end = np.moveaxis(mesh.vertices[net.edges[edges]], 1, 0)
-    along = unit_rows(end - start)
-    arms = corner.mean(axis=1)[sides] - start[:, None]
-    arms = arms - np.einsum("isk,ik->is", arms, along)[..., None] * along[:, None]
-    one, two = np.moveaxis(mesh.face_normals[sides], 1, 0)
-    angle = np.arctan2(np.linalg.norm(np.cross(one, two), axis=1), np.einsum("ik,ik->i", one, two))
-    across = angle / np.linalg.norm(arms, axis=2).sum(axis=1)
-    mixed = np.einsum("fck,c,fk->f", corner, [1.0, -1.0, 1.0, -1.0], mesh.face_normals)
-    warp = (mixed / np.linalg.norm(mesh.face_area_vectors, axis=1))[sides]
-    bent = across * mesh.mean_edge > _BENT
-    along_it = np.divide((warp**2).mean(axis=1), across, out=np.zeros(len(edges)), where=bent)
-    return np.asarray(across + along_it)
 
 
 def _refuse_folds(mesh: QuadMesh, layers: FloatArray, thickness: float, name: str) -> None:

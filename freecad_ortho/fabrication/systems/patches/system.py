@@ -22,11 +22,8 @@ from freecad_ortho.fabrication.sizes import check_size, positive
 from freecad_ortho.fabrication.systems.patches.joints import jointed
 from freecad_ortho.fabrication.systems.patches.pattern import patch_pattern
 from freecad_ortho.fabrication.systems.patches.pieces import Piece, pieces_of
-from freecad_ortho.fabrication.systems.patches.sheet import (
-    half_thicknesses,
-    sheet_body,
-    smallest_radius,
-)
+from freecad_ortho.fabrication.systems.patches.radius import smallest_radius
+from freecad_ortho.fabrication.systems.patches.sheet import half_thicknesses, sheet_body
 from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
 from freecad_ortho.fabrication.systems.sheets import SHEET_OPTIONS, room_on, split_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
