@@ -14,14 +14,18 @@ from freecad_ortho.fabrication.systems.lamellas.outline import Slot, notch
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # Sine of the angle below which lamellas run along each other rather than cross.
 _CROSSING = 0.2
 # Room between a slot's corner and a bend line beyond the mitre, mm, and how many thicknesses a slot
 # may be widened for it.
 _GRAZING = 0.01
+# Points along and across the floor of a slot at which it is held against the other lamella.
+_ON_FLOOR = 33
 _WIDEST = 3.0
+# Two lamellas at a vertex: number and station of each.
+_Pair = tuple[tuple[int, int], tuple[int, int]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,13 +60,22 @@ def crossings(lamellas: Sequence[Lamella], settings: LamellaSettings) -> list[li
         for vertex, station in zip(lamella.vertices, lamella.stations, strict=True):
             if 0 < station < len(lamella.ribbon.strip.points) - 1:
                 at_vertex.setdefault(vertex, []).append((index, station))
+    met = [
+        (vertex, (pair[0], pair[1]))
+        for vertex, pair in sorted(at_vertex.items())
+        if len(pair) == 2 and pair[0][0] != pair[1][0]
+    ]
+    angles = [_angle(lamellas, pair, vertex, settings) for vertex, pair in met]
+    depths = _depths(lamellas, [pair for _, pair in met], settings)
     found: list[list[Crossing]] = [[] for _ in lamellas]
-    for vertex, pair in sorted(at_vertex.items()):
-        if len(pair) != 2 or pair[0][0] == pair[1][0]:
-            continue
-        for one, two in (pair, pair[::-1]):
-            upward = _opens_above(lamellas, one[0], two[0])
-            found[one[0]].append(_crossing(lamellas, one, two, vertex, upward, settings))
+    for (vertex, pair), angle in zip(met, angles, strict=True):
+        for (one, station), (two, there) in (pair, pair[::-1]):
+            slot = None
+            if settings.layers == 1:
+                crossed = lamellas[one], station, lamellas[two], there
+                slot = _slot(*crossed, _opens_above(lamellas, one, two), depths[one], settings)
+            name, bolted = lamellas[two].name, not settings.standing
+            found[one].append(Crossing(vertex, station, name, angle, slot, bolted))
     return [sorted(row, key=lambda crossing: crossing.station) for row in found]
 
 
@@ -103,28 +116,96 @@ def _opens_above(lamellas: Sequence[Lamella], one: int, two: int) -> bool:
     return families[0] == "u" if families[0] != families[1] else one < two
 
 
-def _crossing(
+def _depths(
     lamellas: Sequence[Lamella],
-    one: tuple[int, int],
-    two: tuple[int, int],
-    vertex: int,
-    upward: bool,
+    pairs: Sequence[_Pair],
     settings: LamellaSettings,
-) -> Crossing:
-    lamella, station = lamellas[one[0]], one[1]
-    other, other_station = lamellas[two[0]], two[1]
-    normals = [lamella.ribbon.strip.normals[station], other.ribbon.strip.normals[other_station]]
+) -> list[float]:
+    """By how much the slots of each lamella are deeper than to its axis, mm.
+
+    Half of the clearance; more where lamellas that bend away from each other would meet at the
+    corners of their slots' floors: half of it is left there, and each takes half of the rest.
+
+    Raises:
+        InputError: slots deeper than three quarters of the width.
+    """
+    depths = [settings.clearance / 2] * len(lamellas)
+    if settings.layers == 2:
+        return depths
+    for one, two in pairs:
+        first, second = ((lamellas[index], station) for index, station in (one, two))
+        upward = 1 if _opens_above(lamellas, one[0], two[0]) else -1
+        overlap = max(_overlap(first, second, upward), _overlap(second, first, -upward))
+        depth = overlap / 2 + settings.clearance / 4
+        if depth >= settings.width / 4:
+            raise InputError(
+                f"lamellas: {first[0].name} and {second[0].name} bend so sharply where they "
+                f"cross that their slots would be deeper than three quarters of "
+                f"{settings.width:g} mm; take thinner or wider ones"
+            )
+        for index, _ in (one, two):
+            depths[index] = max(depths[index], depth)
+    return depths
+
+
+def _overlap(one: tuple[Lamella, int], two: tuple[Lamella, int], upward: int) -> float:
+    """How far the floor of one's slot reaches into the other beyond the other's floor, mm.
+
+    With both floors at the axes, and where both plates are. ``upward`` is 1 where the slot opens
+    upwards, -1 where it opens downwards.
+    """
+    (lamella, station), (other, other_station) = one, two
+    direction = _flat_axis(lamella, station, other, other_station)
+    across = np.array([direction[1], -direction[0]])
+    strip, theirs = lamella.ribbon.strip, other.ribbon.strip
+    normal = theirs.normals[other_station]
+    sine = np.linalg.norm(np.cross(strip.normals[station], normal))
+    steps = other.ribbon.thickness / sine * np.linspace(-1, 1, _ON_FLOOR)[:, None]
+    flat = strip.flat_points[station] + steps * across
+    if lamella.twisted:
+        edges = np.diff(strip.flat_points[station - 1 : station + 2], axis=0)
+        before, after = unit_rows(edges)
+        flat = strip.flat_points[station] + steps * np.where(steps < 0, before, after)
+    middle, side = placed_near(lamella.ribbon, station, flat)
+    points = np.concatenate([middle + share * side for share in np.linspace(-1, 1, _ON_FLOOR)])
+    arms = points - theirs.points[other_station]
+    inside = np.abs(arms @ normal) <= other.ribbon.thickness / 2
+    their_direction = _flat_axis(other, other_station, lamella, station)
+    heights = _heights(other, other_station, their_direction, arms)
+    return float((upward * heights[inside]).max(initial=0.0))
+
+
+def _heights(lamella: Lamella, station: int, direction: FloatArray, arms: FloatArray) -> FloatArray:
+    """(N,) heights above a slot's floor through a station, of points (N, 3) from there."""
+    ribbon, strip = lamella.ribbon, lamella.ribbon.strip
+    found = []
+    for face in (station - 1, station):
+        along, across = strip.along[face], strip.across[0 if face == station else 1][face]
+        flat_across = ribbon.flat_across[face]
+        flat_along = np.array([flat_across[1], -flat_across[0]])
+        if lamella.twisted:
+            found.append(arms @ across)
+            continue
+        flat = (arms @ along)[:, None] * flat_along + (arms @ across)[:, None] * flat_across
+        found.append(flat @ direction)
+    behind = arms @ strip.along[station] < 0
+    return np.asarray(np.where(behind, *found))
+
+
+def _angle(
+    lamellas: Sequence[Lamella], pair: _Pair, vertex: int, settings: LamellaSettings
+) -> float:
+    """Angle between two plates that cross, degrees."""
+    one, two = pair
+    lamella, other = lamellas[one[0]], lamellas[two[0]]
+    normals = [lamella.ribbon.strip.normals[one[1]], other.ribbon.strip.normals[two[1]]]
     plates = np.linalg.norm(np.cross(*normals)) if settings.standing else 1.0
     if plates < _CROSSING:
         raise InputError(
             f"lamellas: {lamella.name} and {other.name} cross at vertex {vertex} at an angle of "
             f"{np.degrees(np.arcsin(plates)):.0f} degrees; leave one out or optimise the net"
         )
-    angle = float(np.degrees(np.arccos(np.clip(abs(normals[0] @ normals[1]), 0, 1))))
-    slot = None
-    if settings.layers == 1:
-        slot = _slot(lamella, station, other, other_station, upward, settings)
-    return Crossing(vertex, station, other.name, angle, slot, not settings.standing)
+    return float(np.degrees(np.arccos(np.clip(abs(normals[0] @ normals[1]), 0, 1))))
 
 
 def _slot(
@@ -133,6 +214,7 @@ def _slot(
     other: Lamella,
     other_station: int,
     upward: bool,
+    depth: float,
     settings: LamellaSettings,
 ) -> Slot:
     ribbon = lamella.ribbon
@@ -141,7 +223,7 @@ def _slot(
     reach = max(abs(ribbon.lower), abs(ribbon.upper))
     half = _half_width(lamella, station, other, other_station, sign * direction, sign * reach)
     width = 2 * half + settings.clearance
-    slot = Slot(station, direction, -settings.clearance / 2, width, upward)
+    slot = Slot(station, direction, -depth, width, upward)
     if lamella.twisted:
         return slot
     return clear_of_bend(ribbon, slot, lamella.name, other.name)
