@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from freecad_ortho.fabrication import Beams, Lamellas, build
+from freecad_ortho.fabrication import Beams, Lamellas, Panels, build
 from freecad_ortho.fabrication.assembly import (
     SlotWay,
     conflict,
@@ -16,8 +16,11 @@ from freecad_ortho.fabrication.assembly import (
     turning,
 )
 from freecad_ortho.fabrication.material import MATERIALS
-from tests.conftest import surface_of_revolution
+from freecad_ortho.fabrication.systems.panels.way_in import closing
+from solver import QuadMesh, optimise
+from tests.conftest import shared_mesh, surface_of_revolution
 from tests.fabrication.test_lamellas import flat_grid
+from tests.meshes import grid
 
 
 def ways(*degrees, play=1.0, depth=100.0, give=0.0):
@@ -127,3 +130,56 @@ def test_rigid_beams_around_a_barrel_are_named_with_the_slots_that_conflict():
         assert one != other
     assert structure.report()["beams"]["not_put_on"] == len(failing)
     assert any("cannot be pushed on" in words for words in structure.report()["messages"])
+
+
+def test_plates_of_the_heart_cannot_go_onto_slots_that_diverge_by_172_degrees():
+    """Rigid plates with 1 mm of play, around the whole of a closed form."""
+    net = optimise(shared_mesh("heart"), "principal").mesh
+    structure = build(
+        net.scaled(1000.0 / net.mean_edge), [Beams(120, 10, ends="lapped", clearance=1.0)]
+    )
+    failing = [part for part in structure.parts if part.assembly]
+    assert {part.family for part in failing} == {"v"} and len(failing) == 21
+    words = structure.report()["verdict"]["failed"]["B-V000"]
+    assert "slots for B-U010 and B-U020 diverge by 171.9 degrees" in words
+
+
+def leaning(*degrees):
+    """Inward normals of the sides of a panel in the plane z = 0, which lean in by these angles."""
+    around = np.radians([0.0, 90.0, 180.0, 270.0])
+    lean = np.radians(degrees)
+    flat = np.stack([-np.cos(around), -np.sin(around)], axis=1) * np.cos(lean)[:, None]
+    return np.column_stack([flat, -np.sin(lean)])[None]
+
+
+@pytest.mark.parametrize(
+    ("degrees", "closes"),
+    [
+        ((10, 10, 10, 10), 40 * math.sin(math.radians(10))),
+        ((-10, -10, -10, -10), 0.0),
+        # One side that leans in alone: the panel goes in aslant, along it.
+        ((10, 0, -10, 0), 0.0),
+        ((10, 0, 0, 0), 40 * math.sin(math.radians(5)) / math.cos(math.radians(5))),
+    ],
+)
+def test_bevelled_sides_close_in_on_the_way_that_is_best(degrees, closes):
+    up, beside = np.array([[0.0, 0.0, 1.0]]), np.ones((1, 4), dtype=bool)
+    found = closing(up, leaning(*degrees), beside, thickness=40.0, gap=0.0)
+    assert found == pytest.approx(closes, abs=1e-9)
+
+
+@pytest.mark.parametrize("hollow", [True, False])
+def test_thick_bevelled_panels_of_a_bowl_cannot_be_put_in_last(hollow):
+    """A part of a sphere of 3 m, seen from inside or from outside; beams are behind the panels."""
+    polar, turn = np.meshgrid(np.linspace(1.0, 2.2, 5), np.linspace(0, 1.2, 5), indexing="ij")
+    x, y = np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn)
+    mesh = grid(3000 * x, 3000 * y, 3000 * np.cos(polar))
+    if hollow:
+        mesh = QuadMesh(mesh.vertices, mesh.faces[:, ::-1])
+    for gap, stuck in ((8.0, hollow), (20.0, False)):
+        made = build(mesh, [Beams(100, 30), Panels(80, gap, edge="bevel")])
+        names = {part.name for part in made.parts if part.assembly}
+        assert len(names) == made.report()["panels"]["not_put_on"]
+        assert all("close in by" in made.report()["verdict"]["failed"][name] for name in names)
+        # Panels at the border go in aslant; beside the middle all four sides lean in.
+        assert {"P0005", "P0006", "P0009", "P0010"} <= names if stuck else not names

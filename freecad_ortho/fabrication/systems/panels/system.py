@@ -18,6 +18,7 @@ from freecad_ortho.fabrication.systems.panels.bearing import bearings, least_bea
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, panel_geometry
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
+from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
@@ -137,8 +138,17 @@ class Panels(System):
         gaps = diagonal_distances(site.mesh)
         least = None if widths is None else least_bearing(widths)
         parts = panel_parts(site, geometry, self.thickness, gaps, least)
+        doubts: list[str] = []
+        if inward is not None:
+            beside = site.mesh.connectivity.twins.reshape(-1, 4) >= 0
+            normals = geometry.planes.frame[:, 2]
+            closes = closing(normals, inward, beside, self.thickness, self.gap)
+            if beams is None:
+                below = closing(-normals, inward, beside, self.thickness, self.gap)
+                closes = np.minimum(closes, below)
+            parts, doubts = judged(parts, closes, self.gap)
         report = self._report(geometry, parts, least)
-        messages = _messages(report, float(gaps.max()), site.material)
+        messages = (*_messages(report, float(gaps.max()), site.material), *doubts)
         if beams is not None and _faces_down(site.mesh):
             messages += (
                 "panels: they lie under the beams, because the upper side of the net faces down; "
@@ -164,6 +174,7 @@ class Panels(System):
             "corners_cut": int(geometry.corners.cut.sum()),
             "lifted_over_hubs": int(geometry.over_hubs.sum()),
             "bearing_min_mm": None if bearing is None else float(bearing.min()),
+            "not_put_on": sum(bool(part.assembly) for part in parts),
             **sums(parts),
         }
 
