@@ -109,6 +109,7 @@ class NetSettings(PassedSettings, total=False):
     close_to: Sequence[Any]
     symmetry: str
     diagonal: bool
+    flatness: Length | None
     angle: float
     radius: Length | None
     length: Length | None

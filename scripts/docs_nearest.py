@@ -1,4 +1,4 @@
-"""Prints the table of docs/nets.md on the net nearest to a surface.
+"""Prints the tables of docs/nets.md on the net nearest to a surface, and on panels that have a gap.
 
 Run with the project's Python:  python scripts/docs_nearest.py
 """
@@ -14,7 +14,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from solver import Constraints, QuadMesh, start_optimisation
+from solver import Constraints, NetOptions, QuadMesh, optimise, start_optimisation
 from solver.analysis.form import off_surface
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.grid import grid_faces
@@ -77,8 +77,32 @@ def row(name: str) -> str:
     return f"| {name} | {far[0]:.0f} mm | {far[1]:.0f} mm | {area / was:.2f} | {ratio:.1f} |"
 
 
+def trade(name: str, flatness: float | None, within: float | None) -> str:
+    """Look for flat panels, in millimetres, and tell how far from the surface they are."""
+    fine = TriangleSurface.from_quads(sampled(name, 121, 73))
+    metres = [None if length is None else length / 1000 for length in (flatness, within)]
+    outcome = optimise(
+        sampled(name, 31, 19),
+        "planar",
+        options=NetOptions(flatness=metres[0]),
+        within=metres[1],
+        constraints=Constraints(close_to=(fine.vertices, fine.triangles)),
+    )
+    form = outcome.report.form
+    asked = " | ".join("" if length is None else f"{length:g} mm" for length in (flatness, within))
+    return (
+        f"| {name} | {asked} | {1000 * form.gap:.1f} mm | {1000 * form.off_surface.max:.0f} mm | "
+        f"{form.area_ratio:.2f} |"
+    )
+
+
 if __name__ == "__main__":
     print("| surface | before the last phase | after it | area | time of it |")
     print("| --- | --- | --- | --- | --- |")
     for surface in SURFACES:
         print(row(surface), flush=True)
+    print("\n| surface | `--flatness` | `--within` | largest gap | off the surface | area |")
+    print("| --- | --- | --- | --- | --- | --- |")
+    for surface in ("twisted barrel vault", "canopy", "rectangular dome"):
+        for asked in ((None, None), (2, None), (10, None), (2, 20), (10, 60)):
+            print(trade(surface, *asked), flush=True)

@@ -20,7 +20,7 @@ programming, multipliers of least squares, second-order corrections).
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -34,6 +34,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.point import Point
 from solver.problem import Problem
 from solver.terms.base import Linearisation, Term
+from solver.terms.beyond_surface import BeyondSurface
 from solver.terms.closeness import Closeness
 from solver.terms.edge_guard import EdgeGuard
 from solver.terms.evenness import Evenness
@@ -56,6 +57,8 @@ _CORRECTIONS, _ON_NET = 4, 1e-9
 _NEAR_NET = 1e-4
 # Steps that lower the wishes by less than this part of them are not worth their time.
 _WORTH = 3e-4
+# Part of an allowed distance from which on it weighs so much more.
+_INSIDE, _FORBIDDEN = 0.8, 100.0
 # Corrections at the end, to the last digit.
 _LAST, _ROUNDING = 5, 1e-15
 
@@ -73,7 +76,11 @@ class Wish(NamedTuple):
 
 
 def nearness(
-    problem: Problem, start: QuadMesh, surface: TriangleSurface, evenness: float
+    problem: Problem,
+    start: QuadMesh,
+    surface: TriangleSurface,
+    evenness: float,
+    within: float | None = None,
 ) -> list[Wish]:
     """Wish for a net on a surface whose lines run as evenly as those of the start did.
 
@@ -88,6 +95,7 @@ def nearness(
         start: the mesh as it was drawn, with the problem's faces.
         surface: in the units of the problem's mesh.
         evenness: weight of lines that bend evenly, where that of the distance is one.
+        within: distance from the surface, in model units, from which on it weighs more.
     """
     net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
     rest = problem.at(start)
@@ -97,6 +105,7 @@ def nearness(
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
         Wish(OnSurface(used, ground, name="close to surface"), 1.0),
+        *_not_beyond(problem, ground, within),
         Wish(Evenness(net.line_quadruples), evenness),
         Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
         Wish(Closeness(used, points[used]), 1e-5),
@@ -105,6 +114,15 @@ def nearness(
         Wish(EdgeGuard(net.edges, 0.6 * shortest), 0.3),
         Wish(FaceGuard(net.faces, 0.3), 0.3),
     ]
+
+
+def _not_beyond(problem: Problem, ground: TriangleSurface, within: float | None) -> Iterator[Wish]:
+    """Wishes for vertices and middles of faces that are no farther from the surface than that."""
+    if within is None:
+        return
+    net, limit = problem.mesh.connectivity, _INSIDE * within / problem.scale
+    for groups in (np.flatnonzero(net.referenced)[:, None], net.faces):
+        yield Wish(BeyondSurface(groups, ground, limit), _FORBIDDEN)
 
 
 class NearestNet:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypedDict
 import numpy as np
 
 from solver.analysis.form import surface_of
-from solver.analysis.start import start_remarks
+from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
@@ -174,7 +174,10 @@ def start_optimisation(
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
     wanted = replace(wanted, glide=(*wanted.glide, *standing.glides(mesh, wanted)))
+    surface = _surface(asked, mesh, wanted)
     remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
+    if surface is not None and within is not None:
+        remarks = (*remarks, *filter(None, [coarse_faces(mesh, surface, within)]))
 
     # Whoever sets the fairness means it: one attempt with that weight, even from a finished net.
     once = fairness is not None
@@ -202,8 +205,9 @@ def start_optimisation(
         remarks,
         held,
         origin,
-        surface=_surface(asked, mesh, wanted),
+        surface=surface,
         within=within,
+        nearest=asked.nearest,
     )
 
 
@@ -220,10 +224,22 @@ def refuse_no_end(tolerance: float, max_steps: int) -> None:
 
 
 def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface | None:
-    """The design surface, about the origin, where the last phase is to come near to one."""
-    if wanted.close_to is not None:
-        return TriangleSurface(*wanted.close_to)
-    return surface_of(mesh) if asked.nearest else None
+    """The design surface, about the origin, where the last phase is to come near to one.
+
+    Raises:
+        InputError: it lies farther from the mesh than that is large.
+    """
+    if wanted.close_to is None:
+        return surface_of(mesh) if asked.nearest else None
+    surface, points = TriangleSurface(*wanted.close_to), mesh.vertices[mesh.connectivity.referenced]
+    far = float(np.linalg.norm(points - surface.closest(points)[0], axis=1).mean())
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    if far > size:
+        raise InputError(
+            f"close_to: the surface lies {far:.4g} from the mesh on average, which is only "
+            f"{size:.4g} large; move one to the other, and mind the unit of both"
+        )
+    return surface
 
 
 def _held(net: Net, fixed: bool, wanted: Constraints) -> list[str]:

@@ -86,7 +86,7 @@ class Report:
         moved: mean and largest distance from the input, in mean edges of the input.
         form: how much of what was drawn is left; in ``report.json`` its numbers stand beside the
             others: ``off_surface`` with ``max``, ``mean`` and ``percent``, ``border``,
-            ``area_ratio``, ``height_ratio``, ``zigzag``.
+            ``area_ratio``, ``height_ratio``, ``zigzag``, ``gap``.
         within: how far from the design surface it may be, in model units, where that was asked.
         mean_edge: of the input, in model units.
         size: lengths of the bounding box along x, y and z, in model units.
@@ -133,6 +133,11 @@ class Report:
     def is_within(self) -> bool:
         """Whether it is as near to the design surface as was asked, if anything was."""
         return self.within is None or self.form.off_surface.max <= self.within
+
+    @property
+    def flat(self) -> bool:
+        """Whether flat faces were asked for, exactly or to a length."""
+        return not {"planarity", "flatness"}.isdisjoint(self.residuals)
 
     @property
     def far(self) -> bool:

@@ -23,12 +23,15 @@ from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
 from solver.summary import Course, summarise
 
-# The last phase takes as many steps as there were before it, and so many where those were fewer.
-_NEARER_STEPS = 24
+# The last phase takes as many steps as there were before it, and so many where those were fewer:
+# more of them where to be near is what was asked for.
+_NEARER_STEPS, _NEAREST_STEPS = 24, 60
 # Weight of lines that bend evenly in the last phase, and in another where they zigzag then.
 _EVENNESS, _EVENER = 0.04, 1.0
 # A net that is nearer but has less than this part of the area is less of what was drawn.
 _STILL_WHOLE = 0.85
+# Nor is one that is flatter than this part of its thickness, where the start itself was meant.
+_STILL_THICK = 0.5
 # Its edges are pushed back at 0.6 of the shortest, and give way where the surface asks for it.
 _STILL_ROOMY = 0.4
 
@@ -52,7 +55,9 @@ class Optimisation:
         descent: the first attempt where it is under way already.
         surface: the design surface, about the origin. Where the net is
             reached, the last phase moves along the nets to the one nearest to it.
-        within: how far from it the result may be, in model units, for the report.
+        within: how far from it the result may be, in model units. Where it is farther, another last
+            phase weighs what is beyond that.
+        nearest: of all such nets the one nearest to the surface is what was asked for.
     """
 
     def __init__(
@@ -69,6 +74,7 @@ class Optimisation:
         descent: Descent | None = None,
         surface: TriangleSurface | None = None,
         within: float | None = None,
+        nearest: bool = False,
     ) -> None:
         begin = time.perf_counter()
         self.original = original
@@ -81,9 +87,9 @@ class Optimisation:
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
-        self.surface, self.within = surface, within
+        self.surface, self.within, self.nearest = surface, within, nearest
         self._nearest: NearestNet | None = None
-        self._most, self._evenness = 0, _EVENNESS
+        self._most, self._evenness, self._pressed = 0, _EVENNESS, False
         self._way = self._begin_way()
         attempt = next(self._way)
         self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
@@ -115,6 +121,7 @@ class Optimisation:
             descent,
             self.surface,
             self.within,
+            self.nearest,
         )
 
     @property
@@ -267,7 +274,13 @@ class Optimisation:
         if status == STALLED and best.valid and not best.gone and self._may_go_nearer:
             self._begin_nearest(best, _EVENNESS)
         else:
-            self.status = (COLLAPSED if best.gone else CONVERGED) if best.valid else status
+            self.status = self._verdict(best) if best.valid else status
+
+    def _verdict(self, net: Candidate) -> str:
+        """Whether a net is what was asked for: where that was the nearest, no flatter one is."""
+        meant = self.surface is not None and not self.original.may_flatten
+        lost = meant and net.thickness < _STILL_THICK * net.thickness_start
+        return COLLAPSED if net.gone or lost else CONVERGED
 
     @property
     def _may_go_nearer(self) -> bool:
@@ -275,13 +288,15 @@ class Optimisation:
         asked = self.surface is not None and not self.descent.pulled
         return asked and steps_left > 0 and bool(self.original.free.any())
 
-    def _begin_nearest(self, best: Candidate, evenness: float) -> None:
+    def _begin_nearest(self, best: Candidate, evenness: float, within: float | None = None) -> None:
         """Begin the last phase, of no more steps than there were, but for a few."""
         assert self.surface is not None
-        wishes = nearness(best.problem, self.original.mesh, self.surface, evenness)
+        drawn = self.original.mesh
+        wishes = nearness(best.problem, drawn, self.surface, evenness, within)
         self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
         self._evenness, done = evenness, len(self.history)
-        self._most = min(self.max_steps, done + max(done, _NEARER_STEPS))
+        least = _NEARER_STEPS if within is None and not self.nearest else _NEAREST_STEPS
+        self._most = min(self.max_steps, done + max(done, least))
         self.attempts += 1
 
     def _step_nearer(self, nearest: NearestNet) -> StepRecord:
@@ -314,13 +329,18 @@ class Optimisation:
         creased = found.creased and not before.creased
         smooth = not (creased or (found.uneven and not before.uneven))
         sound = found.valid and found.kept >= _STILL_ROOMY and smooth
-        again = again and self._evenness < _EVENER and len(self.history) < self.max_steps
-        if again and not sound:
+        again = again and len(self.history) < self.max_steps
+        if again and not sound and self._evenness < _EVENER and not self._pressed:
             self._begin_nearest(before, _EVENER)
             return
+        far = float(off_surface(before.mesh, self.surface).max())
         if sound and found.area_ratio >= _STILL_WHOLE * before.area_ratio:
-            far, near = (off_surface(each.mesh, self.surface) for each in (before, found))
-            if near.max() < far.max():
-                self._best = Best(self.original.tuning.worth)
+            near = float(off_surface(found.mesh, self.surface).max())
+            if near < far:
+                self._best, far = Best(self.original.tuning.worth), near
                 self._best.consider(found)
-        self.status = CONVERGED
+        if again and not self._pressed and self.within is not None and far > self.within:
+            self._pressed = True
+            self._begin_nearest(self._found(), self._evenness, self.within)
+        else:
+            self.status = self._verdict(self._found())

@@ -119,9 +119,11 @@ def _message(run: Course, best: Candidate) -> str:
     remedies = _remedies(run, best)
     advice = "; try: " + "; ".join(remedies) if remedies else ""
     if run.status == COLLAPSED:
+        part = best.thickness / best.thickness_start
+        left = "nothing" if best.gone else f"{part:.2f} of the thickness"
         return (
-            f"{run.original.net} net reached as {_remains(best.mesh)} only: after {steps} steps "
-            f"nothing is left of the shape{advice}"
+            f"{run.original.net} net reached as {_remains(best)} only: after {steps} steps "
+            f"{left} is left of the shape{advice}"
         )
     verb = "ended" if run.status == STOPPED else "no further progress"
     where = f" at {best.worst_place}" if best.worst_place else ""
@@ -149,8 +151,11 @@ def _remedies(run: Course, best: Candidate) -> list[str]:
     return remedies
 
 
-def _remains(mesh: QuadMesh) -> str:
-    """What a shape without thickness is called."""
+def _remains(best: Candidate) -> str:
+    """What a shape without thickness, or with little of it, is called."""
+    if not best.gone:
+        return "a flatter one"
+    mesh = best.mesh
     points = mesh.vertices[mesh.connectivity.referenced]
     extents = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
     return "a line" if extents[1] < _THIN * extents[0] else "a plane"

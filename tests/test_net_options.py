@@ -238,6 +238,8 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--supports-fixed"], "--supports-fixed: only stress nets have it, not principal"),
         (["--singular", "maybe"], "singular: expected exempt or include"),
         (["--within", "0"], "within: expected a positive"),
+        (["--net", "planar", "--flatness", "0"], "flatness: expected a positive length, got 0"),
+        (["--flatness", "2mm"], "--flatness: only planar nets have it, not principal"),
         (
             ["--net", "conical", "--diagonal"],
             "--diagonal: only geodesic, dog, chebyshev, geodesic-chebyshev",

@@ -14,6 +14,7 @@ from freecad_ortho.units import millimetres_per
 from solver import Outcome, StepRecord
 from solver.analysis.upright import side_remark
 from solver.io.atomic import write_text
+from solver.nets import nets_with
 from solver.report import CONVERGED, Report
 
 
@@ -95,8 +96,16 @@ def _form(report: Report, unit: str) -> str:
         f"off the surface by {far} at most ({off.percent:.2g} % of the size), {mean} on average, "
         f"off the border by {border}; area x {form.area_ratio:.3f}, height x "
         f"{form.height_ratio:.3f}, evenness of lines {form.zigzag:.2f} (was "
-        f"{form.zigzag_start:.2f})\n"
+        f"{form.zigzag_start:.2f}){_gap(report, millimetre)}\n"
     )
+
+
+def _gap(report: Report, millimetre: float) -> str:
+    """How far from flat the worst face is, where flat faces were asked for."""
+    if not report.flat:
+        return ""
+    form = report.form
+    return f"; largest gap {_digits(form.gap * millimetre)} mm, of face {form.gap_face}"
 
 
 def _beyond(report: Report, unit: str) -> str:
@@ -105,9 +114,16 @@ def _beyond(report: Report, unit: str) -> str:
     far = _digits(off.max * millimetres_per(unit))
     return (
         f"within: {far} mm off the surface at face {off.face}, where {_digits(allowed)} mm are "
-        "allowed; try: a start whose lines follow the curvature of the surface, a finer mesh, or a "
-        "larger distance\n"
+        "allowed; try: a start whose lines follow the curvature of the surface, a finer mesh, or "
+        f"{_other_wishes(report)}\n"
     )
+
+
+def _other_wishes(report: Report) -> str:
+    """What else could be asked for, where a net is too far from its surface."""
+    if report.net in nets_with("flatness"):
+        return "a larger distance or --flatness"
+    return "a larger distance"
 
 
 def _digits(length: float) -> str:

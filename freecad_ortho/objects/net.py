@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING
 
 import FreeCAD
@@ -11,6 +12,7 @@ from freecad_ortho.objects import net_settings
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
 from solver.analysis.fields import fields
 from solver.nets import NETS
+from solver.report import CONVERGED
 
 if TYPE_CHECKING:
     from solver.mesh.quadmesh import QuadMesh
@@ -135,9 +137,20 @@ def colour_field(net: FreeCAD.DocumentObject, colour_map: str | None = None) -> 
     chosen = net.ColourMap if colour_map is None else colour_map
     if chosen != BY_TARGET:
         return chosen
+    if net.CloseTo and _reached(net):
+        # Nothing is left to be seen of what the net is judged by, but how near it came.
+        return "Gap to reference"
     found = NETS[net.NetType].field
     on_diagonals = f"{found} diagonals"
     return on_diagonals if asked_of_diagonals(net) and on_diagonals in fields() else found
+
+
+def _reached(net: FreeCAD.DocumentObject) -> bool:
+    """Whether the last run ended with the net that is aimed at."""
+    if not net.LastReport:
+        return False
+    report = json.loads(net.LastReport)
+    return (report["net"], report["status"]) == (net.NetType, CONVERGED)
 
 
 def asked_of_diagonals(net: FreeCAD.DocumentObject) -> bool:

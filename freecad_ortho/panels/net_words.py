@@ -6,6 +6,7 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.objects.net import asked_of_diagonals
+from freecad_ortho.panels.fields import length_words
 from solver.analysis.advisor import advise
 from solver.analysis.start import Remark
 from solver.nets import NETS
@@ -69,6 +70,12 @@ def reason_words(cause: str) -> str:
 
 def remark_words(remark: Remark) -> str:
     """What stands in the way of a run, in the user's language."""
+    if remark.cause == "coarse":
+        return translate(
+            "Ortho",
+            "faces of this size leave the surface by {} between their corners: take a finer mesh, "
+            "or allow as much",
+        ).format(length_words(remark.numbers[0]))
     if remark.cause != "border":
         return reason_words(remark.cause)
     return translate(

@@ -119,7 +119,7 @@ class NetView(Stateless):
                 self.show_stored()
             else:
                 self._read_faces()
-        elif name in ("ColourMap", "NetType", "DiagonalNet"):
+        elif name in ("ColourMap", "NetType", "DiagonalNet", "CloseTo", "LastReport"):
             self._colour()
 
     def onChanged(self, view_object: Any, name: str) -> None:

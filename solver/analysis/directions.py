@@ -9,6 +9,9 @@ import numpy as np
 from solver.analysis.curvature import vertex_areas
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
+# Part of the bending that is twist from which on lines lie nearer to asymptotic directions, which
+# are conjugate to themselves, than to two that are conjugate to each other: M^2 = L^2 + N^2.
+_ASYMPTOTIC = 2 / 3
 # A surface that turns by less than this from vertex to vertex, in radians, has no directions.
 _FLAT = 1e-4
 _DAMPING = 1e-10
@@ -52,6 +55,25 @@ def directions(mesh: QuadMesh, diagonal: bool = False) -> Directions:
     cosine = alignment / whole if whole > _FLAT**2 * bending else 1.0
     angle = np.degrees(np.arccos(np.clip(cosine, -1, 1))) / 4
     return Directions(float(twist / bending), float(angle))
+
+
+def asymptotic_share(mesh: QuadMesh) -> float:
+    """Part of the area where the lines run along the asymptotic directions, nearly.
+
+    Flat faces ask for lines that are conjugate: the tangent planes along a line of one family meet
+    in the directions of the other. No such lines are near there.
+
+    Source: Liu et al. (2006), Geometric modeling with conical meshes and developable surfaces,
+    section 2.
+    """
+    if not len(mesh.connectivity.stars):
+        return 0.0
+    form, weight = _second_forms(mesh), vertex_areas(mesh)[mesh.connectivity.stars[:, 0]]
+    turned = form.half_difference * np.exp(-2j * form.cross_angles(mesh, False))
+    bending = 2 * np.abs(form.half_difference) ** 2 + 2 * form.mean**2
+    curved = bending > _FLAT**2 / mesh.mean_edge**2
+    along = curved & (2 * turned.imag**2 > _ASYMPTOTIC * bending)
+    return float(weight[along].sum() / weight.sum())
 
 
 @dataclass(frozen=True, eq=False)

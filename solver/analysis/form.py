@@ -46,6 +46,7 @@ class Form:
         zigzag: correlation of consecutive bends along lines: one where they bend evenly, below
             zero where they zigzag.
         zigzag_start: the same of the start.
+        gap: largest distance between the diagonals of a face, in model units, and its ``gap_face``.
     """
 
     off_surface: Gap
@@ -54,6 +55,8 @@ class Form:
     height_ratio: float
     zigzag: float
     zigzag_start: float
+    gap: float
+    gap_face: int
 
 
 def form_of(start: QuadMesh, mesh: QuadMesh, surface: TriangleSurface | None = None) -> Form:
@@ -71,6 +74,8 @@ def form_of(start: QuadMesh, mesh: QuadMesh, surface: TriangleSurface | None = N
     distances = off_surface(mesh, surface or surface_of(start))
     worst = int(np.argmax(distances.max(axis=1)))
     far = float(distances[worst].max())
+    gaps = measures.diagonal_distances(mesh)
+    gap_face = int(np.argmax(gaps))
     return Form(
         off_surface=Gap(far, float(distances.mean()), 100 * far / diagonal, worst),
         border=_off_border(start, mesh),
@@ -78,6 +83,8 @@ def form_of(start: QuadMesh, mesh: QuadMesh, surface: TriangleSurface | None = N
         height_ratio=now / height if height > _LEVEL * diagonal else 1.0,
         zigzag=measures.smoothness(mesh),
         zigzag_start=measures.smoothness(start),
+        gap=float(gaps[gap_face]),
+        gap_face=gap_face,
     )
 
 

@@ -8,7 +8,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from solver.analysis.directions import directions
+from solver.analysis.directions import asymptotic_share, directions
+from solver.analysis.form import off_surface
+from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 from solver.nets import NETS
@@ -17,6 +19,8 @@ from solver.nets import NETS
 # principal directions flatten the shape or stall; where the diagonals have less than that of it,
 # the diagonal mesh is a start for them.
 _TWISTED, _FOLLOWING = 0.45, 0.2
+# A part of the area this large where no flat faces are near is worth a word.
+_HARDLY = 0.05
 # Degrees that the normal may turn about a border that is held: more were not made up for.
 _TURN = 1.0
 # Sine of the angle of a border that makes a corner.
@@ -32,10 +36,12 @@ class Remark:
     """Something about a start that stands in the way of a net.
 
     Attributes:
-        cause: one word for programs: ``diagonal``, ``oblique``, ``border`` or ``variant``.
+        cause: one word for programs: ``diagonal``, ``oblique``, ``border``, ``variant`` or
+            ``coarse``.
         fact: what is so, in words that end no sentence.
         remedy: what to do, likewise.
-        numbers: of a border: degrees, and the vertices at both its ends.
+        numbers: of a border: degrees, and the vertices at both its ends; of faces that are coarse
+            how far they leave the surface, in model units.
     """
 
     cause: str
@@ -60,6 +66,8 @@ def start_remarks(
         held: (V,) true for vertices that are fixed or glide along a curve; none by default.
     """
     found = [closer_variant(mesh, net, diagonal)]
+    if NETS[net].conjugate:
+        found.append(asymptotic_lines(mesh))
     if NETS[net].along_curvature:
         found.append(twisted_lines(mesh))
         if held is not None:
@@ -76,9 +84,45 @@ def twisted_lines(mesh: QuadMesh) -> Remark | None:
         f"the lines run at {lines.angle:.0f} degrees to the curvature directions of the surface, "
         "which this net has to follow"
     )
+    return _other_lines(mesh, fact, "a start whose lines follow them")
+
+
+def asymptotic_lines(mesh: QuadMesh) -> Remark | None:
+    """Say where lines run so that no mesh of flat faces is near."""
+    share = asymptotic_share(mesh)
+    if share <= _HARDLY:
+        return None
+    fact = (
+        f"on {100 * share:.0f} % of the surface the lines run along its asymptotic directions, "
+        "straight on a saddle, where no flat faces are near"
+    )
+    return _other_lines(mesh, fact, "a start whose lines follow the curvature, or --flatness")
+
+
+def _other_lines(mesh: QuadMesh, fact: str, otherwise: str) -> Remark:
+    """Advise the diagonal mesh where that follows the curvature."""
     if directions(mesh, diagonal=True).twist < _FOLLOWING:
         return Remark("diagonal", fact, "its diagonal mesh (diagonal IN.obj -o OUT.obj)")
-    return Remark("oblique", fact, "a start whose lines follow them")
+    return Remark("oblique", fact, otherwise)
+
+
+def coarse_faces(mesh: QuadMesh, surface: TriangleSurface, within: float) -> Remark | None:
+    """Say where faces leave a surface between their corners by more than is allowed.
+
+    Args:
+        mesh: the start.
+        surface: the design surface.
+        within: how far from it the result may be, in model units.
+    """
+    sag = float(off_surface(mesh.with_vertices(surface.closest(mesh.vertices)[0]), surface).max())
+    # Half of it is left where corners stand out by the other half.
+    if within >= 0.5 * sag:
+        return None
+    fact = (
+        f"faces of this size leave the surface by {sag:.2g}, in the mesh's unit, between corners "
+        "that lie on it"
+    )
+    return Remark("coarse", fact, f"a finer mesh (subdivide), or --within {sag:.2g}", (sag, 0, 0))
 
 
 def closer_variant(mesh: QuadMesh, net: str, diagonal: bool) -> Remark | None:

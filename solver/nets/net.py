@@ -118,6 +118,7 @@ class Net:
         held: what fixed vertices are called.
         shape: surfaces that carry it: any, developable ones only, or minimal ones only.
         along_curvature: its lines follow the principal directions.
+        conjugate: its faces are flat and nothing else is asked: its lines are conjugate.
         flat: a plane is a shape as good as any other, as it is of sheets.
         general: others are special cases of it, and are advised before it.
         nearest: the start is the design surface where no other is given: of all such nets the one
@@ -140,6 +141,7 @@ class Net:
     held: str = "fixed vertices"
     shape: Literal["any", "developable", "minimal"] = "any"
     along_curvature: bool = False
+    conjugate: bool = False
     flat: bool = False
     general: bool = False
     nearest: bool = False

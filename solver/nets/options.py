@@ -30,6 +30,8 @@ class NetOptions:
 
     Attributes:
         diagonal: ask star properties of a vertex and the four opposite corners of its faces.
+        flatness: largest distance between the diagonals of a face of a planar net, in model
+            units, None for flat to the last digit.
         angle: angle of the medial lines in degrees, 90 for orthogonal.
         radius: radius of the star spheres in model units, None for free.
         length: edge length of a Chebyshev net in model units, None for free.
@@ -52,6 +54,16 @@ class NetOptions:
             brief="stars of a vertex and the opposite corners of its faces",
             shown={"yes": "on the face diagonals"},
             stored="DiagonalNet",
+        ),
+    )
+    flatness: float | None = field(
+        default=None,
+        metadata=_offered(
+            "length",
+            "Planar nets: largest distance between the diagonals of a face",
+            brief="largest distance between the diagonals of a face; none where that is not given",
+            absent="exactly flat",
+            stored="LargestGap",
         ),
     )
     angle: float = field(
@@ -159,6 +171,11 @@ class NetOptions:
     )
 
     def __post_init__(self) -> None:
+        if self.flatness == 0:
+            raise InputError(
+                "flatness: expected a positive length, got 0; leave it out for faces that are flat "
+                "to the last digit"
+            )
         for option in OPTIONS.values():
             option.check(getattr(self, option.name))
         if not 0 < self.angle < 180:

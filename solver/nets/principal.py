@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from solver.analysis import measures
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.net import Easier, Measure, Net, Way
 from solver.nets.options import NetOptions, stars_of
 from solver.nets.orthogonal import ORTHOGONALITY, require_right_angles
 from solver.problem import Problem, of_mesh
 from solver.terms.face_angles import CircularFace
+from solver.terms.flatness import FlatWithin, slack_of
 from solver.terms.planarity import Planarity
 from solver.terms.star_angles import ConicalStar
 
@@ -22,11 +26,27 @@ def principal(problem: Problem, options: NetOptions) -> Problem:
 
 
 def planar(problem: Problem, options: NetOptions) -> Problem:
-    """Require flat faces and nothing else.
+    """Require flat faces and nothing else, exactly or to a length.
 
     Source: Liu et al. (2006), Geometric modeling with conical meshes and developable surfaces.
     """
+    if options.flatness is not None:
+        return _flat_within(problem, options.flatness)
     return problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
+
+
+def _flat_within(problem: Problem, flatness: float) -> Problem:
+    """Require faces whose diagonals are no further apart than ``flatness``, in model units."""
+    faces, limit = problem.mesh.faces, flatness / problem.scale
+    a, b, c, d = problem.mesh.vertices[faces].transpose(1, 0, 2)
+    signed = np.einsum("ij,ij->i", 0.5 * (a + c - b - d), problem.mesh.face_normals)
+    slack = problem.scalars(slack_of(signed / problem.scale, limit))
+
+    def beyond(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
+        gaps = measures.diagonal_distances(mesh)
+        return np.asarray(np.maximum(gaps - flatness, 0.0) / problem.scale)
+
+    return problem.require(FlatWithin(faces, slack, limit), beyond)
 
 
 def circular(problem: Problem, options: NetOptions) -> Problem:
@@ -74,7 +94,9 @@ NETS = (
         gives="Flat faces of any angles, near the surface that was drawn.",
         abbreviation="planar",
         measures=(PLANARITY,),
+        options=("flatness",),
         general=True,
+        conjugate=True,
         nearest=True,
     ),
     Net(

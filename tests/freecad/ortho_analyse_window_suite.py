@@ -12,6 +12,7 @@ from PySide import QtGui
 
 from freecad_ortho import api, convert
 from freecad_ortho.objects import constraints
+from freecad_ortho.objects.net import colour_field
 from freecad_ortho.panels import check_panel, display_panel
 from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import reason_words
@@ -154,6 +155,25 @@ class TestReference(AnalyseCase):
         values = field(convert.quad_mesh(net), "Gap to reference", reference).values
         self.assertAlmostEqual(values.max(), 300.0, delta=1.0)
         self.assertGreater(net.ViewObject.Proxy._painting(convert.quad_mesh(net)).scale.high, 250.0)
+
+    def test_a_net_that_came_near_shows_how_near(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        cylinder.Radius, cylinder.Height = 3000.0, 5000.0
+        self.document.recompute()
+        net = api.net_from_faces([(cylinder, "Face1")], sampling=(13, 7))
+        painted = net.ViewObject.Proxy
+        self.assertEqual(colour_field(net), "Planarity")
+        api.set_net(net, net="planar", flatness=5.0, close_to=[(cylinder, "Face1")])
+        self.assertEqual(net.LargestGap.getValueAs("mm"), 5.0)
+        self.assertEqual(colour_field(net), "Planarity")
+        outcome = api.optimise_net(net, within="2 cm")
+        self.assertLessEqual(outcome.report.form.gap, 5.0)
+        self.assertEqual(colour_field(net), "Gap to reference")
+        self.assertEqual(painted._explanation.scale.unit, "mm")
+        self.assertEqual(net.ColourMap, "Target")
+        api.set_net(net, close_to=[])
+        self.assertEqual(colour_field(net), "Planarity")
+        self.assertEqual(painted._explanation.scale.unit, "")
 
 
 class TestColours(AnalyseCase):

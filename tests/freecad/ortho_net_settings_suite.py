@@ -43,6 +43,7 @@ class TestTable(DocumentCase):
         given = {
             "net": "isometric",
             "diagonal": True,
+            "flatness": 2.0,
             "angle": 80.0,
             "radius": 2000.0,
             "length": 150.0,

@@ -15,6 +15,7 @@ import solver.terms
 from solver.mesh.closest import Polyline, TriangleSurface
 from solver.statics import VerticalLoads
 from solver.terms.base import Term
+from solver.terms.beyond_surface import BeyondSurface
 from solver.terms.chebyshev import EqualEdges
 from solver.terms.closeness import Closeness
 from solver.terms.derivatives import derivative_error
@@ -25,6 +26,7 @@ from solver.terms.evenness import Evenness
 from solver.terms.face_angles import CircularFace
 from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
+from solver.terms.flatness import FlatWithin
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
 from solver.terms.isometry import Isometry
 from solver.terms.medial_angle import MedialAngle
@@ -104,6 +106,9 @@ SHEET = TriangleSurface([[-50, -50, 0], [50, -50, 0], [0, 90, 0]], [[0, 1, 2]])
 CASES = {
     "orthogonality": Case(lambda m: Orthogonality(m.faces), BARREL),
     "planarity": Case(lambda m: Planarity(m.faces), BARREL),
+    "flat within": Case(
+        lambda m: FlatWithin(m.faces, 3 * COUNT + np.arange(12), 0.2), BARREL, [0.0] * 12
+    ),
     "multi-net": Case(lambda m: multi_net(m.connectivity), RECTANGLES),
     "multi-net 2 x 2": Case(lambda m: multi_net(m.connectivity, 2, 2), RECTANGLES),
     "circular": Case(lambda m: CircularFace(m.faces), BARREL),
@@ -137,6 +142,9 @@ CASES = {
     "handles": Case(lambda m: Pull(ALL, REST.vertices, goals=REST.vertices + 1.0), REST, [], False),
     "on plane": Case(lambda m: OnPlane(ALL, np.array([0, 0, 1.0]), 0.0), SQUARES, [], False),
     "on surface": Case(following(lambda m: OnSurface(ALL, SHEET)), SQUARES, [], False),
+    "beyond surface": Case(
+        following(lambda m: BeyondSurface(m.faces, SHEET, 0.05)), SQUARES, [], False
+    ),
     "on curve": Case(
         following(lambda m: OnCurve(ALL, curve_of(m))),
         grid(lambda i, j: [0.2 * i - 2 + 0.03 * j, 0.2 + 0 * i, 0.3 + 0 * i]),
