@@ -9,13 +9,14 @@ from dataclasses import dataclass, replace
 from freecad_ortho.fabrication.sizes import positive
 from solver.errors import InputError
 
-# EN 572-1 gives float glass this density, kg/m3, modulus, MPa, and Poisson's ratio.
+# Float glass: density, kg/m3, modulus, MPa, and Poisson's ratio of EN 572-1 (EN 16612 has 0.23,
+# which gives 2 % less shear).
 _GLASS_DENSITY, _GLASS_MODULUS, _GLASS_POISSON = 2500.0, 70_000.0, 0.2
-# Characteristic bending strengths of glass, MPa: annealed (EN 572-1), heat strengthened (EN 1863-1)
-# and thermally toughened (EN 12150-1).
+# Characteristic bending strengths of glass, MPa: annealed (EN 572-1, EN 16612), heat strengthened
+# (EN 1863-1) and thermally toughened (EN 12150-1); all for short loads.
 _ANNEALED, _STRENGTHENED, _TOUGHENED = 45.0, 70.0, 120.0
-# Least bearing, mm: of glass the edge cover of DIN 18008-2; of metals and wood for want of a rule
-# what leaves room for a screw's edge or a bead of glue, with tolerances.
+# Least bearing, mm: of glass the edge cover of DIN 18008-2 on lines; of metals and wood for want of
+# a rule what leaves room for a screw's edge or a bead of glue, with tolerances.
 _ON_GLASS, _ON_METAL, _ON_WOOD = 10.0, 5.0, 10.0
 # Insulating units are named after their build-up: glass, cavity, glass ... in mm (EN 1279).
 _UNIT = "insulating-glass"
@@ -131,19 +132,22 @@ def insulating_unit(*layers: float) -> Material:
     return Material(name, density, _GLASS_MODULUS, _ANNEALED, _ON_GLASS, layers, _GLASS_POISSON)
 
 
-# Strengths are characteristic values of common grades, without partial safety factors: structural
-# steel S355 (EN 10025), aluminium EN AW-6060 T66 (EN 755), birch plywood and spruce C24 along the
-# grain (EN 789, EN 338), grid shell laths of glass fibre reinforced polymer. Shear moduli of what
-# has fibres are those in the plane of the plate (EN 12369-2, EN 338, makers of pultruded profiles).
+# Strengths are characteristic values of common grades, without partial safety factors.
 MATERIALS = {
     material.name: material
     for material in (
+        # S355: EN 1993-1-1, 3.2.6 and table 3.1 up to 40 mm; weight of EN 1991-1-1, table A.4.
         Material("steel", 7850.0, 210_000.0, 355.0, _ON_METAL),
-        Material("stainless", 7900.0, 200_000.0, 220.0, _ON_METAL),
-        Material("aluminium", 2700.0, 70_000.0, 160.0, _ON_METAL),
+        # 1.4301: EN 1993-1-4, 2.1.3 and table 2.1, hot rolled plate; density of EN 10088-1.
+        Material("stainless", 7900.0, 200_000.0, 210.0, _ON_METAL),
+        # EN AW-6060 T66: EN 1999-1-1, 3.2.5 and table 3.2b, extruded, thicker than 3 mm.
+        Material("aluminium", 2700.0, 70_000.0, 150.0, _ON_METAL),
+        # Birch, 18 mm, along its face: Handbook of Finnish Plywood (2007), after EN 789.
         Material("plywood", 680.0, 10_000.0, 40.0, _ON_WOOD, own_shear_modulus=620.0),
+        # C24: EN 338, table 1, means but for the strength.
         Material("timber", 420.0, 11_000.0, 24.0, _ON_WOOD, own_shear_modulus=690.0),
-        Material("gfrp", 1900.0, 25_000.0, 240.0, _ON_METAL, own_shear_modulus=3_000.0),
+        # Pultruded, E23: EN 13706-3; density and shear modulus of the Fiberline Design Manual.
+        Material("gfrp", 1900.0, 23_000.0, 240.0, _ON_METAL, own_shear_modulus=3_000.0),
         _glass("glass", _ANNEALED),
         _glass("strengthened-glass", _STRENGTHENED),
         _glass("toughened-glass", _TOUGHENED),

@@ -3,12 +3,15 @@
 import csv
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from freecad_ortho.fabrication import Lamellas, Limits, Measures, build, material, write
 from freecad_ortho.fabrication.limits import verdict
 from tests.meshes import helicoid
+
+WORKSHOP = (Path(__file__).parents[2] / "docs" / "workshop.md").read_text(encoding="utf-8")
 
 
 def test_torsion_counts_beside_bending(structure):
@@ -30,6 +33,31 @@ def test_torsion_counts_beside_bending(structure):
 def test_shear_moduli_are_those_of_the_standards(name, modulus):
     """EN 1993-1-1, EN 1999-1-1, EN 338."""
     assert material(name).shear_modulus == pytest.approx(modulus, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("name", "density", "modulus", "strength"),
+    [
+        ("steel", 7850, 210_000, 355),
+        ("stainless", 7900, 200_000, 210),
+        ("aluminium", 2700, 70_000, 150),
+        ("timber", 420, 11_000, 24),
+        ("gfrp", 1900, 23_000, 240),
+        ("glass", 2500, 70_000, 45),
+        ("strengthened-glass", 2500, 70_000, 70),
+        ("toughened-glass", 2500, 70_000, 120),
+    ],
+)
+def test_strengths_are_those_of_the_standards_and_of_the_manual(name, density, modulus, strength):
+    """EN 1993-1-1 and 1-4, EN 1999-1-1, EN 338, EN 13706-3, EN 572-1, EN 1863-1, EN 12150-1."""
+    made = material(name)
+    assert (made.density, made.youngs_modulus, made.bending_limit) == (density, modulus, strength)
+    row = next(line for line in WORKSHOP.splitlines() if line.startswith(f"| {name} "))
+    cells = [cell.strip().replace(",", "") for cell in row.split("|")[2:6]]
+    assert cells == [
+        *(f"{value:.0f}" for value in (density, modulus, strength)),
+        f"{made.least_radius(1.0):.0f}",
+    ]
 
 
 def test_twisted_lamellas_are_held_against_bending_and_torsion(tmp_path):
