@@ -92,7 +92,6 @@ class WorkshopSettings(TypedDict, total=False):
 class PassedSettings(TypedDict, total=False):
     """What the solver is told in one call, and the Net of a document does not keep."""
 
-    supports: str | Sequence[int]
     max_steps: int
     backend: str | None
     options: NetOptions
@@ -104,6 +103,7 @@ class NetSettings(PassedSettings, total=False):
 
     net: str
     fix: str | Sequence[int | str]
+    supports: str | Sequence[int]
     handles: Mapping[int, Sequence[float]]
     glide: Sequence[Any]
     close_to: Sequence[Any]

@@ -18,6 +18,7 @@ from solver.analysis.fields import fields
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
+from solver.nets.supports import SUPPORTS
 from solver.option import Option
 
 _PANELS, _PROPERTIES = "Ortho", "App::Property"
@@ -29,7 +30,7 @@ def words() -> Iterator[tuple[str, str]]:
         yield from ((_PANELS, name) for name in names)
     for net in NETS.values():
         yield from ((_PANELS, words) for words in (net.title, net.gives))
-    for choice in (*OPTIONS.values(), *WEIGHTS.values()):
+    for choice in (*OPTIONS.values(), *WEIGHTS.values(), SUPPORTS):
         yield _PROPERTIES, choice.sentence
         yield from ((_PANELS, words) for words in (choice.label, *choice.shown.values()))
         yield from ((_PANELS, words) for words in (choice.meaning, choice.absent) if words)

@@ -39,7 +39,7 @@ class VerticalLoads:
         net = self.connectivity
         count = net.vertex_count
         points = x[: 3 * count].reshape(-1, 3)
-        load = np.full(count, self.per_vertex)
+        load = np.full(count, float(self.per_vertex))
         if self.per_area:
             a, b, c, d = (points[net.faces[:, k]] for k in range(4))
             area = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)

@@ -29,6 +29,7 @@ from solver.nets.constraints import (
 )
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
+from solver.nets.supports import SUPPORTS
 
 _AXES = "xyz"
 # The end of a --glide that names vertices; a path may have an @ of its own.
@@ -48,13 +49,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         parser.add_argument(
             f"--{word}", dest="forces", action="store_const", const=word, help=words
         )
-    parser.add_argument(
-        "--supports",
-        default="",
-        metavar="boundary|corners|I,J",
-        help=f"{_nets(_supported())}: what carries the loads; boundary slides along its own curve, "
-        "but for its corners",
-    )
+    arguments.add(parser, SUPPORTS, f"{_nets(_supported())}: ")
     parser.add_argument(
         "--supports-fixed",
         action="store_true",
@@ -100,7 +95,7 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
         chosen["reference"] = _reference(chosen["reference"], options.up, loaded)
     return {
         "fix": standing if options.supports_fixed else options.fix,
-        "supports": "" if options.supports_fixed else options.supports,
+        "supports": "" if options.supports_fixed else options.supports or "",
         **{name: option.default for name, option in WEIGHTS.items()},
         **arguments.given(WEIGHTS.values(), options, loaded.unit),
         "options": NetOptions(**chosen),

@@ -21,7 +21,7 @@ from solver.nets import NETS
 from solver.nets.constraints import Constraints
 from solver.nets.options import OPTIONS, NetOptions
 from solver.nets.settings import WEIGHTS, fixed_vertices
-from solver.nets.supports import supports_of
+from solver.nets.supports import SUPPORTS, supports_of
 from solver.option import Option
 
 
@@ -54,6 +54,8 @@ def _option_value(option: Option, value: Any) -> Any:
     if option.kind == "mesh" and value is not None and not net_object.is_net(value):
         raise InputError(f"{option.name}: expected a Net, got {getattr(value, 'Label', value)}")
     plain = convert.option_value(option, value)
+    if option is SUPPORTS and isinstance(plain, tuple):
+        plain = ",".join(map(str, plain))
     option.check(plain)
     return plain
 
@@ -69,7 +71,7 @@ _PLAIN = {
     "net": _choice("net", "NetType", NETS),
     "symmetry": _Plain("MirrorPlanes", write=_symmetry),
 }
-_DECLARED = {**OPTIONS, **WEIGHTS}
+_DECLARED = {**OPTIONS, **WEIGHTS, SUPPORTS.name: SUPPORTS}
 # What a net keeps, and what only the solver is told.
 KEPT = (*_PLAIN, *_DECLARED, "fix", "handles", "glide", "close_to")
 PASSED = tuple(PassedSettings.__annotations__)
@@ -128,7 +130,8 @@ def divided(settings: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 def held(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> np.ndarray:
     """(V,) true for vertices of a net that do not move: those that are fixed, or its supports."""
-    return supports_of(mesh, NETS[net.NetType], for_solver(net, mesh)["fix"]).fixed
+    found = for_solver(net, mesh)
+    return supports_of(mesh, NETS[net.NetType], found["fix"], found["supports"]).fixed
 
 
 def for_solver(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> dict[str, Any]:
@@ -158,9 +161,10 @@ def solver_settings(
         if OPTIONS[word].kind == "mesh" and options[word] is not None:
             options[word] = convert.array(options[word].Vertices)
     fix = _numbers(mesh, *_fix(values["fix"]))
+    supports = values["supports"] if "supports" in asked.told else ""
     handles = values["handles"]
     if handles:
-        handles = _drawn(handles, mesh, supports_of(mesh, asked, fix).fixed)
+        handles = _drawn(handles, mesh, supports_of(mesh, asked, fix, supports).fixed)
     wanted = Constraints(
         handles=handles,
         glide=constraints.glides(values["glide"], mesh, net),
@@ -170,6 +174,7 @@ def solver_settings(
     settings.update(
         net=values["net"],
         fix=fix,
+        supports=supports,
         options=NetOptions(**options),
     )
     if handles or wanted.glide or wanted.close_to or wanted.symmetry:

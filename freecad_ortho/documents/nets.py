@@ -149,12 +149,13 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
         target: the Net.
         settings: those of :class:`freecad_ortho.keywords.NetSettings`. What is given is kept in the
             Net's properties, the rest is taken from there: ``net`` (its name); ``fix`` (``none``,
-            ``corners``, ``boundary``, numbers, or a list of both); ``glide`` (list of ``boundary``,
-            ``z=0`` or ``(object, "Edge1")``, with vertices as a third entry); ``close_to`` (the
-            same kind of list); ``handles`` (places in mm by vertex); ``symmetry``; the options of
-            nets; the weights of ``solver.nets.settings.WEIGHTS``, ``tolerance`` and ``within`` with
-            them.
-            Not kept: ``supports``, ``max_steps``, ``backend``, and ``options`` and ``constraints``
+            ``corners``, ``boundary``, numbers, or a list of both); ``supports`` (``boundary``,
+            which slides along its own curve, ``corners`` or numbers); ``glide`` (list of
+            ``boundary``, ``z=0`` or ``(object, "Edge1")``, with vertices as a third entry);
+            ``close_to`` (the same kind of list); ``handles`` (places in mm by vertex);
+            ``symmetry``; the options of nets; the weights of ``solver.nets.settings.WEIGHTS``,
+            ``tolerance`` and ``within`` with them.
+            Not kept: ``max_steps``, ``backend``, and ``options`` and ``constraints``
             as for :func:`freecad_ortho.api.optimise`.
 
     Returns:

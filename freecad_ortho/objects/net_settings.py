@@ -9,6 +9,7 @@ from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
+from solver.nets.supports import SUPPORTS
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -24,7 +25,11 @@ TARGET = (
         choices=NETS.keys(),
         flags=OUTPUT,
     ),
-    *(item for option in OPTIONS.values() for item in properties(option, "Target", flags=OUTPUT)),
+    *(
+        item
+        for option in (*OPTIONS.values(), SUPPORTS)
+        for item in properties(option, "Target", flags=OUTPUT)
+    ),
 )
 
 CONSTRAINTS = (

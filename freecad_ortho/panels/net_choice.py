@@ -15,8 +15,11 @@ from freecad_ortho.panels.option_fields import OptionField
 from solver.analysis.advisor import Advice, advise
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
+from solver.nets.supports import SUPPORTS
 
 translate = FreeCAD.Qt.translate
+
+_ASKED = {SUPPORTS.name: SUPPORTS, **OPTIONS}
 
 
 class NetChoice:
@@ -47,7 +50,7 @@ class NetChoice:
         self.explanation.setEnabled(False)
         twins = _twins(net)
         self.fields = {
-            name: OptionField(option, stored[name], twins) for name, option in OPTIONS.items()
+            name: OptionField(option, stored[name], twins) for name, option in _ASKED.items()
         }
         self.box = QtGui.QGroupBox(translate("Ortho", "Net"))
         column = QtGui.QVBoxLayout(self.box)
@@ -60,7 +63,7 @@ class NetChoice:
         # Rows of a form would leave gaps where they are hidden.
         self.rows = {
             name: _row(translate("Ortho", option.label), self.fields[name].widget)
-            for name, option in OPTIONS.items()
+            for name, option in _ASKED.items()
         }
         for row in self.rows.values():
             column.addWidget(row)
@@ -87,7 +90,7 @@ class NetChoice:
         """Show what belongs to the net that is chosen."""
         chosen = self.net_type.word
         for name, row in self.rows.items():
-            row.setVisible(name in NETS[chosen].options and name not in self._idle)
+            row.setVisible(name in NETS[chosen].told and name not in self._idle)
         best = self._best()
         if best is None:
             self.recommendation.setText(translate("Ortho", "No recommendation for this mesh."))

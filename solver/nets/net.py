@@ -158,6 +158,11 @@ class Net:
         return self.colours or (self.measures[-1].title if self.measures else "Orthogonality")
 
     @property
+    def told(self) -> tuple[str, ...]:
+        """Names of all choices that it can be given: of its options, and of its supports."""
+        return self.options if self.supports == "none" else ("supports", *self.options)
+
+    @property
     def variants(self) -> tuple[bool, ...]:
         """Whether stars may be those of the diagonal net: values of the option ``diagonal``."""
         return (False, True) if "diagonal" in self.options else (False,)

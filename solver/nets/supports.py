@@ -11,6 +11,19 @@ from solver.mesh.quadmesh import QuadMesh
 from solver.nets.constraints import BoundaryGlide, Constraints, CurveGlide, Glide, settled
 from solver.nets.net import Net
 from solver.nets.settings import fixed_vertices
+from solver.option import Option
+
+# What a net that carries loads can be told of them.
+SUPPORTS = Option(
+    "supports",
+    "",
+    "text",
+    "Stress nets: what carries the loads: boundary, which slides along its own curve but for its "
+    "corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs",
+    written="boundary|corners|I,J",
+    brief="what carries the loads; boundary slides along its own curve, but for its corners",
+    stored="SupportRule",
+)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,6 +12,9 @@ from freecad_ortho.documents import net_settings
 from freecad_ortho.keywords import NetSettings
 from freecad_ortho.objects.net import NET_PROPERTIES
 from solver.errors import InputError
+from solver.io.polygons import write_mesh
+from solver.mesh.grid import grid_faces
+from solver.mesh.quadmesh import QuadMesh
 from solver.nets import NETS
 
 
@@ -44,6 +47,7 @@ class TestTable(DocumentCase):
             "net": "isometric",
             "diagonal": True,
             "flatness": 2.0,
+            "supports": "corners",
             "angle": 80.0,
             "radius": 2000.0,
             "length": 150.0,
@@ -83,6 +87,34 @@ class TestTable(DocumentCase):
         self.assertEqual(again["close_to"], [(box, "Face1"), (box, "Face6")])
         for word in set(given) - {"glide", "close_to", "reference"}:
             self.assertEqual(again[word], given[word], word)
+
+    def test_supports_are_kept_and_slide_or_stay(self):
+        x, y = np.meshgrid(np.linspace(-4, 4, 9), np.linspace(-4, 4, 9), indexing="ij")
+        lift = np.cos(np.pi * x / 10) * np.cos(np.pi * y / 10) + 0.03 * x * y
+        points = 1000 * np.stack([x, y, 2 * lift], axis=2).reshape(-1, 3)
+        vault = QuadMesh(points, grid_faces(9, 9))
+        path = str(tools.SCRATCH / "vault.obj")
+        write_mesh(path, vault, "mm")
+        net = api.import_net(path, document=self.document)
+        vault = convert.quad_mesh(net)
+        rim = vault.connectivity.boundary_vertices
+        corners = np.flatnonzero(vault.connectivity.corners)
+        api.set_net(net, net="stress", supports=corners.tolist())
+        self.assertEqual(net.SupportRule, ",".join(map(str, corners)))
+        found = net_settings.for_solver(net, vault)
+        self.assertEqual(found["supports"], net.SupportRule)
+        self.assertEqual(np.flatnonzero(net_settings.held(net, vault)).tolist(), corners.tolist())
+        api.set_net(net, supports="boundary")
+        self.assertEqual(np.flatnonzero(net_settings.held(net, vault)).tolist(), corners.tolist())
+        outcome = api.optimise_net(net, forces="compression")
+        moved = np.linalg.norm(outcome.mesh.vertices - vault.vertices, axis=1)
+        self.assertGreater(moved[rim].max(), 1.0)
+        self.assertEqual(moved[corners].max(), 0.0)
+        self.assertLess(outcome.report.form.border, 1.0)
+        api.set_net(net, fix="boundary")
+        self.assertTrue(net_settings.held(net, vault)[rim].all())
+        api.set_net(net, net="principal", fix="none")
+        self.assertEqual(net_settings.for_solver(net, vault)["supports"], "")
 
     def test_settings_are_those_that_editors_know_and_others_are_listed(self):
         known = {*net_settings.KEPT, *net_settings.PASSED}

@@ -24,8 +24,9 @@ from tests.own_net import FLAT
 
 
 def asked_of(net):
-    """Names of the options of a net in the order of the table."""
-    return [name for name in OPTIONS if name in net.options]
+    """Names of what a net is told: its supports, then its options in the order of the table."""
+    supports = [] if net.supports == "none" else ["supports"]
+    return [*supports, *(name for name in OPTIONS if name in net.options)]
 
 
 class OptimiseCase(WindowCase):

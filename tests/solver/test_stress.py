@@ -203,3 +203,46 @@ def test_supports_slide_on_what_they_are_told_to():
     names = [term.name for term in run.original.constraints]
     assert names.count("glide") == 1
     assert (run.original.supported == start.connectivity.boundary_vertices).all()
+
+
+def forces_left(mesh: QuadMesh, densities, options: NetOptions, free) -> float:
+    """Largest force that is left at a free vertex / mean load, by the definition of the loads."""
+    points, edges = mesh.vertices, mesh.connectivity.edges
+    span = points[edges[:, 1]] - points[edges[:, 0]]
+    pull, load = np.zeros_like(points), np.full(len(points), float(options.load))
+    np.add.at(pull, edges[:, 0], densities[:, None] * span)
+    np.add.at(pull, edges[:, 1], -densities[:, None] * span)
+    a, b, c, d = points[mesh.faces].transpose(1, 0, 2)
+    areas = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
+    weights = options.load_length * np.linalg.norm(span, axis=1)
+    np.add.at(load, mesh.faces.ravel(), np.repeat(options.load_area * areas / 4, 4))
+    np.add.at(load, edges.ravel(), np.repeat(weights / 2, 2))
+    pull[:, 2] -= load
+    return float(np.abs(pull[free]).max() / np.abs(load[free]).mean())
+
+
+# Whole numbers on purpose: a macro may give them.
+LOADS = {"vertex": (2, 0, 0), "area": (0, 3, 0), "length": (0, 0, 1.5), "mixed": (-0.3, 4, 1)}
+
+
+@pytest.mark.parametrize("loads", LOADS.values(), ids=LOADS)
+@pytest.mark.parametrize("forces", ["compression", "tension"])
+def test_one_kind_of_force_is_reached_only_with_the_loads_that_were_asked(loads, forces):
+    """A net that hangs is pulled, one that stands compressed; the other kind is never reached."""
+    load, area, length = loads
+    options = NetOptions(load=load, load_area=area, load_length=length, forces=forces)
+    hanging = hanging_net(9, 8)
+    for start, kind in (
+        (hanging, "tension"),
+        (hanging.with_vertices(hanging.vertices * [1, 1, -1]), "compression"),
+    ):
+        outcome = optimise(start, "stress", options=options, max_steps=60)
+        free = ~start.connectivity.boundary_vertices
+        densities = np.array(outcome.report.details["force_densities"])
+        left = forces_left(outcome.mesh, densities, options, free)
+        if kind == forces:
+            assert outcome.report.status == "converged", outcome.report.message
+            assert left < 1e-9
+            assert (densities <= 0).all() if forces == "compression" else (densities >= 0).all()
+        else:
+            assert outcome.report.status != "converged" and left > 0.1
