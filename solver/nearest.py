@@ -30,10 +30,11 @@ from solver.assembly import NormalEquations
 from solver.linear.backends import default_backend, symmetric_solver
 from solver.linear.threads import one_thread
 from solver.mesh.closest import Polyline, TriangleSurface
+from solver.mesh.connectivity import Connectivity
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.point import Point
 from solver.problem import Problem
-from solver.terms.base import Linearisation, Term
+from solver.terms.base import Linearisation, Term, coordinates_of, length, points_of
 from solver.terms.beyond_surface import BeyondSurface
 from solver.terms.closeness import Closeness
 from solver.terms.edge_guard import EdgeGuard
@@ -42,6 +43,7 @@ from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
 from solver.terms.gliding import OnCurve, OnSurface
 from solver.terms.orthogonality import Orthogonality
+from solver.terms.pull import Pull
 
 # Part of the wishes in the energy whose minimum a step aims at. The smaller, the better the step
 # keeps to the net; rounding is the limit.
@@ -61,6 +63,8 @@ _WORTH = 3e-4
 _INSIDE, _FORBIDDEN = 0.8, 100.0
 # Corrections at the end, to the last digit.
 _LAST, _ROUNDING = 5, 1e-15
+# More of them where the residual is larger than that still.
+_LATEST, _EXACT = 25, 1e-12
 
 
 class Wish(NamedTuple):
@@ -111,6 +115,47 @@ def nearness(
         Wish(Closeness(used, points[used]), 1e-5),
         Wish(Orthogonality(net.faces, name="right angles"), 0.3 * evenness),
         *(Wish(border, 1e-2) for border in borders),
+        *_guards(net, shortest),
+    ]
+
+
+def drawn(problem: Problem, start: QuadMesh, pull: Pull) -> list[Wish]:
+    """Wish for handles at their goals and neighbours that move alike.
+
+    Args:
+        problem: the net.
+        start: the mesh as it was drawn, with the problem's faces.
+        pull: of the problem.
+    """
+    net, rest = problem.mesh.connectivity, problem.at(start)
+    goals = pull.targets if pull.goals is None else pull.goals
+    ends = points_of(rest, coordinates_of(net.edges))
+    shortest = float(length(ends[:, 1] - ends[:, 0]).min())
+    return [
+        Wish(Closeness(pull.vertices, goals, name=pull.name), 1.0),
+        Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
+        *_guards(net, shortest),
+    ]
+
+
+def missing(problem: Problem, x: FloatArray) -> FloatArray:
+    """(n,) distances of the handles of a problem from their goals, in model units."""
+    pull = pull_of(problem)
+    if pull is None:
+        return np.zeros(0)
+    goals = pull.targets if pull.goals is None else pull.goals
+    return problem.scale * length(x[pull.unknowns] - goals)
+
+
+def pull_of(problem: Problem) -> Pull | None:
+    """The handles of a problem, where it has any."""
+    terms = (guide.term for guide in problem.guides)
+    return next((term for term in terms if isinstance(term, Pull)), None)
+
+
+def _guards(net: Connectivity, shortest: float) -> list[Wish]:
+    """Edges stay long and faces open, and what is so already feels nothing."""
+    return [
         Wish(EdgeGuard(net.edges, 0.6 * shortest), 0.3),
         Wish(FaceGuard(net.faces, 0.3), 0.3),
     ]
@@ -193,8 +238,13 @@ class NearestNet:
         """The flat vector reached, on the net to rounding error."""
         point = self.point.weighed(self._net)
         with one_thread():
-            for _ in range(_LAST):
-                move = self._back(point, 1e-3 * _TANGENT)(-point.gradient)
+            for number in range(_LATEST):
+                if number >= _LAST and self._worst(point) <= _EXACT:
+                    break
+                # Where constraints all but touch, such as those of a sheet that is nearly flat,
+                # what is added would stand in the way.
+                tangent = 1e-3 if number < _LAST else 1e-5
+                move = self._back(point, tangent * _TANGENT)(-point.gradient)
                 point = point.moved(move)
                 if np.abs(move).max(initial=0.0) <= _ROUNDING:
                     break

@@ -17,7 +17,7 @@ from solver.linear.backends import default_backend
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nearest import NearestNet, nearness
+from solver.nearest import NearestNet, drawn, missing, nearness, pull_of
 from solver.plan import Attempt, Way, alone
 from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
@@ -32,6 +32,9 @@ _EVENNESS, _EVENER = 0.04, 1.0
 _STILL_WHOLE = 0.85
 # Nor is one that is flatter than this part of its thickness, where the start itself was meant.
 _STILL_THICK = 0.5
+# Handles that lack more than this part of their way were lost, and are pulled along the nets:
+# others are near where they were dragged, and the mesh is not to jump when they are let go.
+_LOST = 0.5
 # Its edges are pushed back at 0.6 of the shortest, and give way where the surface asks for it.
 _STILL_ROOMY = 0.4
 
@@ -285,14 +288,23 @@ class Optimisation:
     @property
     def _may_go_nearer(self) -> bool:
         steps_left = self.max_steps - len(self.history)
-        asked = self.surface is not None and not self.descent.pulled
-        return asked and steps_left > 0 and bool(self.original.free.any())
+        if not steps_left or not self.original.free.any():
+            return False
+        best = self._found()
+        pull = pull_of(best.problem)
+        if pull is None:
+            return self.surface is not None
+        before = missing(best.problem, best.problem.at(self.original.mesh)).max()
+        return bool(missing(best.problem, best.x).max() > _LOST * before)
 
     def _begin_nearest(self, best: Candidate, evenness: float, within: float | None = None) -> None:
         """Begin the last phase, of no more steps than there were, but for a few."""
-        assert self.surface is not None
-        drawn = self.original.mesh
-        wishes = nearness(best.problem, drawn, self.surface, evenness, within)
+        start, pull = self.original.mesh, pull_of(best.problem)
+        if pull is not None:
+            wishes = drawn(best.problem, start, pull)
+        else:
+            assert self.surface is not None
+            wishes = nearness(best.problem, start, self.surface, evenness, within)
         self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
         self._evenness, done = evenness, len(self.history)
         least = _NEARER_STEPS if within is None and not self.nearest else _NEAREST_STEPS
@@ -323,19 +335,18 @@ class Optimisation:
 
         Then it is tried ``again``, once, with more weight on even lines.
         """
-        assert self.surface is not None
         before = self._found()
         found = judge(nearest.problem, nearest.exact(), self.tolerance, self.original)
         creased = found.creased and not before.creased
         smooth = not (creased or (found.uneven and not before.uneven))
         sound = found.valid and found.kept >= _STILL_ROOMY and smooth
-        again = again and len(self.history) < self.max_steps
+        again = again and len(self.history) < self.max_steps and not self.descent.pulled
         if again and not sound and self._evenness < _EVENER and not self._pressed:
             self._begin_nearest(before, _EVENER)
             return
-        far = float(off_surface(before.mesh, self.surface).max())
+        far = self._far(before)
         if sound and found.area_ratio >= _STILL_WHOLE * before.area_ratio:
-            near = float(off_surface(found.mesh, self.surface).max())
+            near = self._far(found)
             if near < far:
                 self._best, far = Best(self.original.tuning.worth), near
                 self._best.consider(found)
@@ -344,3 +355,9 @@ class Optimisation:
             self._begin_nearest(self._found(), self._evenness, self.within)
         else:
             self.status = self._verdict(self._found())
+
+    def _far(self, net: Candidate) -> float:
+        """What the last phase lowers: the largest distance of handles, else from the surface."""
+        if self.descent.pulled or self.surface is None:
+            return float(missing(net.problem, net.x).max(initial=0.0))
+        return float(off_surface(net.mesh, self.surface).max())

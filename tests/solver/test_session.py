@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from solver import Constraints, InputError, Session, optimise, start_optimisation
+from solver.analysis import measures
 from solver.linear.multifrontal import Multifrontal
 from solver.optimise import Settings
 from tests.conftest import wavy_grid
-from tests.meshes import bent_sheet, scherk, unduloid
+from tests.meshes import bent_sheet, grid, parameters, scherk, unduloid
 
 
 def solved(outcome):
@@ -141,3 +142,23 @@ def test_settings_are_those_of_one_call_and_others_are_listed():
     keywords = inspect.signature(start_optimisation).parameters.values()
     names = [one.name for one in keywords if one.kind is inspect.Parameter.KEYWORD_ONLY]
     assert names == list(Settings.__annotations__)
+
+
+@pytest.mark.parametrize("big", [0.3, 1.0])
+def test_a_stiff_sheet_settles_where_it_was_dragged(big):
+    """Guides that fade let go of nets that hardly bend: handles are then pulled along the nets."""
+    x, y = parameters(13, 11, 3.0, 2.5)
+    sheet = grid(x, y, 0 * x)
+    first, last = 0, len(sheet.vertices) - 1
+    ends = {
+        first: sheet.vertices[first] + big * np.array([0.3, 0.2, 0.8]),
+        last: sheet.vertices[last] + big * np.array([-0.3, -0.2, 0.8]),
+    }
+    session = Session(sheet, list(ends), net="geodesic-chebyshev")
+    for part in np.linspace(0, 1, 11)[1:]:
+        session.drag({v: (1 - part) * sheet.vertices[v] + part * end for v, end in ends.items()})
+    mesh = solved(session.settle())
+    for vertex, end in ends.items():
+        way = np.linalg.norm(end - sheet.vertices[vertex])
+        assert np.linalg.norm(mesh.vertices[vertex] - end) < 0.05 * way
+    assert measures.geodesic(mesh).max() <= 1e-10 and measures.chebyshev(mesh).max() <= 1e-10
