@@ -213,6 +213,10 @@ def add_bent_panels(
     *,
     thickness: Length = 3.0,
     gap: Length = 10.0,
+    sheet: str | None = None,
+    spacing: Length = 10.0,
+    grain: str = "none",
+    kerf: Length = 0.0,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -224,6 +228,10 @@ def add_bent_panels(
         net: the Net.
         thickness: of the plates.
         gap: between two plates.
+        sheet: size of the sheets that what is larger is cut for, ``"3000x1500"`` in mm.
+        spacing: that is kept from the rim of a sheet.
+        grain: whether parts may turn on a sheet.
+        kerf: width of the cut.
         family: parameter lines whose rows are built.
         lines: numbers of these lines; empty for all.
         material: of all parts.
@@ -237,6 +245,10 @@ def add_patches(
     *,
     thickness: Length = 3.0,
     gap: Length = 10.0,
+    sheet: str | None = None,
+    spacing: Length = 10.0,
+    grain: str = "none",
+    kerf: Length = 0.0,
     distortion: float = 1.0,
     family: str = "both",
     lines: Sequence[int] = (),
@@ -249,6 +261,10 @@ def add_patches(
         net: the Net.
         thickness: of the sheets.
         gap: between two patches.
+        sheet: size of the sheets that what is larger is cut for, ``"3000x1500"`` in mm.
+        spacing: that is kept from the rim of a sheet.
+        grain: whether parts may turn on a sheet.
+        kerf: width of the cut.
         distortion: of an edge up to which a patch is built, percent.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.

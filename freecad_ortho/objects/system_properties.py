@@ -11,9 +11,8 @@ from freecad_ortho.objects.option_properties import properties, read
 from freecad_ortho.objects.properties import Property
 from solver.option import Option
 
-# A structure of panels has a thickness of its own; the option is for panels beside beams. Sheets
-# are said where files are written.
-_ELSEWHERE = ("panel_thickness", "sheet", "spacing", "grain", "kerf")
+# A structure of panels has a thickness of its own; the option is for panels beside beams.
+_ELSEWHERE = ("panel_thickness",)
 
 
 def options_of(system: str) -> tuple[Option, ...]:

@@ -88,6 +88,24 @@ class TestSettings(StructureCase):
         own = sum(json.loads(feature.Report)["mass_kg"] for feature in (beams, panels))
         self.assertAlmostEqual(report["mass_kg"], own, places=6)
 
+    def test_rows_larger_than_a_sheet_are_cut_to_it_with_joints(self):
+        whole = api.add_structure(self.net, "bent-panels", family="u")
+        box = whole.Shape.BoundBox
+        long = round(0.6 * max(box.XLength, box.YLength))
+        sheet = f"{long}x{long}"
+        rows = api.add_bent_panels(self.net, family="u", sheet=sheet, spacing=20.0, grain="along")
+        self.assertGreater(len(rows.PartNames), len(whole.PartNames))
+        self.assertEqual((rows.Sheet, rows.Spacing.Value, rows.Grain), (sheet, 20.0, "Along"))
+        self.assertIn("cut along lines of the net", " ".join(json.loads(rows.Report)["messages"]))
+        sizes = {"sheet": (long, long), "spacing": 20.0, "grain": "along"}
+        with self.assertRaisesRegex(InputError, "not fit"):
+            api.add_flat_patterns(whole, **sizes)
+        self.assertFalse(api.add_flat_patterns(rows, **sizes).TooLarge)
+        with self.assertRaisesRegex(InputError, "sheet"):
+            api.change_structure(rows, sheet="wide")
+        api.change_structure(rows, sheet=None)
+        self.assertEqual(rows.PartNames, whole.PartNames)
+
     def test_every_system_has_a_function_with_all_its_settings(self):
         common = {"family": "both", "lines": (), "material": "steel", "density": 0.0}
         for name in SYSTEMS:
