@@ -44,13 +44,17 @@ def make(name: str, net: str, width: float, thickness: float) -> Structure:
 def row(name: str, structure: Structure) -> str:
     """A row of the table."""
     report = structure.results["lamellas"].report
-    off = report["straightness_max_mm"] or report["radius_spread_max_mm"]
+    # Those at the border, of which the net asks nothing, are said apart.
+    exact = [part.measures for part in structure.parts if not part.curved]
+    off = max(each.straightness_mm or each.radius_spread_mm or 0.0 for each in exact)
+    curved = [part.measures.straightness_mm or 0.0 for part in structure.parts if part.curved]
+    apart = f" ({len(curved)} at the border {max(curved):.2g} mm)" if curved else ""
     kind = report["pattern"]
     if report["radius_mm"]:
         kind = f"arcs of {report['radius_mm']:.1f} mm"
     return (
         f"| {name}, {report['width_mm']:g} x {report['thickness_mm']:g} mm, {kind} "
-        f"| {len(structure.parts)} | {report['crossings']} | {off:.0e} mm "
+        f"| {len(structure.parts)} | {report['crossings']} | {off:.0e} mm{apart} "
         f"| {report['lean_max_deg']:.1f}° | {report['gap_max_mm']:.1g} mm "
         f"| {report['bend_radius_min_mm'] / 1000:.1f} m |"
     )
@@ -63,7 +67,8 @@ def draw(structures: list[Structure]) -> None:
         space = figure.add_subplot(2, 3, column + 1, projection="3d")
         for part in structure.parts:
             corners = part.origin + part.body.corners @ part.frame
-            sides = [corners[list(side)] for side in part.body.sides]
+            rings = [*part.body.sides, *(sheet.loops[0] for sheet in part.body.sheets)]
+            sides = [corners[list(ring)] for ring in rings]
             colour = "#4a7ab5" if part.family == "u" else "#d08a3c"
             space.add_collection3d(Poly3DCollection(sides, facecolors=colour, linewidths=0))
         points = structure.mesh.vertices
