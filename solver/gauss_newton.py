@@ -11,6 +11,7 @@ Form-finding with polyhedral meshes made simple.
 from __future__ import annotations
 
 import time
+from collections import deque
 from collections.abc import Sequence
 
 import numpy as np
@@ -76,6 +77,7 @@ class Descent:
         self._best_worst = self._worst_before = np.inf
         self._last_worst = 0.0
         self._idle = self._held = self._calm = 0
+        self._paces: deque[float] = deque(maxlen=self._tuning.pace + 1)
         self._rested = False
         layout.relaxation.forget()
 
@@ -126,6 +128,8 @@ class Descent:
             solve_seconds=taken.solve_seconds,
         )
         self._worst_before, self._last_worst = self._last_worst, record.worst
+        if used == 0.0:
+            self._paces.append(record.worst)
         self._move_on(record, steps_left - 1)
         return record
 
@@ -138,6 +142,14 @@ class Descent:
         tuning = self._tuning
         near = (tuning.slow_margin if self._slow else tuning.margin) * tolerance
         return record.worst <= near or self._idle >= tuning.patience
+
+    def hopeless(self, tolerance: float) -> bool:
+        """Whether the net is many steps away at the pace of the last ones."""
+        tuning, paces = self._tuning, self._paces
+        if len(paces) <= tuning.pace or not 0 < paces[-1] < paces[0]:
+            return False
+        a_step = np.log(paces[0] / paces[-1]) / tuning.pace
+        return bool(np.log(paces[-1] / tolerance) > tuning.hopeless * a_step)
 
     def stand_at(self, mesh: QuadMesh) -> None:
         """Go on from another shape, with the guides where handles are followed."""

@@ -27,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from solver.assembly import NormalEquations
+from solver.errors import SingularSystemError
 from solver.linear.backends import default_backend, symmetric_solver
 from solver.linear.threads import one_thread
 from solver.mesh.closest import Polyline, TriangleSurface
@@ -244,7 +245,11 @@ class NearestNet:
                 # Where constraints all but touch, such as those of a sheet that is nearly flat,
                 # what is added would stand in the way.
                 tangent = 1e-3 if number < _LAST else 1e-5
-                move = self._back(point, tangent * _TANGENT)(-point.gradient)
+                try:
+                    move = self._back(point, tangent * _TANGENT)(-point.gradient)
+                except SingularSystemError:
+                    # Rounding is larger than what is added: nothing nearer is to be found.
+                    break
                 point = point.moved(move)
                 if np.abs(move).max(initial=0.0) <= _ROUNDING:
                     break

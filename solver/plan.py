@@ -35,6 +35,7 @@ class Attempt:
         patient: the guides wait until handles have arrived and the mesh has come to rest.
         easier: the net is not the wanted one but one on the way to it.
         last: no other attempt at this problem follows.
+        hasty: it is given up where its pace shows that the net is far out of reach.
     """
 
     problem: Problem
@@ -42,6 +43,7 @@ class Attempt:
     patient: bool = True
     easier: bool = False
     last: bool = True
+    hasty: bool = False
 
     def weights_of_guides(self, fade: float) -> list[float]:
         """Weight of each guide where those that fade have faded to ``fade``."""
@@ -111,7 +113,7 @@ class Plan:
         Not where nothing is left of the shape: no such net is like it, and it would crumple.
         """
         keep = not self.once
-        for attempt in _attempts(self.original, self._at_first):
+        for attempt in _attempts(self.original, self._at_first, hasty=self._hasty):
             reached = yield attempt
             keep = keep and not reached.gone
             if keep and reached.resized:
@@ -162,7 +164,8 @@ class Plan:
 
     def _tries(self, mesh: QuadMesh, ladder: Sequence[Weights]) -> Way:
         """The wanted net from a mesh, with one set of guides after the other."""
-        yield from _attempts(self._pose(self.net, mesh, ladder), ladder)
+        problem = self._pose(self.net, mesh, ladder)
+        yield from _attempts(problem, ladder, hasty=self._hasty)
 
     def _pose(self, net: Net, mesh: QuadMesh, ladder: Sequence[Weights]) -> Problem:
         """Pose the wanted net, or another with the same options, for all attempts of a ladder."""
@@ -178,6 +181,11 @@ class Plan:
         problem = net.recipe(empty, self.options)
         add_constraints(problem, self.constraints, ladder[0].closeness)
         return add_guides(problem, ladder, self.patch)
+
+    @property
+    def _hasty(self) -> bool:
+        """Whether attempts whose pace leads nowhere are given up; whoever drags has time."""
+        return self.net.way.rigid and not self.constraints.handles
 
     @property
     def _may_flatten(self) -> bool:
@@ -226,10 +234,12 @@ class Plan:
         return [self.weights.even(weight) for weight in weights]
 
 
-def _attempts(problem: Problem, ladder: Sequence[Weights], easier: bool = False) -> Way:
+def _attempts(
+    problem: Problem, ladder: Sequence[Weights], easier: bool = False, hasty: bool = False
+) -> Way:
     """One attempt for each set of guides, the first of them patient."""
     for number, weights in enumerate(ladder, 1):
-        yield Attempt(problem, weights, number == 1, easier, number == len(ladder))
+        yield Attempt(problem, weights, number == 1, easier, number == len(ladder), hasty)
 
 
 def _unevenness(mesh: QuadMesh) -> float:

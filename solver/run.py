@@ -32,6 +32,8 @@ _EVENNESS, _EVENER = 0.04, 1.0
 _STILL_WHOLE = 0.85
 # Nor is one that is flatter than this part of its thickness, where the start itself was meant.
 _STILL_THICK = 0.5
+# A net that so many attempts have given up is.
+_GIVEN_UP = 2
 # Handles that lack more than this part of their way were lost, and are pulled along the nets:
 # others are near where they were dragged, and the mesh is not to jump when they are let go.
 _LOST = 0.5
@@ -90,6 +92,7 @@ class Optimisation:
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
+        self._given_up = 0
         self.surface, self.within, self.nearest = surface, within, nearest
         self._nearest: NearestNet | None = None
         self._most, self._evenness, self._pressed = 0, _EVENNESS, False
@@ -214,6 +217,7 @@ class Optimisation:
             self.origin,
             self.surface,
             self.within,
+            self._given_up > 0,
         )
         return summarise(course, self._found())
 
@@ -223,6 +227,9 @@ class Optimisation:
     def _decide(self, record: StepRecord, steps_left: int) -> None:
         """End the attempt where it is over, or everything where the steps are used up."""
         over = self.descent.is_over(record, self.tolerance)
+        if not over and self.descent.attempt.hasty and self.descent.hopeless(self.tolerance):
+            self._given_up += 1
+            over = True
         attempt, x = self.descent.attempt, self.descent.point.x
         self._best.note(record.worst, partial(self._judge, attempt, x))
         if over:
@@ -244,6 +251,7 @@ class Optimisation:
         # Whoever drags a mesh may crease it.
         good = candidate.valid if self.descent.pulled else candidate.good
         enough = good or self._solved >= self.original.tuning.enough or steps_left <= 0
+        enough = enough or self._given_up >= _GIVEN_UP
         if enough or not self._go_on(reached):
             self._conclude(STALLED)
 

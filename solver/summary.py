@@ -51,6 +51,7 @@ class Course:
         origin: what coordinates were measured from.
         surface: the design surface, about the origin.
         within: how far from it the net may be at most, in model units.
+        given_up: attempts were given up, as they came nearer too slowly.
     """
 
     original: Problem
@@ -66,6 +67,7 @@ class Course:
     origin: LocalOrigin
     surface: TriangleSurface | None
     within: float | None
+    given_up: bool
 
 
 def summarise(run: Course, best: Candidate) -> Outcome:
@@ -146,6 +148,11 @@ def _remedies(run: Course, best: Candidate) -> list[str]:
         remedies.insert(0, f"more than {run.max_steps} steps")
     if run.status == COLLAPSED and not remedies:
         remedies.append("a border that is fixed or glides, or a surface to stay close to")
+    if run.status == STALLED and run.given_up:
+        remedies.append(
+            "a net that asks for less, or a start nearer to it (it is rigid but for bending, and "
+            "came nearer so slowly that hundreds of steps more would be needed)"
+        )
     if run.status == STALLED and not remedies:
         remedies.append("more fairness, or a start mesh nearer to the net")
     return remedies

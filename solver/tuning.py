@@ -19,6 +19,8 @@ class Tuning:
         near: with every residual below this, the net is reached without guides.
         patience: steps without halving the worst residual, with the guides gone, after which an
             attempt counts as stuck.
+        pace: by so many steps without guides the pace of an attempt at a rigid net is judged;
+        hopeless: it is given up where it would go on for more steps than that.
         margin: stop this far below the tolerance: the last Gauss-Newton step costs little and
             squares the error;
         slow_margin: and only this far where it does not square it.
@@ -77,6 +79,8 @@ class Tuning:
     fade_end: float = 1e-12
     near: float = 1e-6
     patience: int = 25
+    pace: int = 20
+    hopeless: int = 100
     margin: float = 1e-2
     slow_margin: float = 0.25
     hold: float = 3e-3
