@@ -298,13 +298,16 @@ class OptimisePanel:
 
 
 def _how_far(report: Report) -> list[str]:
-    """How far the shape is from its surface, and from the start where that is far, in mm."""
+    """How far it is from its surface, from flat, and from the start where that is far, in mm."""
     off = report.form.off_surface
     words = translate("Ortho", "Off the surface by {} at most, {} on average.")
     said = [words.format(length_words(off.max), length_words(off.mean))]
     if report.within is not None and not report.is_within:
         words = translate("Ortho", "That is more than the {} that were allowed, at face {}.")
         said.append(words.format(length_words(report.within), off.face))
+    if report.flat:
+        words = translate("Ortho", "The largest gap of a face is {}, of face {}.")
+        said.append(words.format(length_words(report.form.gap), report.form.gap_face))
     if not report.far:
         return said
     before, after = (

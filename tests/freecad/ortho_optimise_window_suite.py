@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho import api, convert
 from freecad_ortho.documents import net_settings
-from freecad_ortho.panels.fields import LengthField
+from freecad_ortho.panels.fields import LengthField, length_words
 from freecad_ortho.panels.net_words import net_words
 from freecad_ortho.panels.optimise_panel import OptimisePanel
 from solver.analysis.advisor import advise
@@ -211,6 +211,18 @@ class TestSteps(OptimiseCase):
         metres = FreeCAD.Units.Quantity(1e4, FreeCAD.Units.Length).UserString
         self.assertIn("The shape moved by up to", told)
         self.assertIn(f"Its size was {metres}", told)
+
+    def test_panels_may_have_a_gap_which_is_said(self):
+        panel = self.opened(self.net())
+        panel.net_type.choose("planar")
+        self.assertFalse(panel.choice.rows["flatness"].isHidden())
+        panel.choice.fields["flatness"].value = 5.0
+        self.finished()
+        wait(lambda: not panel.run.running)
+        form = panel.run.optimisation.outcome().report.form
+        self.assertTrue(0.5 < form.gap <= 5.0, form.gap)
+        words = f"The largest gap of a face is {length_words(form.gap)}, of face {form.gap_face}."
+        self.assertIn(words, panel.message.text())
 
     def test_the_plot_draws(self):
         panel = self.opened(self.net())

@@ -117,3 +117,16 @@ def test_advice_names_what_was_held():
     assert "fewer fixed vertices" in advice(fix=[0, 3])
     assert "fewer supports" in advice(net="stress", fix="boundary")
     assert "fewer" not in advice()
+
+
+def test_planar_nets_are_told_where_no_flat_faces_are_near():
+    """Most of a hyperbolic paraboloid along its lines; a part of a dome, whose diagonals differ."""
+    x, y = np.meshgrid(np.linspace(-5, 5, 15), np.linspace(-5, 5, 15), indexing="ij")
+    (remark,) = start_remarks(grid(x, y, 0.05 * x * y), "planar")
+    assert remark.cause == "diagonal" and "on 100 %" in str(remark)
+    dome = grid(3 * x, 2 * y, 6 * np.cos(0.27 * x) * np.cos(0.27 * y))
+    (remark,) = start_remarks(dome, "planar")
+    assert remark.cause == "oblique" and "diagonal" not in str(remark)
+    # Along its principal lines any surface has flat faces near; so has a sphere, and a plane.
+    for start in (grid(x, y, 0.05 * (x**2 - y**2)), surface_of_revolution(9, 9), grid(x, y, 0 * x)):
+        assert causes(start, "planar") == []
