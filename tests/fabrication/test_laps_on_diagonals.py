@@ -51,6 +51,17 @@ def test_lamellas_that_bend_away_from_each_other_have_deeper_slots(tmp_path, str
     assert max(shared.values()) < 0.01
 
 
+def test_slots_take_lamellas_that_cross_beside_their_bend_lines(tmp_path):
+    """Lines curved in plan on a saddle: rulings slant by 20 degrees, plates bend by 20 there."""
+    s, t = np.meshgrid(*2 * [np.linspace(-1500, 1500, 3)], indexing="ij")
+    x, y = s + 2e-4 * t**2, t + 2e-4 * s**2
+    sizes = {"width": 120.0, "thickness": 6.0, "clearance": 0.2, "strip": "developable"}
+    parts = build(grid(x, y, 1.5e-4 * x * y), [Lamellas(pattern="free", **sizes)]).parts
+    shared = shared_by_laps(tmp_path, parts)
+    assert len(shared) == 9
+    assert max(shared.values()) < 0.01
+
+
 def test_lamellas_that_bend_too_sharply_for_their_slots_are_refused_by_name():
     sizes = {"width": 84.0, "thickness": 80.0, "overhang": 400.0}
     with pytest.raises(InputError, match=r"L-U00\d and L-V00\d bend so sharply.*thinner or wider"):

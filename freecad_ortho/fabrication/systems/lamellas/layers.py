@@ -8,7 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
-from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing, placed_near
+from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
+from freecad_ortho.fabrication.systems.lamellas.laps import placed_near
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
