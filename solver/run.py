@@ -290,7 +290,8 @@ class Optimisation:
     def _verdict(self, net: Candidate) -> str:
         """Whether a net is what was asked for: where that was the nearest, no flatter one is."""
         meant = self.surface is not None and not self.original.may_flatten
-        lost = meant and net.thickness < _STILL_THICK * net.thickness_start
+        thick = net.thickness_start >= net.tuning.thick
+        lost = meant and thick and net.thickness < _STILL_THICK * net.thickness_start
         return COLLAPSED if net.gone or lost else CONVERGED
 
     @property

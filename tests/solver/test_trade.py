@@ -110,3 +110,12 @@ def test_lines_along_asymptotic_directions_have_no_flat_faces_near(bulge):
     assert "diagonal IN.obj" in report.message
     # A gap that the surface has anyway needs no other lines.
     assert planar(start, None, 0.02).report.status == CONVERGED
+
+
+def test_a_sheet_that_is_nearly_level_may_become_so():
+    """Noise is no shape that could be lost."""
+    x, y = parameters(13, 13, 10.0, 10.0)
+    height = 0.012 * np.random.default_rng(1).normal(size=x.shape)
+    report = planar(grid(x, y, height), None).report
+    assert report.status == CONVERGED, report.message
+    assert report.form.gap <= 1e-10
