@@ -94,6 +94,23 @@ def test_work_that_is_killed_is_said_and_leaves_nothing(fabrication):
     assert not out.parent.exists()
 
 
+def test_what_killed_work_left_in_a_folder_that_was_there_is_swept(tmp_path, monkeypatch):
+    staging = tmp_path / f"{leftovers.STAGING}a1b2c3d4"
+    (staging / leftovers.NEW).mkdir(parents=True)
+    (staging / leftovers.NEW / "parts.csv").write_text("half a file")
+    (tmp_path / "kept.txt").write_text("of somebody else")
+    killed = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
+    popen = subprocess.Popen
+    monkeypatch.setattr(subprocess, "Popen", lambda command: popen(killed))
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        assert supervising.supervised(["fabricate", "net.obj", f"--out={tmp_path}"]) == 2
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    assert [path.name for path in tmp_path.iterdir()] == ["kept.txt"]
+
+
 def test_work_ends_when_its_command_is_killed_and_the_next_run_sweeps(fabrication):
     run, work, out = fabrication
     run.kill()

@@ -101,6 +101,11 @@ def test_louvres_that_are_no_rhombi_shrink_until_their_shorter_sides_are_gone(ax
         build(QuadMesh(corners, [[0, 1, 2, 3]]), [Louvres(6, 500, axis)])
 
 
+def test_plates_in_faces_are_as_thick_by_default_whether_panels_or_louvres(roof):
+    for name in ("panels", "louvres"):
+        assert {part.thickness for part in api.fabricate(roof, name).parts} == {12.0}
+
+
 def test_louvres_between_beams(skewed):
     made = build(skewed, [Beams(160, 20), Louvres(6, 14, tilt=20)])
     assert check_clashes(made.parts).clashes == ()

@@ -104,7 +104,7 @@ def test_what_does_not_fit_is_refused_in_words(roof):
             api.fabricate(roof, system, **sizes)
 
 
-@pytest.mark.parametrize(("thickness", "gap"), [(20, 8), (60, 8), (20, 40), (12, 10)])
+@pytest.mark.parametrize(("thickness", "gap"), [(20, 8), (60, 8), (20, 40), (20, 20), (12, 10)])
 @pytest.mark.parametrize("edge", ["square", "bevel"])
 def test_bearing_on_a_plane_in_closed_form(plane, thickness, gap, edge):
     made = build(plane, [Beams(200, thickness), Panels(12, gap, edge=edge)])

@@ -15,10 +15,12 @@ from freecad_ortho.fabrication import Lamellas, Selection, build, write
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.step import read_step
+from freecad_ortho.fabrication.systems.lamellas.ends import lengthened
 from solver import optimise
 from solver.errors import InputError
 from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import QuadMesh
+from solver.unroll.strip import Strip
 from tests.conftest import grid_faces, shared_mesh, surface_of_revolution
 from tests.meshes import helicoid, scherk, unduloid
 
@@ -176,6 +178,15 @@ def test_slots_of_one_family_open_above_those_of_the_other_below():
         assert z.max() - z.min() == pytest.approx(80)
 
 
+@pytest.mark.parametrize("beyond", [(30.0, 10.0), (30.0, -50.0), (-50.0, 10.0)])
+def test_each_end_reaches_as_far_beyond_as_it_shall(beyond):
+    points = np.array([[0.0, 0, 0], [200, 0, 0], [200, 300, 0]])
+    strip = lengthened(Strip(points, np.tile([0.0, 0, 1], (3, 1))), beyond, "L-U001")
+    assert strip.points[0] == pytest.approx([-beyond[0], 0, 0])
+    assert strip.points[-1] == pytest.approx([200, 300 + beyond[1], 0])
+    assert len(strip.points) == 3 + sum(more > 0 for more in beyond)
+
+
 def test_names_and_neighbours_are_on_the_pattern_and_depend_on_connectivity_only(minimal):
     structure = build(minimal, [Lamellas(40, 3)])
     moved = minimal.with_vertices(minimal.vertices + 5 * np.sin(minimal.vertices / 300))
@@ -202,6 +213,29 @@ def test_names_and_ticks_lie_on_the_plate(strip, layers):
                 half = mark.size * np.array([len(mark.text), 1.0]) / 2
                 box = shapely.affinity.rotate(shapely.box(*-half, *half), mark.angle)
                 assert plate.contains(shapely.affinity.translate(box, *mark.points[0]))
+
+
+@pytest.mark.parametrize(("layers", "level"), [(1, 0.0), (2, 20.5)])
+def test_names_and_ticks_stand_square_to_the_axis(layers, level):
+    """Name: in a longest face, a quarter of the width above the middle of the plate."""
+    settings = Lamellas(40.0, 3.0, strip="twisted", pattern="free", layers=layers)
+    for part in build(rounded(), [settings]).parts:
+        pattern, under = part.pattern, layers == 1 and part.family == "v"
+        middle = -level if part.family == "v" else level
+        steps = np.diff(pattern.axis, axis=0)
+        lengths = np.linalg.norm(steps, axis=1)
+        along = steps / lengths[:, None]
+        away = pattern.label - (pattern.axis[1:] + pattern.axis[:-1]) / 2
+        face = int(np.argmin(np.abs(np.einsum("fk,fk->f", away, along))))
+        assert lengths[face] == pytest.approx(lengths.max())
+        assert away[face] @ along[face] == pytest.approx(0, abs=1e-9)
+        height = away[face] @ [-along[face, 1], along[face, 0]]
+        assert height == pytest.approx(middle + (-10 if under else 10))
+        if layers == 2:
+            # From one edge to a tenth of the width before the middle.
+            ticks = np.array([mark.points for mark in pattern.marks if not mark.text])
+            far = np.linalg.norm(ticks[:, :, None] - pattern.axis, axis=3).min(axis=2)
+            assert far == pytest.approx(np.tile(np.abs([middle - 20, middle - 4]), (len(far), 1)))
 
 
 def test_standing_ones_in_two_layers_have_no_holes_without_a_mate():

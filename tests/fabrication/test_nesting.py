@@ -178,6 +178,19 @@ def test_whatever_the_library_does_the_sheets_are_sound(
     assert capfd.readouterr() == ("", "")
 
 
+def test_progress_is_the_part_that_has_been_laid(plates, tmp_path, monkeypatch):
+    (tmp_path / "spyrrow.py").write_text(STAND_IN.format(act="placed = placed[:1]"))
+    monkeypatch.syspath_prepend(str(tmp_path))
+    heard = []
+    shop = Workshop(sheet=(3000.0, 2000.0), spacing=8.0, nesting="outlines")
+    some = [part for part in plates if part.kind == "panel"][:6]
+    sheets = nest(some, shop, progress=lambda share, words: heard.append((share, words))).sheets
+    laid = np.cumsum([len(sheet.placements) for sheet in sheets]) / len(some)
+    assert len(sheets) > 1
+    assert sorted({share for share, _ in heard}) == pytest.approx([0.0, *laid])
+    assert heard[0][1] == "nesting sheet 1" and heard == sorted(heard)
+
+
 def test_without_the_library_boxes_take_its_place(plates, monkeypatch):
     monkeypatch.setattr(library, "is_there", lambda: False)
     nesting = nest(plates, Workshop(sheet=(3000.0, 1500.0), nesting="outlines"))

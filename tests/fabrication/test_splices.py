@@ -76,6 +76,17 @@ def assert_bolted(plate, pieces):
         assert sorted(away)[1] > 10
 
 
+def test_a_plate_names_each_piece_on_its_half():
+    for part in build(flat_grid(4, 9), [Lamellas(60, 4, stock=1500.0)]).parts:
+        if part.kind == "splice":
+            stem, number = part.name[1:].rsplit("-", 1)
+            places = {mark.text: mark.points[0] for mark in part.pattern.marks if mark.text}
+            first, second = (places.pop(f"L{stem}-{int(number) + k}") for k in (0, 1))
+            assert not places
+            assert first[0] == pytest.approx(part.length / 4)
+            assert second[0] == pytest.approx(3 / 4 * part.length)
+
+
 def in_place(part):
     """Middle and direction of every hole of a part in space."""
     return [
@@ -148,9 +159,9 @@ def test_files_read_back(tmp_path):
     assert {8} == {len(part.pattern.holes) for part in structure.parts if part.kind == "splice"}
 
 
-def tube(rings=3, count=12, radius=1000.0, bulge=0.0):
+def tube(rings=3, count=12, radius=1000.0, bulge=0.0, angle=None):
     """Rings of a cylinder or a barrel about z, closed."""
-    angle = np.arange(count) * 2 * np.pi / count
+    angle = np.arange(count) * 2 * np.pi / count if angle is None else angle
     height = 400.0 * np.arange(rings)
     reach = radius + bulge * np.sin(np.pi * np.arange(rings) / (rings - 1))
     points = np.stack(
@@ -188,6 +199,20 @@ def test_closed_lamellas_are_joined_by_a_splice_each():
     assert not check_clashes(structure.parts).clashes
     assert structure.report()["lamellas"]["splices"] == 3
     assert not [words for words in structure.report()["messages"] if "splice" in words]
+
+
+@pytest.mark.parametrize("long", [0, 7, 39])
+def test_closed_lamellas_are_cut_where_a_splice_has_room(long):
+    """One edge of 575 mm, the others of 81 mm too short for a plate."""
+    shares = np.where(np.arange(40) == long, 1.0, (2 * np.pi - 1.0) / 39)
+    mesh = tube(count=40, radius=600.0, angle=np.cumsum(shares) - shares)
+    structure = build(mesh, [Lamellas(60, 4, hole=9.0)], selection=Selection("u"))
+    plates = [part for part in structure.parts if part.kind == "splice"]
+    assert len(plates) == 3
+    middle = (mesh.vertices[long] + mesh.vertices[(long + 1) % 40]) / 2
+    for plate in plates:
+        away = np.mean([centre for centre, _ in in_place(plate)], axis=0) - middle
+        assert np.linalg.norm(away[:2]) <= 1e-9
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from solver import InputError
 from solver.analysis import measures
 from solver.mesh.primitives import primitive
 from solver.multinet import multi_net_residual
+from tests.solver.mesh.test_derived import star_of
 
 TURNED = (np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), np.array([10.0, 20, 30]))
 SHEET = primitive("rectangle", 9, 9, length=8000.0, width=8000.0)
@@ -48,6 +49,17 @@ def test_every_option_is_explained(entry):
             if isinstance(option.default, tuple) and option.kind not in ("points", "placement")
             else 1
         )
+
+
+def test_orient_turns_the_other_side_up_unless_told():
+    net = source("orient").make({}, meshes=[SHEET]).mesh
+    assert np.allclose(net.vertex_normals, -SHEET.vertex_normals)
+
+
+def test_coarsening_what_does_not_fit_says_what_would():
+    """A mesh with irregular vertices is no grid; that is not what is wrong with it."""
+    with pytest.raises(InputError, match="do not divide into blocks of 3 x 3 .* trim rows"):
+        source("coarsen").make({"every": (3, 3)}, meshes=[star_of(5, 4)])
 
 
 @pytest.mark.parametrize(

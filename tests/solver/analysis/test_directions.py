@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from solver.analysis.directions import directions
+from solver.mesh.mirror import swapped
 from tests.conftest import demo_roof, surface_of_revolution
 from tests.meshes import grid, noisy, parameters, scherk, unduloid
 
@@ -48,6 +49,14 @@ def test_neither_unit_nor_place_nor_noise_matters_much():
     assert np.isclose(directions(moved).twist, found.twist, rtol=1e-6)
     assert np.isclose(directions(moved).angle, found.angle, rtol=1e-6)
     assert directions(noisy(scherk(), 0.05)).twist > 0.75
+
+
+@pytest.mark.parametrize("diagonal", [False, True])
+def test_it_does_not_matter_which_family_is_named_first(diagonal):
+    for mesh in (noisy(scherk(), 0.3), noisy(demo_roof(), 0.3)):
+        one, other = directions(mesh, diagonal), directions(swapped(mesh), diagonal)
+        assert one.twist == pytest.approx(other.twist, rel=1e-9)
+        assert one.angle == pytest.approx(other.angle, rel=1e-9)
 
 
 def test_a_plane_has_no_directions():

@@ -9,6 +9,7 @@ from solver import Constraints, QuadMesh, optimise, start_optimisation
 from solver.analysis.advisor import advise
 from solver.analysis.start import start_remarks
 from solver.mesh.diagonal import diagonal_meshes
+from solver.mesh.quadmesh import unit_rows
 from solver.nets.constraints import BoundaryGlide
 from tests.conftest import demo_roof, shared_mesh, surface_of_revolution, wavy_grid
 from tests.meshes import grid, helicoid, noisy, scherk, unduloid
@@ -73,6 +74,25 @@ def test_a_held_border_that_twists_the_surface_is_measured():
     assert set(ends) in ({0, 56}, {6, 62})
     assert f"{turn:.1f} degrees" in str(remark)
     assert not any(one.cause == "border" for one in start_remarks(mesh, "principal"))
+
+
+def test_a_held_border_in_a_plane_twists_by_the_difference_of_its_corners():
+    """Parallel normals of a curve in a plane keep their angle to that plane, here 20, then 50."""
+    slope = np.radians(np.linspace(0, 90, 7))
+    curve = np.stack([np.sin(slope), 0 * slope, 1 - np.cos(slope)], axis=1)
+    chords = unit_rows(np.diff(curve, axis=0))[[0, 0, 1, 2, 3, 5, 5]]
+    rise = np.radians([20, 25, 30, 35, 40, 45, 50])[:, None]
+    inward = np.cross(chords, [0.0, 1.0, 0.0])
+    beside = curve + 0.4 * (np.cos(rise) * [0.0, 1.0, 0.0] + np.sin(rise) * inward + 0.3 * chords)
+    mesh = grid(*np.moveaxis(np.stack([curve, beside], axis=1), 2, 0))
+    held = np.ones(14, dtype=bool)
+    held[3:12:2] = False
+    remark = next(
+        one for one in start_remarks(mesh, "principal", held=held) if one.cause == "border"
+    )
+    turn, *ends = remark.numbers
+    assert sorted(ends) == [0, 12]
+    assert turn == pytest.approx(30, abs=1e-9)
 
 
 def test_a_held_loop_without_corners_that_does_not_close_is_measured():

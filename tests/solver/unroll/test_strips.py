@@ -90,6 +90,15 @@ def test_the_pattern_folds_back_into_the_strip(make, seed):
     assert np.abs(strip.refolded() - as_pairs(strip)).max() > 0.1
 
 
+def test_the_gap_is_that_of_the_outer_edges():
+    """Rulings apart by t on an edge of length a end a sqrt(1 + (t w / a)^2) apart in space."""
+    points = np.array([[0.0, 0, 0], [2, 0, 0], [5, 0, 0]])
+    angles = np.array([0.0, 0.2, 0.2])
+    rulings = np.stack([0 * angles, -np.sin(angles), np.cos(angles)], axis=1)
+    measured = strip_measures(Strip(points, rulings), 0.8, rulings)
+    assert measured.gap == pytest.approx(np.hypot(2, 2 * 0.4 * np.sin(0.1)) - 2, rel=1e-9)
+
+
 def test_normals_of_a_sphere_make_a_cone_that_unrolls_to_an_arc_of_its_radius():
     points, inward = on_sphere()
     for strip in (
@@ -177,6 +186,14 @@ def test_a_strip_and_its_mirror_image_get_rulings_as_far_apart(seed):
     )
     assert one.admissible_width()[0] > near
     assert one.admissible_width()[0] == pytest.approx(other.admissible_width()[0])
+
+
+@pytest.mark.parametrize("seed", [6, 7])
+def test_planes_that_lean_in_turn_make_room_where_rulings_meet(seed):
+    points, normals = wild(seed, 8)
+    near = developable_strip(points, normals, np.zeros(6)).admissible_width()[0]
+    wide = developable_strip(points, normals, np.zeros(6), width=1.25 * near)
+    assert wide.admissible_width()[0] >= 1.25 * near
 
 
 def test_collinear_points_leave_the_planes_alone():
