@@ -56,12 +56,12 @@ class Loops:
 
     @cached_property
     def samples(self) -> FloatArray:
-        """(2 K, 3) starts and middles of the segments."""
+        """(3 K, 3) both ends and the middles of the segments, which run in any direction."""
         ends = self.points[self.segments]
-        return np.concatenate([ends[:, 0], ends.mean(axis=1)])
+        return np.concatenate([ends[:, 0], ends[:, 1], ends.mean(axis=1)])
 
     def gaps(self, other: Loops) -> FloatArray:
-        """(2 K,) distances of the samples from another border; infinite where that has none."""
+        """(3 K,) distances of the samples from another border; infinite where that has none."""
         if not self.count or not other.count:
             return np.full(len(self.samples), np.inf)
         feet = other.curve.closest(self.samples)[0]
@@ -134,7 +134,7 @@ def far_loop(before: Loops, after: Loops, reach: float) -> Misfit | None:
 def _far(before: Loops, after: Loops) -> FloatArray:
     """(count,) largest distance of each loop from the other border."""
     far = np.zeros(before.count)
-    np.maximum.at(far, np.tile(before.loop, 2), before.gaps(after))
+    np.maximum.at(far, np.tile(before.loop, 3), before.gaps(after))
     return far
 
 

@@ -58,7 +58,7 @@ def test_orient_turns_the_other_side_up_unless_told():
 
 def test_coarsening_what_does_not_fit_says_what_would():
     """A mesh with irregular vertices is no grid; that is not what is wrong with it."""
-    with pytest.raises(InputError, match="do not divide into blocks of 3 x 3 .* trim rows"):
+    with pytest.raises(InputError, match=r"do not divide into blocks of 3 x 3 .* trim rows"):
         source("coarsen").make({"every": (3, 3)}, meshes=[star_of(5, 4)])
 
 

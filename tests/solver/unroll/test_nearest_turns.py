@@ -40,3 +40,11 @@ def test_turns_within_reach_stay_as_they_are():
     reach = Corners(along[:-1], along[1:], upright[1:-1]).half_turn.min() * np.sin(LEAN)
     wanted = reach * np.cos(np.arange(len(points) - 2))
     assert (nearest_turns(points, upright, wanted, LEAN) == wanted).all()
+
+
+def test_turns_are_the_same_in_any_unit():
+    points, upright = wall(np.radians(3.0))
+    wanted = np.zeros(len(points) - 2)
+    turns = nearest_turns(points, upright, wanted, LEAN)
+    assert np.abs(turns).max() > 0.01
+    assert nearest_turns(1e3 * points, upright, wanted, LEAN) == pytest.approx(turns, abs=1e-6)
