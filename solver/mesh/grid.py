@@ -146,21 +146,16 @@ def _step(half: int, twins: IntArray, side: int) -> int:
 def _walk(half: int, twins: IntArray, side: int) -> tuple[int, bool]:
     """Go to the end of a strip of faces; a closed strip stays where it is."""
     here = half
-    for _ in range(len(twins)):
-        following = _step(here, twins, side)
-        if following < 0:
-            return here, False
+    # Steps are one to one: what does not end comes back to where it began.
+    while (following := _step(here, twins, side)) >= 0:
         if following == half:
             return half, True
         here = following
-    raise _not_a_grid()
+    return here, False
 
 
 def _chain(half: int, twins: IntArray, side: int) -> list[int]:
     chain = [half]
-    while len(chain) <= len(twins):
-        following = _step(chain[-1], twins, side)
-        if following < 0 or following == half:
-            return chain
+    while (following := _step(chain[-1], twins, side)) >= 0 and following != half:
         chain.append(following)
-    raise _not_a_grid()
+    return chain

@@ -117,17 +117,30 @@ def test_level_grids_go_together():
         assert structure.report()[system.name]["not_put_on"] == 0
 
 
+def give_and_play(mesh, beam, other):
+    """Of a slot of 1 mm play, 60 mm deep: what the other, 10 mm thick, yields beside it."""
+    (vertex,) = set(beam.vertices) & set(other.vertices)
+    edges = mesh.connectivity.edges
+    there = (edges == vertex).any(axis=1) & np.isin(edges, other.vertices).all(axis=1)
+    length = float(mesh.edge_lengths[there].min())
+    return math.atan2(1, 60) + lean(MATERIALS["steel"], 10.0, length)
+
+
 def test_rigid_beams_around_a_barrel_are_named_with_the_slots_that_conflict():
     mesh = surface_of_revolution(17, 15).scaled(1000.0)
     structure = build(mesh, [Beams(120, 10, ends="lapped", clearance=1.0)])
     failing = [part for part in structure.parts if part.assembly]
     assert failing and len({part.family for part in failing}) == 1
-    names = {part.name for part in structure.parts}
+    by_name = {part.name: part for part in structure.parts}
+    names = set(by_name)
     verdicts = dict(zip((part.name for part in structure.parts), structure.verdicts, strict=True))
     for part in failing:
         assert "diverge by" in verdicts[part.name]
         one, other = (word for word in part.assembly.split() if word in names)
         assert one != other
+        allowed = sum(give_and_play(mesh, part, by_name[name]) for name in (one, other))
+        said = float(part.assembly.rpartition("play and give allow ")[2])
+        assert said == pytest.approx(math.degrees(allowed), abs=0.06)
     assert structure.report()["beams"]["not_put_on"] == len(failing)
     assert any("cannot be pushed on" in words for words in structure.report()["messages"])
 

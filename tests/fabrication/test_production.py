@@ -10,7 +10,7 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
-from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
 from freecad_ortho.fabrication.groups import groups_of
 from freecad_ortho.fabrication.nodes import nodes
 from freecad_ortho.fabrication.part import measure_words
@@ -428,3 +428,18 @@ def test_units_of_measures_in_words():
     assert measure_words("torsion_deg_per_m") == ("torsion", "deg/m")
     assert measure_words("min_bend_radius_mm") == ("min bend radius", "mm")
     assert measure_words("stress_MPa") == ("stress", "MPa")
+
+
+def test_progress_rises_to_one_with_the_clash_check(structure, monkeypatch):
+    def clashes(parts, executor, progress):
+        for done in (0.2, 0.5, 1.0):
+            progress(done)
+        return ClashCheck(0, 0, (), ())
+
+    monkeypatch.setattr("freecad_ortho.fabrication.production.check_clashes", clashes)
+    heard = []
+    produce(structure, Workshop(sheet=(3000, 2000)), progress=lambda *said: heard.append(said))
+    fractions = [fraction for fraction, _ in heard]
+    assert fractions[0] == 0.0 and fractions == sorted(fractions)
+    clash = [fraction for fraction, words in heard if words == "clash check"]
+    assert clash == pytest.approx([0.6, 0.68, 0.8, 1.0, 1.0])

@@ -76,8 +76,9 @@ def assert_bolted(plate, pieces):
         assert sorted(away)[1] > 10
 
 
-def test_a_plate_names_each_piece_on_its_half():
-    for part in build(flat_grid(4, 9), [Lamellas(60, 4, stock=1500.0)]).parts:
+@pytest.mark.parametrize("hole", [9.0, 4.0])
+def test_a_plate_names_each_piece_on_its_half(hole):
+    for part in build(flat_grid(4, 9), [Lamellas(60, 4, hole=hole, stock=1500.0)]).parts:
         if part.kind == "splice":
             stem, number = part.name[1:].rsplit("-", 1)
             places = {mark.text: mark.points[0] for mark in part.pattern.marks if mark.text}
@@ -85,6 +86,9 @@ def test_a_plate_names_each_piece_on_its_half():
             assert not places
             assert first[0] == pytest.approx(part.length / 4)
             assert second[0] == pytest.approx(3 / 4 * part.length)
+            assert len(part.name) * part.pattern.label_size <= part.length
+            for mark in part.pattern.marks:
+                assert len(mark.text) * mark.size <= part.length / 2
 
 
 def in_place(part):

@@ -15,7 +15,7 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.step import read_step, write_step
 from freecad_ortho.fabrication.step_text import compacted
-from solver.errors import InputError
+from solver.errors import InputError, OrthoError
 from tests.meshes import helicoid
 
 
@@ -57,6 +57,13 @@ def test_files_are_in_mm_whatever_unit_the_kernel_was_set_to(tmp_path):
     assert name == "P0000"
     assert (box.xlen, box.ylen, box.zlen) == pytest.approx((900, 400, 10))
     assert (box.xmin, box.ymin, box.zmin) == pytest.approx((10, 20, 30))
+
+
+@pytest.mark.parametrize("text", ["", "half a file", "ISO-10303-21;\nHEADER;"])
+def test_a_file_that_is_none_is_refused(tmp_path, text):
+    (tmp_path / "broken.step").write_text(text)
+    with pytest.raises(OrthoError, match=r"broken\.step: cannot be read back as STEP"):
+        read_step(tmp_path / "broken.step")
 
 
 def test_beams_take_a_third_of_what_the_kernel_writes(roof, tmp_path):

@@ -79,6 +79,7 @@ BODY = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
         "OFF # head\n# unit: m\n4 1 # no edges\n" + BODY + "# faces\n4 0 1 2 3 # last\n",
         "OFF\n4 1\n" + BODY + "4 0 1 2 3 255 0 0\n",
         "OFF\n4 1 4\n" + BODY + "4 0 1 2 3 0.5 0.5 0.5 1.0\n",
+        "OFF\n4 1 4\n" + BODY + "4 0 1 2\n3 0.5 0.5 0.5 1.0\n",
         "OFF\n4 1 4\n" + BODY.replace("0\n", "0 255 0 0\n") + "4 0 1 2 3\n",
         "COFF\n4 1 4\n" + BODY.replace("0\n", "0 255 0 0 255\n") + "4 0 1 2 3\n",
         "COFF 4 1 4 " + BODY.replace("0\n", "0 255 0 0 255 ") + "4 0 1 2 3\n",

@@ -188,7 +188,8 @@ def test_bad_distances_are_refused():
     assert offset_mesh(mesh, -largest).length_ratio.min() > 0
     with pytest.raises(InputError):
         offset_mesh(mesh, -1.01 * largest)
-    with pytest.raises(InputError, match="have no length, the first is edge 0"):
+    for unit in (1e-6, 1.0, 1e6):
         points = mesh.vertices.copy()
-        points[0] = points[1]
-        offset_mesh(mesh.with_vertices(points), 0.1)
+        points[0] = points[1] + 1e-10 * (points[0] - points[1])
+        with pytest.raises(InputError, match="1 have no length, the first is edge 0"):
+            offset_mesh(mesh.with_vertices(unit * points), 0.1 * unit)
