@@ -16,7 +16,15 @@ FOLDER = Path(os.environ["ORTHO_SUITE_SCRATCH"])
 # Of the 3D view, in pixels; a panel that is higher makes the picture higher.
 VIEW = (740, 420)
 # Commands that open a panel by themselves and are no part of the tutorial.
-SOURCES = ("MultiNet", "Primitive", "EllipticNet", "FaceNet", "QuadsFromMesh", "FormNet")
+SOURCES = (
+    "MultiNet",
+    "Primitive",
+    "EllipticNet",
+    "FaceNet",
+    "AlignedNet",
+    "QuadsFromMesh",
+    "FormNet",
+)
 CHANGES = ("Derived", "Refine", "Transform", "Offset", "Weld")
 
 
@@ -146,7 +154,7 @@ def others() -> None:
 
     for command in SOURCES:
         FreeCAD.newDocument("Sources")
-        if command == "FaceNet":
+        if command in ("FaceNet", "AlignedNet"):
             sheet = FreeCAD.ActiveDocument.addObject("Part::Cylinder", "Cylinder")
             sheet.Radius, sheet.Height = 3000, 5000
             FreeCAD.ActiveDocument.recompute()

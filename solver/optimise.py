@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
+from solver.align.reach import reaching
 from solver.analysis.form import surface_of
 from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
@@ -173,6 +174,8 @@ def start_optimisation(
     held = _held(asked, bool(standing.standing.any()), wanted)
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
+    if wanted.close_to is not None:
+        wanted = replace(wanted, close_to=reaching(mesh, *wanted.close_to))
     wanted = replace(wanted, glide=(*wanted.glide, *standing.glides(mesh, wanted)))
     surface = _surface(asked, mesh, wanted)
     remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))

@@ -14,6 +14,7 @@ from solver.mesh.primitives import primitive
 from solver.nets import NETS, all_measures, nets_with, unregister
 from solver.nets.options import OPTIONS
 from tests.conftest import ROOT
+from tests.design_surfaces import saddle, triangles
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 
@@ -112,6 +113,8 @@ def workplace(tmp_path, monkeypatch):
     cadquery = pytest.importorskip("cadquery")
     hall = cadquery.Workplane().box(24000, 16000, 6000)
     cadquery.exporters.export(hall, "hall.step")
+    trimesh = pytest.importorskip("trimesh")
+    trimesh.Trimesh(*triangles(saddle, 41, 31)).export("roof.stl")
     (tmp_path / "drawn.txt").write_text("2.9 .2 .1\n2.2 1.4 .4\n1.2 1.7 .8\n.3 1.5 1.1\n")
 
 

@@ -28,9 +28,9 @@ DEFERRED = {
 
 # Inside the solver, from the ground up; nothing that a file imports, anywhere in it, is above it.
 LAYERS = (
-    "errors", "option", "tuning", "isolated", "mesh", "io", "multinet", "mesh.primitives", "offset",
-    "linear", "statics", "analysis", "terms", "report", "problem", "nets", "analysis.start",
-    "candidate", "plan",
+    "errors", "option", "tuning", "isolated", "mesh", "io", "multinet", "mesh.primitives", "align",
+    "offset", "linear", "statics", "analysis", "terms", "report", "problem", "nets",
+    "analysis.start", "candidate", "plan",
     "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "best", "summary",
     "run", "optimise", "session", "solve", "analysis.advisor", "analysis.check",
     "analysis.fields", "formfinding", "unroll",

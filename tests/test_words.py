@@ -63,5 +63,6 @@ def test_a_zero_that_means_something_else_says_what():
         option.name: option.absent for option in options()
     }
     assert shown["kerf"] == shown["bore"] == "none"
-    assert shown["edge"] == "by the sampling"
+    edges = {o.absent for s in SOURCES.values() for o in s.options if o.name == "edge"}
+    assert edges == {"by the sampling", "for about 600 faces"}
     assert not any("; 0:" in option.meaning for option in options())

@@ -12,6 +12,7 @@ import numpy as np
 
 from freecad_ortho import api
 from freecad_ortho.cli import (
+    aligning,
     faces,
     fitting,
     forming,
@@ -82,6 +83,7 @@ def add(commands: argparse._SubParsersAction[Any]) -> None:
     offsetting.add(commands.add_parser("offset", help="a parallel mesh at a distance"))
     fitting.add(commands.add_parser("fit-multinet", help="the multi-net nearest to a mesh"))
     faces.add(commands.add_parser("faces", help="a net on CAD faces of a STEP file"))
+    aligning.add(commands.add_parser("align", help="a net along a surface's lines of curvature"))
     remeshing.add(commands.add_parser("quads", help="a triangle mesh remeshed to quads"))
 
 

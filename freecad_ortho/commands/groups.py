@@ -34,7 +34,7 @@ class CommandGroup(Command):
 class NewNet(CommandGroup):
     """Nets from numbers, faces, triangles and equilibrium."""
 
-    members = ("Primitive", "EllipticNet", "FaceNet", "QuadsFromMesh", "FormNet")
+    members = ("Primitive", "EllipticNet", "FaceNet", "AlignedNet", "QuadsFromMesh", "FormNet")
     icon = "primitive"
     text = QT_TRANSLATE_NOOP("Ortho_NewNet", "New net")
     tip = QT_TRANSLATE_NOOP(

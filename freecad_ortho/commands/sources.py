@@ -104,6 +104,19 @@ class FaceNet(SourceCommand):
     )
 
 
+class AlignedNet(SourceCommand):
+    """Follow lines of curvature on CAD faces."""
+
+    group = "along curvature"
+    icon = "aligned_net"
+    text = QT_TRANSLATE_NOOP("Ortho_AlignedNet", "Net along curvature")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_AlignedNet",
+        "A net on the selected CAD faces along the lines that an exact net has there, which "
+        "overhangs their border",
+    )
+
+
 class FormNet(SourceCommand):
     """Find a form in equilibrium."""
 

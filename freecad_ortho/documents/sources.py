@@ -163,6 +163,23 @@ def net_from_faces(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
     return add_source("faces", faces=cad_faces.faces_of(faces), **options)
 
 
+def net_along_curvature(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
+    """Add a net on CAD faces along their lines of curvature, or at 45 degrees to them.
+
+    The net overhangs the border of the faces by up to a face; ``close_to`` keeps it near them when
+    it is optimised.
+
+    Args:
+        faces: a shape (all its faces), ``(shape, "Face1")``, or a list of these.
+        options: ``net`` (``principal``, ``developable``, ``asymptotic`` or ``cmc``),
+            ``edge="1.2 m"``, ``ratio``.
+
+    Raises:
+        InputError: no faces, or faces that have no such net; the document is unchanged.
+    """
+    return add_source("along curvature", faces=cad_faces.faces_of(faces), **options)
+
+
 def form_net(net: FreeCAD.DocumentObject, **options: Value) -> FreeCAD.DocumentObject:
     """Add the membrane or cable net in equilibrium that starts from a net.
 

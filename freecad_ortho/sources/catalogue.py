@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from freecad_ortho.sources.aligning import ALIGNED
 from freecad_ortho.sources.changes import CHANGES
 from freecad_ortho.sources.faces import FACES
 from freecad_ortho.sources.forming import FORM
@@ -14,7 +15,7 @@ _PRIMITIVES = primitive_sources()
 
 SOURCES: dict[str, Source] = {
     **_PRIMITIVES,
-    **{entry.name: entry for entry in (MULTI_NET, ELLIPTIC_NET, FACES, FORM, *CHANGES)},
+    **{entry.name: entry for entry in (MULTI_NET, ELLIPTIC_NET, FACES, ALIGNED, FORM, *CHANGES)},
 }
 
 GROUPS: dict[str, tuple[str, ...]] = {
@@ -22,6 +23,7 @@ GROUPS: dict[str, tuple[str, ...]] = {
     "multi-net": (MULTI_NET.name,),
     "elliptic multi-net": (ELLIPTIC_NET.name,),
     "faces": (FACES.name,),
+    "along curvature": (ALIGNED.name,),
     "form-finding": (FORM.name,),
     "derived": ("diagonal mesh", "medial mesh", "checkerboard"),
     "refine": ("subdivide", "coarsen", "trim"),

@@ -11,7 +11,12 @@ from freecad_ortho import answers
 from freecad_ortho.resources import icon
 from freecad_ortho.view.net_view import NetView
 
-_ICONS = {"multi-net": "multi_net", "elliptic multi-net": "elliptic_net", "faces": "face_net"}
+_ICONS = {
+    "multi-net": "multi_net",
+    "elliptic multi-net": "elliptic_net",
+    "faces": "face_net",
+    "along curvature": "aligned_net",
+}
 
 
 class SourceNetView(NetView):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -58,12 +59,25 @@ def _whole(corner: object) -> int:
     return corner
 
 
-def write_json(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
+def write_json(
+    path: str | os.PathLike[str],
+    mesh: QuadMesh,
+    unit: str | None = None,
+    border: Sequence[Sequence[Sequence[float]]] = (),
+) -> None:
     """Write a mesh with every digit, whole or not at all.
+
+    Args:
+        path: of the file.
+        mesh: the mesh.
+        unit: of its coordinates.
+        border: closed polylines along which the mesh will be trimmed, under ``border``.
 
     Raises:
         OutputError: the folder is missing or cannot be written.
     """
     data: dict[str, object] = {} if unit is None else {"unit": unit}
     data |= {"vertices": mesh.vertices.tolist(), "faces": mesh.faces.tolist()}
+    if border:
+        data["border"] = border
     write_text(path, json.dumps(data) + "\n")

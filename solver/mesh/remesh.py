@@ -18,7 +18,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.isolated import Isolated, LibraryError
@@ -27,10 +26,11 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import IntArray
 from solver.mesh.intake import quad_mesh
-from solver.mesh.mirror import SAME_PLACE, size_of
+from solver.mesh.mirror import size_of
 from solver.mesh.openings import Loops, Misfit, far_loop, other_loops
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.quadriflow import LIBRARY, Quadriflow
+from solver.mesh.triangles import sound_triangles
 
 # Most quads that are made, and the longest that the library may take, in seconds.
 _MOST, _LONGEST = 200_000, 3600.0
@@ -92,7 +92,7 @@ def quads_from_triangles(
         InputError: a triangle soup, bad targets, the library missing, hanging or failing, or an
             opening that would be closed.
     """
-    points, corners = _sound(vertices, triangles)
+    points, corners = sound_triangles(vertices, triangles)
     wanted = _target(points, corners, faces, edge)
     given = _Given.of(points, corners, corner, seed)
     until = time.monotonic() + _allowed(time_limit)
@@ -200,37 +200,6 @@ def _needed(lost: Misfit, given: _Given) -> float:
     if lost.width is None:
         return 0.0
     return float(f"{_area(given.points, given.triangles) / (_OF_OPENING * lost.width) ** 2:.2g}")
-
-
-def _sound(vertices: ArrayLike, triangles: ArrayLike) -> tuple[FloatArray, IntArray]:
-    """Merge vertices at one place, drop what has no area, refuse what is no surface."""
-    points = np.asarray(vertices, dtype=np.float64).reshape(-1, 3)
-    corners = np.asarray(triangles, dtype=np.int64)
-    TriangleSurface(points, corners)
-    tree = cKDTree(points)
-    first = np.array(
-        [min(near) for near in tree.query_ball_point(points, SAME_PLACE * size_of(points))]
-    )
-    corners = first[corners]
-    two, three = (points[corners[:, k]] - points[corners[:, 0]] for k in (1, 2))
-    corners = corners[np.linalg.norm(np.cross(two, three), axis=1) > 0]
-    if not len(corners):
-        raise InputError("triangles: none has an area; export the surface again")
-    kept, numbers = np.unique(corners, return_inverse=True)
-    points, corners = points[kept], numbers.reshape(-1, 3)
-    sides = np.sort(np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
-    counts = np.unique(sides, axis=0, return_counts=True)[1]
-    if (counts > 2).any():
-        raise InputError(
-            f"triangles: {int((counts > 2).sum())} edges have more than two triangles; separate "
-            "the sheets that meet there first"
-        )
-    if (counts == 1).sum() > 0.75 * 3 * len(corners) and len(corners) > 2:
-        raise InputError(
-            "triangles: a soup of loose triangles, not a surface; join vertices at the same place "
-            "(a larger tolerance) and export again"
-        )
-    return points, corners
 
 
 def _target(points: FloatArray, corners: IntArray, faces: int | None, edge: float | None) -> int:

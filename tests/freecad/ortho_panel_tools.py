@@ -15,6 +15,7 @@ PANELS = {
     "Primitive": (),
     "EllipticNet": (),
     "FaceNet": ("Cylinder", "Face1"),
+    "AlignedNet": ("Cylinder", "Face1"),
     "QuadsFromMesh": ("Scan",),
     "FormNet": ("Net",),
     "Derived": ("Net",),

@@ -167,6 +167,27 @@ class TestFaces(SourceCase):
         self.assertLess(abs(convert.quad_mesh(fine).mean_edge / 500 - 1), 0.06)
         self.assertEqual(fine.CadFaces, [(feature, ("Face1",))])
 
+    def test_along_the_curvature_of_a_face(self):
+        feature = self.shape(self.dome().toShape())
+        net = api.net_along_curvature(feature, edge="0.6 m")
+        mesh = convert.quad_mesh(net)
+        self.assertEqual(net.Edge.getValueAs("mm"), 600)
+        self.assertLess(measures.orthogonality(mesh).mean(), 0.02)
+        # What overhangs lies beyond the face, everything else on it.
+        distances = [
+            feature.Shape.distToShape(Part.Vertex(point))[0]
+            for point in convert.vectors(tools.vertices(net))
+        ]
+        inner = ~mesh.connectivity.boundary_vertices
+        self.assertLess(np.array(distances)[inner].max(), 900)
+        self.assertGreater(np.mean(np.array(distances) < 1e-3), 0.6)
+        before = len(net.Faces)
+        net.Edge = 900
+        self.document.recompute()
+        self.assertLess(len(net.Faces), 0.7 * before)
+        api.optimise_net(net, net="principal", close_to=net)
+        self.assertLessEqual(max(tools.faults(net)), 1e-10)
+
     def test_follows_the_face_until_it_was_optimised(self):
         feature = self.shape(self.dome().toShape())
         net = api.net_from_faces(feature, sampling=(9, 7))

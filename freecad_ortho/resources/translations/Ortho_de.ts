@@ -320,6 +320,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times as long edges of the other family of lines are</source>
+   <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter: hubs or sockets measure this across their faces</source>
    <translation>Nabendurchmesser: so viel messen Naben oder Hülsen über ihre Flächen</translation>
   </message>
@@ -650,6 +655,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planar nets: largest distance between the diagonals of a face; 0 is exactly flat</source>
+   <translation>Planare Netze: größter Abstand zwischen den Diagonalen einer Fläche; 0 ist genau eben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points (radius, height) that are turned about z</source>
    <translation>Punkte (Radius, Höhe), die um z gedreht werden</translation>
   </message>
@@ -910,6 +920,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Spannungsnetze: was die Lasten trägt: der Rand (boundary), der außer an seinen Ecken entlang seiner eigenen Kurve gleitet; Ecken (corners) oder Ecken wie 0,5,12, die bleiben; leer: wie das Netz es braucht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
   </message>
@@ -1040,6 +1055,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length</source>
+   <translation>Gewünschte Kantenlänge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
   </message>
@@ -1072,6 +1092,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What the net is made by</source>
    <translation>Wodurch das Netz gemacht ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
+   <translation>Was das Netz werden soll; Linien für asymptotic und cmc laufen unter 45 Grad zur Krümmung</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -1180,6 +1205,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A minimal surface with straight upright lamellas.</source>
    <translation>Eine Minimalfläche mit geraden, aufrechten Lamellen.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A net along lines of curvature of CAD faces, or at 45 degrees to them</source>
+   <translation>Ein Netz entlang der Krümmungslinien von CAD-Flächen oder unter 45 Grad zu ihnen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -1852,6 +1882,11 @@
    <translation>Abwicklungen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flatness</source>
+   <translation>Ebenheit</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Flip net</source>
    <translation>Netz wenden</translation>
@@ -2015,6 +2050,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the result may be off the surface, or the start where none is given</source>
    <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times as long edges of the other family of lines are</source>
+   <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2583,6 +2623,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planar nets: largest distance between the diagonals of a face</source>
+   <translation>Planare Netze: größter Abstand zwischen den Diagonalen einer Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Planarity</source>
    <translation>Ebenheit</translation>
   </message>
@@ -2685,6 +2730,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius of the sphere</source>
    <translation>Radius der Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ratio</source>
+   <translation>Verhältnis</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3028,6 +3078,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Spannungsnetze: was die Lasten trägt: der Rand (boundary), der außer an seinen Ecken entlang seiner eigenen Kurve gleitet; Ecken (corners) oder Ecken wie 0,5,12, die bleiben; leer: wie das Netz es braucht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
   </message>
@@ -3093,6 +3148,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The first holds the first vertex</source>
    <translation>Das erste enthält die erste Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The largest gap of a face is {}, of face {}.</source>
+   <translation>Der größte Spalt einer Fläche ist {}, an Fläche {}.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
@@ -3326,6 +3386,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length</source>
+   <translation>Gewünschte Kantenlänge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
   </message>
@@ -3338,6 +3403,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Was den Abstand hält</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
+   <translation>Was das Netz werden soll; Linien für asymptotic und cmc laufen unter 45 Grad zur Krümmung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3448,6 +3518,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>along Z (Z)</source>
    <translation>längs Z (Z)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>along curvature</source>
+   <translation>entlang der Krümmung</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3690,6 +3765,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Enneper</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>exactly flat</source>
+   <translation>genau eben</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>face</source>
    <translation>Masche</translation>
@@ -3705,6 +3785,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Maschen eben auf {}</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>faces of this size leave the surface by {} between their corners: take a finer mesh, or allow as much</source>
+   <translation>Flächen dieser Größe weichen zwischen ihren Ecken um {} von der Fläche ab: nehmen Sie ein feineres Netz, oder lassen Sie so viel zu</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>fill</source>
    <translation>füllen</translation>
@@ -3713,6 +3798,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>first</source>
    <translation>erstes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>for about 600 faces</source>
+   <translation>für etwa 600 Flächen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4743,6 +4833,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>the fastest installed</source>
    <translation>der schnellste installierte</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_AlignedNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A net on the selected CAD faces along the lines that an exact net has there, which overhangs their border</source>
+   <translation>Ein Netz auf den gewählten CAD-Flächen entlang der Linien, die ein genaues Netz dort hat; es ragt über ihren Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Net along curvature</source>
+   <translation>Netz entlang der Krümmung</translation>
   </message>
  </context>
  <context>

@@ -320,6 +320,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times as long edges of the other family of lines are</source>
+   <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter: hubs or sockets measure this across their faces</source>
    <translation>Diamètre du moyeu : les moyeux ou les douilles mesurent autant entre leurs faces</translation>
   </message>
@@ -650,6 +655,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planar nets: largest distance between the diagonals of a face; 0 is exactly flat</source>
+   <translation>Réseaux plans : plus grande distance entre les diagonales d'une face ; 0 : exactement plan</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points (radius, height) that are turned about z</source>
    <translation>Points (rayon, hauteur) tournés autour de z</translation>
   </message>
@@ -910,6 +920,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Réseaux de contraintes : ce qui porte les charges : le bord (boundary), qui glisse sur sa propre courbe sauf à ses coins ; les coins (corners) ou des sommets comme 0,5,12, qui restent ; vide : selon le besoin du réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
   </message>
@@ -1040,6 +1055,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length</source>
+   <translation>Longueur d'arête voulue</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
   </message>
@@ -1072,6 +1092,11 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What the net is made by</source>
    <translation>Ce par quoi le réseau est fait</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
+   <translation>Ce que le réseau doit devenir ; les lignes asymptotic et cmc vont à 45 degrés de la courbure</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -1180,6 +1205,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A minimal surface with straight upright lamellas.</source>
    <translation>Une surface minimale à lamelles droites et dressées.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>A net along lines of curvature of CAD faces, or at 45 degrees to them</source>
+   <translation>Un réseau le long des lignes de courbure de faces CAO, ou à 45 degrés de celles-ci</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -1852,6 +1882,11 @@
    <translation>Développés</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flatness</source>
+   <translation>Planéité</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Flip net</source>
    <translation>Retourner le réseau</translation>
@@ -2015,6 +2050,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the result may be off the surface, or the start where none is given</source>
    <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many times as long edges of the other family of lines are</source>
+   <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2583,6 +2623,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planar nets: largest distance between the diagonals of a face</source>
+   <translation>Réseaux plans : plus grande distance entre les diagonales d'une face</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Planarity</source>
    <translation>Planéité</translation>
   </message>
@@ -2685,6 +2730,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius of the sphere</source>
    <translation>Rayon de la sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ratio</source>
+   <translation>Rapport</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3028,6 +3078,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Réseaux de contraintes : ce qui porte les charges : le bord (boundary), qui glisse sur sa propre courbe sauf à ses coins ; les coins (corners) ou des sommets comme 0,5,12, qui restent ; vide : selon le besoin du réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
   </message>
@@ -3093,6 +3148,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The first holds the first vertex</source>
    <translation>Le premier contient le premier sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The largest gap of a face is {}, of face {}.</source>
+   <translation>Le plus grand écart d'une face est {}, à la face {}.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
@@ -3326,6 +3386,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Wanted edge length</source>
+   <translation>Longueur d'arête voulue</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
   </message>
@@ -3338,6 +3403,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Ce qui garde la distance</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
+   <translation>Ce que le réseau doit devenir ; les lignes asymptotic et cmc vont à 45 degrés de la courbure</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3448,6 +3518,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>along Z (Z)</source>
    <translation>selon Z (Z)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>along curvature</source>
+   <translation>le long de la courbure</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3690,6 +3765,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Enneper</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>exactly flat</source>
+   <translation>exactement plan</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>face</source>
    <translation>face</translation>
@@ -3705,6 +3785,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>faces planes à {} près</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>faces of this size leave the surface by {} between their corners: take a finer mesh, or allow as much</source>
+   <translation>des faces de cette taille s'écartent de {} de la surface entre leurs coins : prenez un maillage plus fin, ou admettez autant</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>fill</source>
    <translation>remplir</translation>
@@ -3713,6 +3798,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>first</source>
    <translation>premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>for about 600 faces</source>
+   <translation>pour 600 faces environ</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4743,6 +4833,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/resources/preferences.ui" />
    <source>the fastest installed</source>
    <translation>le plus rapide installé</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_AlignedNet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>A net on the selected CAD faces along the lines that an exact net has there, which overhangs their border</source>
+   <translation>Un réseau sur les faces CAO choisies, le long des lignes qu'un réseau exact y a ; il dépasse leur bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Net along curvature</source>
+   <translation>Réseau selon la courbure</translation>
   </message>
  </context>
  <context>

@@ -1,0 +1,162 @@
+"""Align nets on surfaces by formula and write the table of docs/sources.md.
+
+usage: python scripts/docs_align.py           print the table
+       python scripts/docs_align.py --write   write it into the page
+
+Surfaces are given as 120 x 72 x 2 triangles, aligned with edges of 1.1 m by the command line, then
+optimised close to the surface, with default settings. What is off the surface is measured on one
+that is carried on by a tenth of its formula, since nets overhang the border.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from solver import QuadMesh, read_mesh, write_mesh  # noqa: E402
+from solver.analysis import form, measures  # noqa: E402
+from solver.mesh.closest import TriangleSurface  # noqa: E402
+from solver.mesh.grid import grid_mesh  # noqa: E402
+from solver.mesh.quadmesh import FloatArray  # noqa: E402
+
+PAGE = ROOT / "docs" / "sources.md"
+BEGIN, END = "<!-- align -->\n", "<!-- /align -->"
+EDGE = "1.1"
+HEADS = (
+    "surface",
+    "faces",
+    "irregular",
+    "orthogonality, max / mean",
+    "planarity, max / mean",
+    "off, when exact",
+    "area",
+    "zigzag",
+    "shortest edge kept",
+    "time",
+)
+
+
+def _twisted_barrel(u: FloatArray, v: FloatArray) -> tuple[FloatArray, ...]:
+    w = v - 0.5
+    height = 5 * np.cos(np.pi * w) * (1 + 0.4 * np.sin(2 * u))
+    return 30 * u, 18 * w * (1 + 0.25 * u), height
+
+
+def _skew_saddle(u: FloatArray, v: FloatArray) -> tuple[FloatArray, ...]:
+    a, b = u - 0.5, v - 0.5
+    return 30 * u + 3 * v, 20 * v - 4 * u, 12 * a**2 - 20 * b**2 + 2 * a * b
+
+
+def _wave(u: FloatArray, v: FloatArray) -> tuple[FloatArray, ...]:
+    height = 2 * np.sin(2 * np.pi * u) + 1.5 * np.cos(np.pi * v) + 1.2 * u * v
+    return 40 * u, 20 * v, height
+
+
+def _dome(u: FloatArray, v: FloatArray) -> tuple[FloatArray, ...]:
+    a, b = u - 0.5, v - 0.5
+    return 30 * a, 20 * b, 6 * np.cos(0.9 * np.pi * a) * np.cos(0.9 * np.pi * b)
+
+
+def _canopy(u: FloatArray, v: FloatArray) -> tuple[FloatArray, ...]:
+    rise = 3 * np.sin(np.pi * v) * (1 - 0.6 * u)
+    return 30 * u, 18 * v, 4 + rise + 2 * np.sin(1.5 * np.pi * u) * (v - 0.5)
+
+
+def _bump(u: FloatArray, v: FloatArray) -> tuple[FloatArray, ...]:
+    height = 4 * np.exp(-9 * ((u - 0.45) ** 2 + (v - 0.55) ** 2)) + 0.8 * u
+    return 30 * u, 30 * v, height
+
+
+SURFACES: dict[str, Callable[[FloatArray, FloatArray], tuple[FloatArray, ...]]] = {
+    "twisted barrel": _twisted_barrel,
+    "skew saddle": _skew_saddle,
+    "wave": _wave,
+    "dome": _dome,
+    "canopy": _canopy,
+    "bump": _bump,
+}
+
+
+def sheet(name: str, counts: tuple[int, int], margin: float = 0.0) -> QuadMesh:
+    """A grid of quads along the parameters of a formula."""
+    ends = [np.linspace(-margin, 1 + margin, count) for count in counts]
+    grids = np.meshgrid(*ends, indexing="ij")
+    return grid_mesh(np.stack(np.broadcast_arrays(*SURFACES[name](*grids)), axis=-1))
+
+
+def run(*arguments: str) -> None:
+    """One command of the command line."""
+    command = [sys.executable, "-m", "freecad_ortho", *arguments]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise SystemExit(f"{' '.join(arguments)}: {done.stderr}")
+
+
+def row(name: str, folder: Path) -> str:
+    """The line of one surface."""
+    start, net, exact = (str(folder / f"{part}.obj") for part in ("surface", "net", "exact"))
+    write_mesh(start, sheet(name, (121, 73)), "m")
+    begun = time.perf_counter()
+    report = str(folder / "align.json")
+    run("align", start, "--edge", EDGE, "-o", net, "--report", report)
+    spent = time.perf_counter() - begun
+    run("optimise", net, "--net", "principal", "--close-to", start, "-o", exact)
+    aligned, optimised = read_mesh(net), read_mesh(exact)
+    irregular = json.loads(Path(report).read_text())["irregular_vertices"]
+    away = ~np.isin(aligned.faces, irregular).any(axis=1)
+    right, flat = (
+        measure(aligned)[away] for measure in (measures.orthogonality, measures.planarity)
+    )
+    surface = TriangleSurface.from_quads(sheet(name, (481, 289), 0.1))
+    found = form.form_of(aligned, optimised, surface)
+    edges = measures.edge_ratio(optimised) / measures.edge_ratio(aligned)
+    cells = (
+        name,
+        len(aligned.faces),
+        len(irregular),
+        f"{right.max():.3f} / {right.mean():.4f}",
+        f"{flat.max():.4f} / {flat.mean():.5f}",
+        f"{found.off_surface.max * 1000:.0f} mm, {found.off_surface.percent:.3f} %",
+        f"{found.area_ratio:.3f}",
+        f"{found.zigzag:.2f}",
+        f"{edges:.2f}",
+        f"{spent:.0f} s",
+    )
+    return "| " + " | ".join(str(cell) for cell in cells) + " |"
+
+
+def table() -> str:
+    """All surfaces."""
+    lines = ["| " + " | ".join(HEADS) + " |", "| --- |" + " ---: |" * (len(HEADS) - 1)]
+    with tempfile.TemporaryDirectory() as folder:
+        lines += [row(name, Path(folder)) for name in SURFACES]
+    return "\n".join(lines) + "\n"
+
+
+def main() -> None:
+    """Read the command line and make the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--write", action="store_true")
+    write = parser.parse_args().write
+    made = table()
+    if not write:
+        print(made)
+        return
+    page = PAGE.read_text(encoding="utf-8")
+    before, rest = page.split(BEGIN)
+    PAGE.write_text(before + BEGIN + made + END + rest.split(END, 1)[1], encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Quads on a design surface, along its lines of curvature: from triangles to a net to optimise."""

@@ -1,0 +1,297 @@
+"""A quad net on a design surface, along the lines that an exact net has there.
+
+Curvature is fitted to the triangles, a smooth field of directions follows it, a map of the surface
+to the plane follows the field, and quads are read from the map. The net overhangs the border by up
+to a face, since lines of curvature seldom run along it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solver.align.apron import extended
+from solver.align.cells import Quads, quads
+from solver.align.cut import cut_open
+from solver.align.field import Field, Guide, curvature_guide, smooth_field
+from solver.align.jets import face_tensors, fitted
+from solver.align.overhang import carried_on
+from solver.align.refine import refined
+from solver.align.seamless import FIRM, Map, seamless_map
+from solver.align.seams import seams
+from solver.align.triangle_mesh import TriangleMesh, one_surface
+from solver.errors import InputError
+from solver.mesh.connectivity import IntArray
+from solver.mesh.intake import quad_mesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.triangles import sound_triangles
+
+# Nets that can be aligned, and by how much their lines are turned from those of curvature.
+TURNED = {"principal": 0.0, "developable": 0.0, "asymptotic": np.pi / 4, "cmc": np.pi / 4}
+# In edges of the net: how far curvature is looked for, and what the surface is carried on by; how
+# far points count for that, and how fine the strips are; the longest edge of a triangle.
+_RADIUS, _APRON, _OUTWARDS, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 6, 0.5
+# Quads that are made, at least and at most.
+_FEWEST, _MOST = 6, 100_000
+# Where curvatures differ by less than this part of what they are, or by less than this angle an
+# edge, on half of the surface, it is round or flat and any line is one of curvature.
+_ROUND, _FLAT = 0.02, 5e-4
+_REMEDY = "give a shorter edge, or smooth the surface there"
+# A surface that leaves its smooth fit by more than this part of an edge is rough.
+_ROUGH = 2e-3
+# A surface bends both ways where its curvatures are opposite on this part of it.
+_MOSTLY = 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class Aligned:
+    """A net on a surface, not yet exact.
+
+    Attributes:
+        mesh: the quads; they overhang the border.
+        irregular: (K,) inner vertices that have not four faces.
+        border: polylines (N, 3) of the surface's border, closed, without their start at the end.
+        crosses: (C, 2, 3) places in the surface and a direction of the field there.
+        remarks: what is to be said about it, in plain words.
+    """
+
+    mesh: QuadMesh
+    irregular: IntArray
+    border: tuple[FloatArray, ...]
+    crosses: FloatArray
+    remarks: tuple[str, ...] = ()
+
+
+def aligned(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    *,
+    net: str = "principal",
+    edge: float,
+    ratio: float = 1.0,
+    waiting: Callable[[str], object] = lambda stage: None,
+) -> Aligned:
+    """Make a net of quads along a surface's lines of curvature, or at 45 degrees to them.
+
+    Args:
+        vertices: (V, 3) coordinates, in the model's unit.
+        triangles: (T, 3) vertex numbers.
+        net: ``principal`` or ``developable`` (along curvature), ``asymptotic`` or ``cmc`` (at 45
+            degrees to it).
+        edge: wanted edge length.
+        ratio: edge length of the other family of lines over that.
+        waiting: called with the name of each stage as it begins; what it raises is passed on.
+
+    Raises:
+        InputError: no such net, bad lengths, no single open surface, no such lines, or no map.
+    """
+    if net not in TURNED:
+        raise InputError(f"net: expected one of {', '.join(TURNED)}, got {net}")
+    if not (np.isfinite(ratio) and 0.05 <= ratio <= 20):
+        raise InputError(f"ratio: expected 0.05 to 20, got {ratio:g}")
+    waiting("curvature")
+    surface = one_surface(*sound_triangles(vertices, triangles))
+    _refuse_size(surface, edge, edge * ratio)
+    loops = surface.loops()
+    remarks: list[str] = []
+    surface = _smoothed(surface, edge, remarks)
+    work = _Work.of(surface, edge, min(edge, edge * ratio), 2 if remarks else 3)
+    waiting("directions")
+    guide, certainty = _guide(work, net, edge, remarks)
+    field = smooth_field(work.mesh, guide, edge)
+    waiting("map")
+    singular = field.quarters != 0
+    cut = cut_open(work.mesh, field)
+    layout = seams(work.mesh, cut, singular)
+    mesh = None
+    for firm in FIRM:
+        waiting("map")
+        made = seamless_map(
+            *(work.mesh, cut, layout, certainty, (edge, edge * ratio), work.inner, firm),
+            step=lambda: waiting("map"),
+        )
+        waiting("quads")
+        found = quads(work.mesh, cut, made, work.inner)
+        wrong = _crossing(found)
+        if wrong is None:
+            mesh = _net(work.mesh, made, found, carried_on(work.mesh, cut, made, found))
+            break
+    if mesh is None:
+        assert wrong is not None
+        raise InputError(f"map: lines run into each other near {_at(wrong)}; {_REMEDY}")
+    if firm < FIRM[0]:
+        remarks.append(
+            "lines that follow curvature closely would run into each other here; these do less so"
+        )
+    _say_openings(surface, loops, edge, remarks)
+    connected = mesh.connectivity
+    irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
+    return Aligned(
+        mesh,
+        irregular,
+        tuple(surface.points[loop] for loop in loops),
+        _crosses(work, field),
+        tuple(remarks),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Work:
+    """A surface made ready: carried on beyond its border, fine enough, with its curvature.
+
+    Attributes:
+        mesh: the triangles.
+        inner: how many of them are the surface's own.
+        tensors: (T, 2, 2) shape operators in the triangles' frames.
+    """
+
+    mesh: TriangleMesh
+    inner: int
+    tensors: FloatArray
+
+    @classmethod
+    def of(cls, surface: TriangleMesh, edge: float, shorter: float, degree: int) -> _Work:
+        size = float(np.sqrt(2 * surface.areas.mean()))
+        step = min(max(size, edge / _STRIPS), edge)
+        # Of points that have been noisy, one degree less is believed beyond the border.
+        larger = extended(surface, _APRON * edge, step, _OUTWARDS * edge, degree)
+        jets = fitted(larger, np.arange(len(larger.points)), _RADIUS * edge)
+        inner = len(surface.triangles)
+        mesh, tensors, inner = refined(larger, jets.shape_tensors(), inner, _LONGEST * shorter)
+        return cls(mesh, inner, face_tensors(mesh, tensors))
+
+
+def _smoothed(surface: TriangleMesh, edge: float, remarks: list[str]) -> TriangleMesh:
+    """The surface without its noise: what is rough within an edge has no lines to follow."""
+    jets = fitted(surface, np.arange(len(surface.points)), _RADIUS * edge)
+    off = jets.coefficients[:, 0] * jets.scale
+    rough = float(np.sqrt((off * off).mean()))
+    if rough < _ROUGH * edge:
+        return surface
+    remarks.append(
+        f"the surface is rough, by {rough:.2g} within an edge; the net is on a smooth one "
+        "through it"
+    )
+    return TriangleMesh(surface.points + off[:, None] * jets.axes[:, 2], surface.triangles)
+
+
+def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
+    if not (np.isfinite(edge) and edge > 0):
+        raise InputError(f"edge: expected a positive length, got {edge:g}")
+    area = float(surface.areas.sum())
+    count = area / (edge * other)
+    if count < _FEWEST:
+        raise InputError(
+            f"edge: {edge:.4g} leaves room for {count:.1f} faces on this surface; "
+            f"{np.sqrt(area / 100):.2g} or less would do (is the unit right?)"
+        )
+    if count > _MOST:
+        raise InputError(
+            f"edge: {edge:.4g} makes {count:.3g} faces, {_MOST} at most; "
+            f"{np.sqrt(area / 1000):.2g} would give about a thousand (is the unit right?)"
+        )
+
+
+def _guide(work: _Work, net: str, edge: float, remarks: list[str]) -> tuple[Guide, FloatArray]:
+    """What directions should be, and (T,) how much the map has to follow them."""
+    own = work.tensors[: work.inner]
+    areas = work.mesh.areas[: work.inner]
+    mean = np.trace(own, axis1=1, axis2=2) / 2
+    gauss = np.linalg.det(own)
+    differ = np.sqrt(np.maximum(mean**2 - gauss, 0.0))
+    if _middle(differ, areas) < max(_ROUND * _middle(np.abs(mean), areas), _FLAT / edge):
+        if net in ("asymptotic", "cmc"):
+            raise InputError(
+                f"net: on a flat or round surface no line is more {net} than another; choose "
+                "principal, or a surface that is curved differently in its directions"
+            )
+        remarks.append(
+            "the surface is flat or round: every direction is one of curvature; the lines run "
+            "along its border"
+        )
+        guide = _along_border(work)
+        return guide, np.zeros(len(work.tensors))
+    if net == "asymptotic":
+        saddle = float(areas[gauss < 0].sum() / areas.sum())
+        if saddle < _MOSTLY:
+            raise InputError(
+                f"net: asymptotic lines need a surface that bends both ways, this one does on "
+                f"{100 * saddle:.0f} % of its area; choose principal or cmc"
+            )
+    guide = curvature_guide(work.mesh, work.tensors, work.inner, TURNED[net])
+    return guide, np.minimum(1.0, guide.stretch**2)
+
+
+def _middle(values: FloatArray, areas: FloatArray) -> float:
+    """Median by area."""
+    order = np.argsort(values)
+    half = np.cumsum(areas[order])
+    return float(values[order][np.searchsorted(half, half[-1] / 2)])
+
+
+def _along_border(work: _Work) -> Guide:
+    """Directions of the border at its own triangles, nothing elsewhere."""
+    mesh, angles = work.mesh, np.zeros(len(work.tensors))
+    certainty = np.zeros(len(work.tensors))
+    first, second = (mesh.edges // 3).T
+    at_border = (first < work.inner) != (second < work.inner)
+    start, end = mesh.ends
+    along = mesh.points[end] - mesh.points[start]
+    for side in (first, second):
+        rows = side[at_border]
+        axes, run = mesh.axes[rows], along[at_border]
+        angles[rows] = np.arctan2((run * axes[:, 1]).sum(axis=1), (run * axes[:, 0]).sum(axis=1))
+        certainty[rows] = 1.0
+    return Guide(angles, certainty, np.zeros(len(angles)), work.inner)
+
+
+def _crossing(found: Quads) -> FloatArray | None:
+    """A place where faces overlap, if there is one."""
+    sides = np.stack([found.faces, np.roll(found.faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    pairs, counts = np.unique(sides, axis=0, return_counts=True)
+    wrong = np.concatenate(
+        [
+            pairs[counts > 1][:, 0],
+            found.faces[found.faces[:, 0] == found.faces[:, 2]][:, 0],
+            found.faces[found.faces[:, 1] == found.faces[:, 3]][:, 1],
+            pairs[pairs[:, 0] == pairs[:, 1]][:, 0],
+        ]
+    )
+    return found.places[wrong[0]] if len(wrong) else None
+
+
+def _net(mesh: TriangleMesh, made: Map, found: Quads, places: FloatArray) -> QuadMesh:
+    """The quads as a mesh, or where they are none."""
+    try:
+        return quad_mesh(places, found.faces.tolist())[0]
+    except InputError as error:
+        where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
+        raise InputError(f"map: it folds near {_at(where)} ({error}); {_REMEDY}") from None
+
+
+def _at(place: FloatArray) -> str:
+    return "(" + ", ".join(f"{x:.4g}" for x in place) + ")"
+
+
+def _say_openings(
+    surface: TriangleMesh, loops: list[list[int]], edge: float, remarks: list[str]
+) -> None:
+    """Name openings that a face of the net would cover."""
+    largest = max(range(len(loops)), key=lambda k: len(loops[k]))
+    for k, loop in enumerate(loops):
+        points = surface.points[loop]
+        if k != largest and float(np.ptp(points, axis=0).max()) < edge:
+            remarks.append(
+                f"the opening at {_at(points.mean(axis=0))} is smaller than a face; "
+                "lines run over it"
+            )
+
+
+def _crosses(work: _Work, field: Field) -> FloatArray:
+    mesh, angles = work.mesh, field.angles[: work.inner]
+    axes = mesh.axes[: work.inner]
+    direction = np.cos(angles)[:, None] * axes[:, 0] + np.sin(angles)[:, None] * axes[:, 1]
+    return np.stack([mesh.centres[: work.inner], direction], axis=1)

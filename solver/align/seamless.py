@@ -1,0 +1,260 @@
+"""A map of a surface to the plane whose whole lines are the lines of a net.
+
+Coordinates u and v grow by one an edge along the directions of a field. Lines of equal u must
+follow the field closely, where it is certain; how far apart they are may give way, since curvature
+lines have a spacing of their own. Coordinates of singular vertices, and shifts round openings, are
+rounded to whole numbers one after the other, the surest first, then exchanged while that helps.
+Where triangles fold over, spacing counts more and direction less, until none does.
+
+Source: Bommes, Zimmer, Kobbelt (2009), Mixed-integer quadrangulation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import coo_array, csr_array, eye_array
+from scipy.sparse.linalg import splu
+
+from solver.align.cut import Cut
+from solver.align.seams import Seams
+from solver.align.triangle_mesh import TriangleMesh
+from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.quadmesh import FloatArray
+
+# What a line's direction counts where it is certain, beside its spacing; less where lines that
+# follow it closely would run into each other.
+FIRM = (1000.0, 30.0, 2.0)
+# How often a map is made stiffer where it folds, by how much, and how wide round the fold.
+_STIFFER, _BY, _RINGS = 12, 4.0, 4
+# How many times as dense lines may be asked for, so that there are as many as are wanted.
+_DENSER = 2.0
+# A triangle smaller than this part of its wanted size counts as folded.
+_FOLDED = 1e-3
+# Coordinates are rounded to this, so that turns and whole shifts of them are exact.
+GRID = 1 << 20
+# Exchanges of whole numbers, at most.
+_EXCHANGES = 100
+
+
+@dataclass(frozen=True, eq=False)
+class Map:
+    """Coordinates of a surface's corners, in edges of the net.
+
+    Attributes:
+        corners: (T, 3, 2) coordinates in units of 1 / ``GRID``.
+        folded: triangles that lie the wrong way round, or have no size.
+    """
+
+    corners: IntArray
+    folded: IntArray
+
+
+def seamless_map(
+    mesh: TriangleMesh,
+    cut: Cut,
+    layout: Seams,
+    certainty: FloatArray,
+    edges: tuple[float, float],
+    inner: int,
+    firm: float = FIRM[0],
+    step: Callable[[], object] = lambda: None,
+) -> Map:
+    """Solve for the map.
+
+    Args:
+        mesh: the surface, with its apron.
+        cut: its directions.
+        layout: its unknowns.
+        certainty: (T,) how certain the directions are, 0 to 1.
+        edges: wanted edge lengths along u and along v.
+        inner: how many of the triangles are the surface's own; only these must not fold.
+        firm: what direction counts where it is certain, beside spacing.
+        step: called before each solution; what it raises is passed on.
+    """
+    system = _Equations.of(mesh, cut, layout, edges)
+    wanted = 2 * mesh.areas / (edges[0] * edges[1])
+    neighbours = _neighbours(mesh)
+    spacing, direction = np.ones(len(mesh.areas)), 1 + firm * certainty
+    step()
+    # Lines that draw together and apart come out too far apart in all: ask for shorter edges.
+    plain = _on_grid(layout, system.solved(spacing, direction, None, whole=False))
+    covered = _doubled_areas(plain)[:inner].sum() / GRID**2
+    scale = float(np.clip(np.sqrt(wanted[:inner].sum() / max(covered, 1e-300)), 1.0, _DENSER))
+    system = replace(system, right=scale * system.right)
+    wholes: FloatArray | None = None
+    for _ in range(_STIFFER):
+        step()
+        unknowns = system.solved(spacing, direction, wholes)
+        wholes = unknowns[2 * layout.reals :]
+        corners = _on_grid(layout, unknowns)
+        signed = _doubled_areas(corners) / GRID**2
+        bad = signed < _FOLDED * wanted
+        if not bad[:inner].any():
+            break
+        near = _widened(neighbours, bad)
+        spacing = np.where(near, _BY * spacing, spacing)
+        direction = np.where(near, 1 + (direction - 1) / _BY**1.5, direction)
+    return Map(corners, np.flatnonzero(bad[:inner]))
+
+
+def _doubled_areas(corners: IntArray) -> FloatArray:
+    one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    return (one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]).astype(float)
+
+
+def _on_grid(layout: Seams, unknowns: FloatArray) -> IntArray:
+    rounded = np.round(unknowns * GRID)
+    found: IntArray = np.round(layout.matrix @ rounded).astype(np.int64)
+    return found.reshape(-1, 2)[layout.copies]
+
+
+def _neighbours(mesh: TriangleMesh) -> csr_array:
+    one, two = (mesh.edges // 3).T
+    count = len(mesh.triangles)
+    graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count)).tocsr()
+    return csr_array(graph + graph.T + eye_array(count))
+
+
+def _widened(neighbours: csr_array, some: BoolArray) -> BoolArray:
+    for _ in range(_RINGS):
+        some = (neighbours @ some.astype(float)) > 0
+    return some
+
+
+@dataclass(frozen=True, eq=False)
+class _Equations:
+    """What the map is asked for: four rows a triangle, spacing and direction of u and of v.
+
+    Attributes:
+        matrix: (4 T, unknowns), without weights.
+        right: (4 T,).
+        areas: (T,).
+        layout: the unknowns.
+    """
+
+    matrix: csr_array
+    right: FloatArray
+    areas: FloatArray
+    layout: Seams
+
+    @classmethod
+    def of(
+        cls, mesh: TriangleMesh, cut: Cut, layout: Seams, edges: tuple[float, float]
+    ) -> _Equations:
+        gradients, count = mesh.gradients(), len(mesh.triangles)
+        along = np.stack([np.cos(cut.angles), np.sin(cut.angles)], axis=1)
+        across = np.stack([-along[:, 1], along[:, 0]], axis=1)
+        rows, columns, values, right = [], [], [], []
+        asked = (
+            (along, 0, 1 / edges[0]),
+            (across, 1, 1 / edges[1]),
+            (across, 0, 0.0),
+            (along, 1, 0.0),
+        )
+        for number, (direction, part, wanted) in enumerate(asked):
+            slopes = np.einsum("tkx,tx->tk", gradients, direction)
+            for k in range(3):
+                rows.append(number * count + np.arange(count))
+                columns.append(2 * layout.copies[:, k] + part)
+                values.append(slopes[:, k])
+            right.append(np.full(count, wanted))
+        shape = (4 * count, layout.matrix.shape[0])
+        matrix = coo_array(
+            (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape
+        ).tocsr()
+        return cls(csr_array(matrix @ layout.matrix), np.concatenate(right), mesh.areas, layout)
+
+    def solved(
+        self,
+        spacing: FloatArray,
+        direction: FloatArray,
+        wholes: FloatArray | None,
+        whole: bool = True,
+    ) -> FloatArray:
+        """The unknowns with least energy; whole ones, if not given, rounded on demand."""
+        weight = np.sqrt(
+            np.concatenate([spacing, spacing, spacing * direction, spacing * direction])
+        )
+        weight *= np.sqrt(np.tile(self.areas, 4))
+        matrix = self.matrix.multiply(weight[:, None]).tocsc()
+        right = weight * self.right
+        reals = 2 * self.layout.reals
+        free, last = matrix[:, :reals], matrix[:, reals:].toarray()
+        normal = (free.T @ free).tocsc()
+        if not self.layout.places:
+            # Nothing says where the map lies: the first vertex stays.
+            shift = np.zeros(reals)
+            shift[:2] = normal.diagonal().mean()
+            normal = normal + coo_array((shift, (np.arange(reals), np.arange(reals)))).tocsc()
+        factors = splu(
+            normal.tocsc(),
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+        if not self.layout.wholes:
+            found: FloatArray = factors.solve(free.T @ right)
+            return found
+        mixed = free.T @ last
+        if wholes is None:
+            squares = last.T @ last - mixed.T @ factors.solve(mixed)
+            pull = last.T @ right - mixed.T @ factors.solve(free.T @ right)
+            if whole:
+                wholes = rounded(squares, pull, self.layout.places)
+            else:
+                wholes = np.linalg.lstsq(squares, pull, rcond=1e-12)[0]
+        rest = factors.solve(free.T @ right - mixed @ wholes)
+        return np.concatenate([rest, wholes])
+
+
+def rounded(squares: FloatArray, pull: FloatArray, places: list[int]) -> FloatArray:
+    """Whole numbers z with small ``z squares z - 2 pull z``.
+
+    Args:
+        squares: (N, N) symmetric, not negative.
+        pull: (N,).
+        places: pairs of unknowns that may all be shifted alike; the first comes to zero.
+    """
+    count = len(pull)
+    found, fixed = np.zeros(count), np.zeros(count, dtype=bool)
+    if places:
+        fixed[2 * places[0] : 2 * places[0] + 2] = True
+    free = np.flatnonzero(~fixed)
+    while not fixed.all():
+        left = np.flatnonzero(~fixed)
+        right = pull[left] - squares[np.ix_(left, fixed)] @ found[fixed]
+        best = np.linalg.lstsq(squares[np.ix_(left, left)], right, rcond=1e-12)[0]
+        surest = int(np.argmin(np.abs(best - np.round(best))))
+        found[left[surest]] = np.round(best[surest])
+        fixed[left[surest]] = True
+    return _exchanged(squares, pull, found, free)
+
+
+def _exchanged(
+    squares: FloatArray, pull: FloatArray, found: FloatArray, free: IntArray
+) -> FloatArray:
+    """Change one number by one, or two, while the energy falls."""
+    one, two = np.triu_indices(len(free))
+    one, two = free[one], free[two]
+    least = -1e-9 * max(float(abs(found @ squares @ found - 2 * pull @ found)), 1e-300)
+    for _ in range(_EXCHANGES):
+        slope = 2 * (squares @ found - pull)
+        best, move = least, None
+        for s in (1.0, -1.0):
+            for t in (1.0, -1.0):
+                gain = s * slope[one] + squares[one, one]
+                more = t * slope[two] + squares[two, two] + 2 * s * t * squares[one, two]
+                gain = gain + np.where(one == two, 0.0, more)
+                k = int(np.argmin(gain)) if len(gain) else 0
+                if len(gain) and gain[k] < best:
+                    best, move = gain[k], (one[k], two[k], s, t)
+        if move is None:
+            break
+        a, b, s, t = move
+        found[a] += s
+        if a != b:
+            found[b] += t
+    return found

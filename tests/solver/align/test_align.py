@@ -1,0 +1,235 @@
+"""Nets along lines of curvature: what they measure, what they cover, what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver import Constraints, InputError, optimise
+from solver.align.align import aligned
+from solver.align.reach import reaching
+from solver.analysis import form, measures
+from solver.mesh.closest import TriangleSurface
+from tests.design_surfaces import (
+    barrel,
+    cap,
+    catenoid,
+    dome,
+    plane,
+    saddle,
+    triangles,
+    without,
+)
+
+# Half a part in a thousand of an edge: how far a chord leaves these surfaces between vertices.
+EDGE = 1.5
+
+
+@pytest.fixture(scope="module")
+def on_saddle():
+    points, faces = triangles(saddle)
+    return points, faces, aligned(points, faces, edge=EDGE)
+
+
+@pytest.fixture(scope="module")
+def on_dome():
+    points, faces = triangles(dome)
+    return points, faces, aligned(points, faces, edge=EDGE)
+
+
+def off(points, mesh_points, mesh_faces):
+    """Distances from triangles."""
+    feet, _ = TriangleSurface(mesh_points, mesh_faces).closest(points)
+    return np.linalg.norm(points - feet, axis=1)
+
+
+def test_a_saddle_gets_a_net_that_is_nearly_principal(on_saddle):
+    mesh = on_saddle[2].mesh
+    assert not len(on_saddle[2].irregular)
+    assert measures.orthogonality(mesh).max() < 3e-2
+    assert measures.orthogonality(mesh).mean() < 5e-3
+    assert measures.planarity(mesh).max() < 2e-3
+    assert measures.planarity(mesh).mean() < 3e-4
+    assert mesh.mean_edge == pytest.approx(EDGE, rel=0.05)
+
+
+def test_the_net_covers_its_surface_and_overhangs_by_a_face_at_most(on_saddle):
+    points, faces, made = on_saddle
+    quads = TriangleSurface.from_quads(made.mesh)
+    # A chord of an edge leaves a surface of radius 15 by 20 mm.
+    assert off(points[faces].mean(axis=1), quads.vertices, quads.triangles).max() < 0.03
+    far = off(made.mesh.vertices, points, faces)
+    assert far.max() < 1.5 * EDGE
+    larger = reaching(made.mesh, points, faces)
+    assert off(made.mesh.vertices, *larger).max() < 0.01
+    # Every face has a part on the surface.
+    inner = far[made.mesh.faces].min(axis=1)
+    assert inner.max() < EDGE
+
+
+def test_the_border_is_carried_along(on_saddle):
+    points, _, made = on_saddle
+    (line,) = made.border
+    assert len(line) == 2 * (61 + 37) - 4
+    assert {tuple(row) for row in line} <= {tuple(row) for row in points}
+
+
+def test_an_exact_net_is_a_hair_away(on_saddle):
+    points, faces, made = on_saddle
+    outcome = optimise(made.mesh, "principal", constraints=Constraints(close_to=(points, faces)))
+    report = outcome.report
+    assert report.status == "converged"
+    surface = TriangleSurface(*reaching(made.mesh, points, faces))
+    found = form.form_of(made.mesh, outcome.mesh, surface)
+    assert found.off_surface.percent < 0.1
+    assert found.area_ratio == pytest.approx(1, abs=0.005)
+    assert found.zigzag > 0.95
+
+
+def test_a_dome_has_vertices_of_three_and_five_faces_at_its_umbilics(on_dome):
+    made = on_dome[2]
+    valence = np.bincount(made.mesh.faces.ravel())[made.irregular]
+    assert sorted(valence) == [3, 3, 5, 5]
+    places = made.mesh.vertices[made.irregular]
+    # The dome has two planes of symmetry, and its umbilics lie on them.
+    assert np.abs(places[:, :2]).min(axis=1).max() < 0.5 * EDGE
+    assert form.form_of(made.mesh, made.mesh).zigzag > 0.5
+
+
+def test_the_same_net_twice(on_dome):
+    again = aligned(*on_dome[:2], edge=EDGE)
+    assert np.array_equal(again.mesh.vertices, on_dome[2].mesh.vertices)
+    assert np.array_equal(again.mesh.faces, on_dome[2].mesh.faces)
+
+
+def test_lines_for_asymptotic_do_not_curve_out_of_a_minimal_surface():
+    points, faces = triangles(catenoid)
+    made = aligned(points, faces, net="asymptotic", edge=1.0)
+    along = aligned(points, faces, net="principal", edge=1.0)
+    # The normal curvature of an edge, from the normals of the surface at its ends.
+    bend = {}
+    for name, mesh in (("asymptotic", made.mesh), ("principal", along.mesh)):
+        ends = mesh.vertices[mesh.connectivity.edges]
+        radius = np.hypot(ends[..., 0], ends[..., 1])
+        normals = np.stack(
+            [ends[..., 0] / radius, ends[..., 1] / radius, -np.sinh(ends[..., 2] / 5)], axis=-1
+        )
+        normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+        step = ends[:, 1] - ends[:, 0]
+        turn = ((normals[:, 1] - normals[:, 0]) * step).sum(axis=1) / (step * step).sum(axis=1)
+        bend[name] = np.abs(turn).mean()
+    assert bend["asymptotic"] < 0.02 * bend["principal"]
+
+
+def test_rows_may_be_longer_than_they_are_wide():
+    points, faces = triangles(barrel)
+    made = aligned(points, faces, edge=1.2, ratio=2.0)
+    corners = made.mesh.vertices[made.mesh.faces]
+    sides = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2)
+    one, two = sides[:, [0, 2]].mean(), sides[:, [1, 3]].mean()
+    assert max(one, two) / min(one, two) == pytest.approx(2, rel=0.1)
+
+
+def test_lines_run_round_an_opening():
+    points, faces = triangles(saddle)
+    points, faces = without(points, faces, lambda c: np.hypot(c[:, 0] - 2, c[:, 1] - 1) < 4)
+    made = aligned(points, faces, edge=EDGE)
+    assert len(made.border) == 2
+    assert len(made.mesh.connectivity.boundary_loops) == 2
+    assert not len(made.irregular)
+
+
+def test_a_small_opening_is_run_over_and_said():
+    points, faces = triangles(saddle)
+    points, faces = without(points, faces, lambda c: np.hypot(c[:, 0] - 2, c[:, 1] - 1) < 0.6)
+    made = aligned(points, faces, edge=3.0)
+    assert len(made.mesh.connectivity.boundary_loops) == 1
+    assert any("smaller than a face" in remark for remark in made.remarks)
+
+
+@pytest.mark.parametrize("formula", [plane, cap])
+def test_flat_and_round_surfaces_get_lines_along_their_border(formula):
+    points, faces = triangles(formula, 41, 31)
+    made = aligned(points, faces, edge=1.0)
+    assert any("along its border" in remark for remark in made.remarks)
+    rim = made.mesh.vertices[made.mesh.connectivity.boundary_vertices]
+    assert len(rim) > 20
+    assert measures.orthogonality(made.mesh).mean() < 2e-2
+    with pytest.raises(InputError, match="flat or round"):
+        aligned(points, faces, net="asymptotic", edge=1.0)
+
+
+def test_noise_is_smoothed_and_said():
+    points, faces = triangles(saddle)
+    noise = np.random.default_rng(3).normal(size=points.shape)
+    made = aligned(points + 0.02 * noise, faces, edge=EDGE)
+    assert any("rough" in remark for remark in made.remarks)
+    assert not len(made.irregular)
+    assert off(made.mesh.vertices, *reaching(made.mesh, points, faces)).mean() < 0.015
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (dict(edge=90.0), "leaves room for"),
+        (dict(edge=0.01), "100000 at most"),
+        (dict(edge=-1.0), "positive length"),
+        (dict(edge=float("nan")), "positive length"),
+        (dict(edge=1.0, ratio=0.0), "ratio"),
+        (dict(edge=1.0, net="cubic"), "expected one of principal"),
+        (dict(edge=1.0, net="asymptotic"), "bends both ways"),
+    ],
+)
+def test_what_cannot_be_is_said_in_a_line(change, words):
+    points, faces = triangles(dome, 31, 21)
+    with pytest.raises(InputError, match=words) as caught:
+        aligned(points, faces, **change)
+    assert "\n" not in str(caught.value)
+
+
+def test_surfaces_that_are_none_are_refused():
+    points, faces = triangles(plane, 11, 11)
+    with pytest.raises(InputError, match="2 pieces"):
+        aligned(
+            np.concatenate([points, points + [50, 0, 0]]),
+            np.concatenate([faces, faces + len(points)]),
+            edge=2.0,
+        )
+    u = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    ring, angle = np.meshgrid(u, u, indexing="ij")
+    torus = np.stack(
+        [(5 + np.cos(angle)) * np.cos(ring), (5 + np.cos(angle)) * np.sin(ring), np.sin(angle)], -1
+    ).reshape(-1, 3)
+    k = np.arange(1600).reshape(40, 40)
+    quads = [k, np.roll(k, -1, 0), np.roll(k, (-1, -1), (0, 1)), np.roll(k, -1, 1)]
+    q = np.stack(quads, axis=-1).reshape(-1, 4)
+    with pytest.raises(InputError, match="closed"):
+        aligned(torus, np.concatenate([q[:, :3], q[:, [0, 2, 3]]]), edge=1.0)
+    with pytest.raises(InputError, match="one side"):
+        aligned(*_moebius(), edge=0.5)
+
+
+def _moebius():
+    along = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    across = np.linspace(-0.5, 0.5, 5)
+    a, t = np.meshgrid(along, across, indexing="ij")
+    radius = 4 + t * np.cos(a / 2)
+    points = np.stack([radius * np.cos(a), radius * np.sin(a), t * np.sin(a / 2)], -1)
+    k = np.arange(200).reshape(40, 5)
+    following = np.concatenate([k[1:], k[:1, ::-1]])
+    q = np.stack([k[:, :-1], following[:, :-1], following[:, 1:], k[:, 1:]], -1).reshape(-1, 4)
+    return points.reshape(-1, 3), np.concatenate([q[:, :3], q[:, [0, 2, 3]]])
+
+
+def test_stages_are_told_and_may_break_it_off():
+    points, faces = triangles(saddle, 31, 21)
+    seen = []
+    aligned(points, faces, edge=2.5, waiting=seen.append)
+    assert list(dict.fromkeys(seen)) == ["curvature", "directions", "map", "quads"]
+
+    def stop(stage):
+        if stage == "map":
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        aligned(points, faces, edge=2.5, waiting=stop)

@@ -1,0 +1,102 @@
+"""The command ``align``: triangles and CAD faces in, a net on them out."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from freecad_ortho.__main__ import main
+from solver import read_mesh
+from solver.analysis import measures
+from solver.mesh.closest import TriangleSurface
+from tests.design_surfaces import saddle, triangles
+
+
+@pytest.fixture(scope="module")
+def surface_file(tmp_path_factory):
+    points, faces = triangles(saddle, 41, 31)
+    path = tmp_path_factory.mktemp("align") / "saddle.obj"
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
+    lines += ["f " + " ".join(str(k + 1) for k in face) for face in faces.tolist()]
+    path.write_text("# unit: m\n" + "\n".join(lines) + "\n")
+    return path
+
+
+def test_a_net_with_its_border_and_report(surface_file, tmp_path, capsys):
+    out, report = tmp_path / "net.json", tmp_path / "report.json"
+    code = main(
+        ["align", str(surface_file), "--edge", "2.5", "-o", str(out), "--report", str(report)]
+    )
+    said = capsys.readouterr()
+    assert code == 0
+    assert "0 irregular vertices, mean edge 2." in said.out
+    assert said.err == ""
+    mesh, told = read_mesh(out), json.loads(report.read_text())
+    assert told["faces"] == len(mesh.faces)
+    assert told["unit"] == "m"
+    assert json.loads(out.read_text())["border"] == told["border"]
+    assert len(told["border"][0]) == 2 * (41 + 31) - 4
+    assert measures.orthogonality(mesh).mean() < 1e-2
+
+
+def test_lengths_have_units_and_a_net_may_be_coarse(surface_file, tmp_path, capsys):
+    out = tmp_path / "net.obj"
+    assert main(["align", str(surface_file), "--edge", "2500mm", "-o", str(out)]) == 0
+    assert "border is kept in a .json file" in capsys.readouterr().err
+    assert read_mesh(out).mean_edge == pytest.approx(2.5, rel=0.05)
+
+
+def test_without_an_edge_length_there_are_about_600_faces(surface_file, tmp_path):
+    out = tmp_path / "net.obj"
+    assert main(["align", str(surface_file), "-o", str(out)]) == 0
+    assert 550 < len(read_mesh(out).faces) < 750
+
+
+def test_faces_of_a_step_file(tmp_path, capsys):
+    cadquery = pytest.importorskip("cadquery")
+    u, v = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 15), indexing="ij")
+    rows = 1000 * np.stack(saddle(u, v), axis=-1)
+    points = [[cadquery.Vector(*place) for place in row] for row in rows.tolist()]
+    face = cadquery.Face.makeSplineApprox(points, tol=0.01)
+    step, out = tmp_path / "saddle.step", tmp_path / "net.json"
+    cadquery.exporters.export(cadquery.Workplane(face), str(step))
+    assert main(["align", str(step), "--edge", "2.5", "--unit", "m", "-o", str(out)]) == 0
+    assert "mean edge 2." in capsys.readouterr().out
+    mesh = read_mesh(out)
+    feet, _ = TriangleSurface(*triangles(saddle, 161, 121)).closest(mesh.vertices)
+    far = np.linalg.norm(mesh.vertices - feet, axis=1)
+    # Inside they are on the face itself, of which these triangles miss 1 mm.
+    inner = ~mesh.connectivity.boundary_vertices
+    assert np.median(far[inner]) < 2e-3
+    assert far.max() < 1.5 * 2.5
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--edge", "500"], "leaves room for"),
+        (["--edge", "2.5", "--net", "stress"], "stress"),
+        (["--edge", "2.5", "--ratio=-1"], "ratio"),
+        (["--edge", "inf"], "edge"),
+    ],
+)
+def test_bad_options_are_said_in_a_line(surface_file, tmp_path, capsys, options, words):
+    out = tmp_path / "net.obj"
+    try:
+        code = main(["align", str(surface_file), *options, "-o", str(out)])
+    except SystemExit as ended:
+        code = ended.code
+    said = capsys.readouterr().err
+    assert code == 2
+    assert said.count("\n") == 1
+    assert words in said
+    assert not out.exists()
+
+
+def test_nothing_is_written_where_there_is_no_surface(tmp_path, capsys):
+    out = tmp_path / "net.obj"
+    assert main(["align", str(tmp_path / "none.stl"), "-o", str(out)]) == 2
+    assert "no such file" in capsys.readouterr().err
+    assert not out.exists()
