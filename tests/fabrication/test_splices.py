@@ -111,13 +111,16 @@ def test_curved_lamellas_are_spliced_too(minimal, layers):  # noqa: F811
     assert not check_clashes(structure.parts).clashes
 
 
-def test_plates_on_twisted_lamellas_are_told_apart_without_the_kernel():
-    settings = Lamellas(40, 3, hole=6.0, strip="twisted", stock=2500.0)
+@pytest.mark.parametrize(
+    ("width", "hole", "cuts"), [(40, 6.0, 0), pytest.param(80, 9.0, 5, marks=pytest.mark.slow)]
+)
+def test_plates_on_twisted_lamellas_are_told_apart_without_the_kernel(width, hole, cuts):
+    settings = Lamellas(width, 3, hole=hole, strip="twisted", stock=2500.0)
     parts = build(helicoid().scaled(3000.0), [settings]).parts
     plates = sum(part.kind == "splice" for part in parts)
     check = check_clashes(parts)
     assert plates > 50 and check.near > 2 * plates and not check.clashes
-    assert check.cut == 0
+    assert check.cut <= cuts
 
 
 def test_lying_lamellas_are_spliced_on_their_outer_sides():
