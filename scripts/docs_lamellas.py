@@ -65,12 +65,14 @@ def draw(structures: list[Structure]) -> None:
     figure = plt.figure(figsize=(13, 7.5), dpi=90)
     for column, structure in enumerate(structures):
         space = figure.add_subplot(2, 3, column + 1, projection="3d")
+        sides, colours = [], []
         for part in structure.parts:
             corners = part.origin + part.body.corners @ part.frame
             rings = [*part.body.sides, *(sheet.loops[0] for sheet in part.body.sheets)]
-            sides = [corners[list(ring)] for ring in rings]
-            colour = "#4a7ab5" if part.family == "u" else "#d08a3c"
-            space.add_collection3d(Poly3DCollection(sides, facecolors=colour, linewidths=0))
+            sides += [corners[list(ring)] for ring in rings]
+            colours += ["#4a7ab5" if part.family == "u" else "#d08a3c"] * len(rings)
+        # In one collection: only within one are sides drawn from back to front.
+        space.add_collection3d(Poly3DCollection(sides, facecolors=colours, linewidths=0))
         points = structure.mesh.vertices
         middle, size = points.mean(axis=0), np.ptp(points, axis=0).max() / 2.2
         space.set(**{f"{k}lim": (m - size, m + size) for k, m in zip("xyz", middle, strict=True)})

@@ -41,12 +41,14 @@ def make(name: str, net: str, system: str) -> Structure:
 
 def draw_in_place(space: plt.Axes, structure: Structure) -> None:
     """The plates, neighbours in different colours."""
+    sides, colours = [], []
     for number, part in enumerate(structure.parts):
         corners = part.origin + part.body.corners @ part.frame
-        sides = [corners[list(side)] for side in part.body.sides]
-        colour = (BLUE, ORANGE)[number % 2]
-        plates = Poly3DCollection(sides, facecolors=colour, edgecolors=DARK, lw=0.15, shade=True)
-        space.add_collection3d(plates)
+        sides += [corners[list(side)] for side in part.body.sides]
+        colours += [(BLUE, ORANGE)[number % 2]] * len(part.body.sides)
+    # In one collection: only within one are sides drawn from back to front.
+    plates = Poly3DCollection(sides, facecolors=colours, edgecolors=DARK, lw=0.15, shade=True)
+    space.add_collection3d(plates)
     points = structure.mesh.vertices
     middle, size = points.mean(axis=0), np.ptp(points, axis=0).max() / 2.2
     space.set(**{f"{k}lim": (m - size, m + size) for k, m in zip("xyz", middle, strict=True)})
