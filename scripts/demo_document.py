@@ -94,7 +94,7 @@ def picture_before(model: dict[str, Any], path: str, decades: tuple[int, int]) -
         model[name].ViewObject.Visibility = False
     drawn.ColourMap = "Planarity"
     drawn.ViewObject.LowestDecade, drawn.ViewObject.HighestDecade = decades
-    drawn.ViewObject.Legend = False
+    drawn.ViewObject.Legend = drawn.ViewObject.Upside = False
     drawn.ViewObject.LineWidth = 3.0
     drawn.ViewObject.Visibility = True
     picture(model["view"], path)
