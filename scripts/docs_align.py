@@ -1,7 +1,8 @@
 """Align nets on surfaces by formula and write the table of docs/sources.md.
 
-usage: python scripts/docs_align.py           print the table
-       python scripts/docs_align.py --write   write it into the page
+usage: python scripts/docs_align.py                     print the table
+       python scripts/docs_align.py --write             write it into the page
+       python scripts/docs_align.py --picture FILE.png  draw the nets
 
 Surfaces are given as 120 x 72 x 2 triangles, aligned with edges of 1.1 m by the command line, then
 optimised close to the surface, with default settings. What is off the surface is measured on one
@@ -24,7 +25,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from examples.drawing import Panel, draw  # noqa: E402
 from solver import QuadMesh, read_mesh, write_mesh  # noqa: E402
+from solver.align.align import aligned  # noqa: E402
 from solver.analysis import form, measures  # noqa: E402
 from solver.mesh.closest import TriangleSurface  # noqa: E402
 from solver.mesh.grid import grid_mesh  # noqa: E402
@@ -144,13 +147,29 @@ def table() -> str:
     return "\n".join(lines) + "\n"
 
 
+def picture(target: str) -> None:
+    """All nets as they are aligned, with the border of the surface and irregular vertices."""
+    panels = []
+    for name in SURFACES:
+        surface = TriangleSurface.from_quads(sheet(name, (121, 73)))
+        made = aligned(surface.vertices, surface.triangles, edge=float(EDGE))
+        lines = [np.concatenate([line, line[:1]]) for line in made.border]
+        points = made.mesh.vertices[made.irregular]
+        panels.append(Panel(name, made.mesh, lines=lines, points=points, rise=48.0))
+    draw(panels, target)
+
+
 def main() -> None:
-    """Read the command line and make the table."""
+    """Read the command line and make the table, or the picture."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--write", action="store_true")
-    write = parser.parse_args().write
+    parser.add_argument("--picture", metavar="FILE.png")
+    given = parser.parse_args()
+    if given.picture:
+        picture(given.picture)
+        return
     made = table()
-    if not write:
+    if not given.write:
         print(made)
         return
     page = PAGE.read_text(encoding="utf-8")
