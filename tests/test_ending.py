@@ -61,6 +61,25 @@ def fabrication(tmp_path):
         run.wait()
 
 
+def test_ctrl_c_and_being_asked_to_end_at_once_is_one_ending():
+    code = (
+        "import os, signal\n"
+        "from freecad_ortho.cli.endings import end_once, held_back, let_through\n"
+        "end_once()\n"
+        "held_back()\n"
+        "os.kill(os.getpid(), signal.SIGTERM)\n"
+        "os.kill(os.getpid(), signal.SIGINT)\n"
+        "try:\n"
+        "    let_through()\n"
+        "except KeyboardInterrupt:\n"
+        "    print('ended')\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", "")
+
+
 def test_work_that_does_not_end_is_ended():
     work = subprocess.Popen([sys.executable, "-c", DEAF], stdout=subprocess.PIPE)
     work.stdout.readline()

@@ -50,6 +50,15 @@ def let_through() -> None:
         signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING_SIGNALS)
 
 
+def pass_over() -> None:
+    """Do nothing from here on when asked to end.
+
+    By functions, since Python complains of a signal that has come already and is then ignored.
+    """
+    for number in ENDING_SIGNALS:
+        signal.signal(number, lambda number, frame: None)
+
+
 def end_once() -> None:
     """From here on, being asked to end (SIGTERM) cleans up like Ctrl-C does.
 
@@ -57,8 +66,7 @@ def end_once() -> None:
     """
 
     def end(number: int, frame: FrameType | None) -> None:
-        for each in ENDING_SIGNALS:
-            signal.signal(each, signal.SIG_IGN)
+        pass_over()
         raise KeyboardInterrupt
 
     for number in ENDING_SIGNALS:

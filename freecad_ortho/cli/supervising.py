@@ -25,6 +25,7 @@ from freecad_ortho.cli.endings import (
     NOTHING_WRITTEN,
     held_back,
     let_through,
+    pass_over,
 )
 
 # Seconds that the work has to end by itself once it has been told to, and how many times that at
@@ -76,8 +77,7 @@ def grace() -> float:
 def ended(work: subprocess.Popen[bytes]) -> bool:
     """Ask the work to end; kill it and return false where it does not."""
     latest = time.monotonic() + grace()
-    for number in ENDING_SIGNALS:
-        signal.signal(number, signal.SIG_IGN)
+    pass_over()
     work.send_signal(signal.SIGTERM)
     try:
         work.wait(max(latest - time.monotonic(), 0.0))
