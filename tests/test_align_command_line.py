@@ -54,6 +54,22 @@ def test_without_an_edge_length_there_are_about_600_faces(surface_file, tmp_path
     assert 550 < len(read_mesh(out).faces) < 750
 
 
+def test_a_stroke_comes_from_a_file(surface_file, tmp_path, capsys):
+    stroke, plain, led = (tmp_path / name for name in ("wall.xyz", "plain.obj", "led.obj"))
+    x = np.linspace(-7, 7, 30)
+    u, v = (x - 0.075 * x) / 30.6, (0.5 * x + x * 2 / 15) / 20.4
+    np.savetxt(stroke, np.stack([x, 0.5 * x, 12 * u**2 - 20 * v**2 + 2 * u * v], axis=1))
+    options = ["align", str(surface_file), "--edge", "2.5"]
+    assert main([*options, "-o", str(plain)]) == 0
+    assert main([*options, "--stroke", str(stroke), "-o", str(led)]) == 0
+    with_stroke, without = read_mesh(led), read_mesh(plain)
+    shapes = with_stroke.vertices.shape, without.vertices.shape
+    assert shapes[0] != shapes[1] or not np.allclose(with_stroke.vertices, without.vertices)
+    capsys.readouterr()
+    assert main([*options, "--stroke", str(tmp_path / "none.xyz"), "-o", str(led)]) == 2
+    assert "none.xyz" in capsys.readouterr().err
+
+
 def test_faces_of_a_step_file(tmp_path, capsys):
     cadquery = pytest.importorskip("cadquery")
     u, v = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 15), indexing="ij")

@@ -11,7 +11,7 @@ import numpy as np
 
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import values
-from freecad_ortho.mesh_files import DEFAULT_UNIT
+from freecad_ortho.mesh_files import DEFAULT_UNIT, upright
 from freecad_ortho.sources.aligning import ALIGNED, aligned_on, edge_for
 from freecad_ortho.step_faces import step_surfaces
 from freecad_ortho.triangles import read_triangles
@@ -20,7 +20,9 @@ from freecad_ortho.words import counted
 from solver.align.align import Aligned, aligned
 from solver.io.atomic import write_text
 from solver.io.json_mesh import write_json
+from solver.io.points import read_points
 from solver.mesh.local_origin import LocalOrigin
+from solver.mesh.quadmesh import FloatArray
 
 _STEP = (".step", ".stp")
 
@@ -36,6 +38,13 @@ def add(parser: argparse.ArgumentParser) -> None:
     values.add_up(parser)
     for option in ALIGNED.options:
         arguments.add(parser, option)
+    parser.add_argument(
+        "--stroke",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="points of a curve along which the net runs; may be repeated",
+    )
     parser.add_argument("--faces", metavar="I,J,K", help="of a STEP file, from 1 (default: all)")
     parser.add_argument("--report", metavar="R.json", help="border, singular vertices, remarks")
     values.add_output(parser)
@@ -81,8 +90,9 @@ def _on_step(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:
     unit = options.unit or "mm"
     numbers = values.whole_numbers("--faces", options.faces) if options.faces else ()
     told = ALIGNED.defaults | arguments.given(ALIGNED.options, options, "mm", bare=unit)
-    made = aligned_on(step_surfaces(options.input, numbers), **told)
     scale = 1.0 / millimetres_per(unit)
+    strokes = [stroke / scale for stroke in _strokes(options)]
+    made = aligned_on(step_surfaces(options.input, numbers), **told, strokes=strokes)
     border = tuple(scale * line for line in made.border)
     crosses = made.crosses * np.array([scale, 1.0])[:, None]
     scaled = Aligned(made.mesh.scaled(scale), made.irregular, border, crosses, made.remarks)
@@ -98,4 +108,10 @@ def _on_triangles(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigi
     one, two = (near[triangles[:, k]] - near[triangles[:, 0]] for k in (1, 2))
     area = 0.5 * float(np.linalg.norm(np.cross(one, two), axis=1).sum())
     told["edge"] = told["edge"] or edge_for(area, told["ratio"])
-    return aligned(near, triangles, **told), unit, origin
+    strokes = [origin.near(stroke) for stroke in _strokes(options)]
+    return aligned(near, triangles, **told, strokes=strokes), unit, origin
+
+
+def _strokes(options: argparse.Namespace) -> list[FloatArray]:
+    """Points of the curves, in the unit of the surface."""
+    return [upright(read_points(path), options.up) for path in options.stroke]

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from freecad_ortho.sources.source import Made, Source
-from solver.align.align import TURNED, Aligned, aligned
+from solver.align.align import Aligned, aligned
+from solver.align.guides import TURNED
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -38,7 +39,11 @@ def _on_faces(
 
 
 def aligned_on(
-    surfaces: Sequence[ParametricSurface], net: str, edge: float, ratio: float
+    surfaces: Sequence[ParametricSurface],
+    net: str,
+    edge: float,
+    ratio: float,
+    strokes: Sequence[FloatArray] = (),
 ) -> Aligned:
     """A net along lines of CAD faces that meet smoothly; vertices on the faces themselves.
 
@@ -47,6 +52,7 @@ def aligned_on(
         net: what the net is to become, of :data:`solver.align.align.TURNED`.
         edge: wanted edge length in mm, 0 for about 600 faces.
         ratio: edge length of the other family of lines over that.
+        strokes: polylines (n, 3) on the faces, in mm, along which lines of the net run.
 
     Raises:
         InputError: faces that cannot be sampled, or a surface that has no such net.
@@ -56,7 +62,13 @@ def aligned_on(
     fine = max(edge * min(1.0, ratio) / _FINER, np.sqrt(_area(surfaces) / _POINTS))
     stand_in = sampled(surfaces, edge=fine)
     triangles = TriangleSurface.from_quads(stand_in.mesh)
-    made = aligned(triangles.vertices, triangles.triangles, net=net, edge=edge, ratio=ratio)
+    made = aligned(
+        *(triangles.vertices, triangles.triangles),
+        net=net,
+        edge=edge,
+        ratio=ratio,
+        strokes=strokes,
+    )
     mesh = _set_onto(made.mesh, surfaces, edge)
     return Aligned(mesh, made.irregular, made.border, made.crosses, made.remarks)
 

@@ -7,7 +7,7 @@ to a face, since lines of curvature seldom run along it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike
 from solver.align.apron import extended
 from solver.align.cells import Quads, quads
 from solver.align.cut import cut_open
-from solver.align.field import Field, Guide, curvature_guide, smooth_field
+from solver.align.field import Field, smooth_field
+from solver.align.guides import TURNED, net_guide, with_strokes
 from solver.align.jets import face_tensors, fitted
 from solver.align.overhang import carried_on
 from solver.align.refine import refined
@@ -29,21 +30,14 @@ from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
 
-# Nets that can be aligned, and by how much their lines are turned from those of curvature.
-TURNED = {"principal": 0.0, "developable": 0.0, "asymptotic": np.pi / 4, "cmc": np.pi / 4}
 # In edges of the net: how far curvature is looked for, and what the surface is carried on by; how
 # far points count for that, and how fine the strips are; the longest edge of a triangle.
 _RADIUS, _APRON, _OUTWARDS, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 6, 0.5
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
-# Where curvatures differ by less than this part of what they are, or by less than this angle an
-# edge, on half of the surface, it is round or flat and any line is one of curvature.
-_ROUND, _FLAT = 0.02, 5e-4
 _REMEDY = "give a shorter edge, or smooth the surface there"
 # A surface that leaves its smooth fit by more than this part of an edge is rough.
 _ROUGH = 2e-3
-# A surface bends both ways where its curvatures are opposite on this part of it.
-_MOSTLY = 0.8
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +66,7 @@ def aligned(
     net: str = "principal",
     edge: float,
     ratio: float = 1.0,
+    strokes: Sequence[FloatArray] = (),
     waiting: Callable[[str], object] = lambda stage: None,
 ) -> Aligned:
     """Make a net of quads along a surface's lines of curvature, or at 45 degrees to them.
@@ -83,10 +78,12 @@ def aligned(
             degrees to it).
         edge: wanted edge length.
         ratio: edge length of the other family of lines over that.
+        strokes: polylines (n, 3) on the surface along which lines of the net run.
         waiting: called with the name of each stage as it begins; what it raises is passed on.
 
     Raises:
-        InputError: no such net, bad lengths, no single open surface, no such lines, or no map.
+        InputError: no such net, bad lengths, no single open surface, no such lines, no map, or a
+            stroke that is off the surface.
     """
     if net not in TURNED:
         raise InputError(f"net: expected one of {', '.join(TURNED)}, got {net}")
@@ -100,7 +97,8 @@ def aligned(
     surface = _smoothed(surface, edge, remarks)
     work = _Work.of(surface, edge, min(edge, edge * ratio), 2 if remarks else 3)
     waiting("directions")
-    guide, certainty = _guide(work, net, edge, remarks)
+    guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
+    guide = with_strokes(work.mesh, guide, strokes, edge)
     field = smooth_field(work.mesh, guide, edge)
     waiting("map")
     singular = field.quarters != 0
@@ -110,7 +108,7 @@ def aligned(
     for firm in FIRM:
         waiting("map")
         made = seamless_map(
-            *(work.mesh, cut, layout, certainty, (edge, edge * ratio), work.inner, firm),
+            *(work.mesh, cut, layout, guide.firmness, (edge, edge * ratio), work.inner, firm),
             step=lambda: waiting("map"),
         )
         waiting("quads")
@@ -193,59 +191,6 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
             f"edge: {edge:.4g} makes {count:.3g} faces, {_MOST} at most; "
             f"{np.sqrt(area / 1000):.2g} would give about a thousand (is the unit right?)"
         )
-
-
-def _guide(work: _Work, net: str, edge: float, remarks: list[str]) -> tuple[Guide, FloatArray]:
-    """What directions should be, and (T,) how much the map has to follow them."""
-    own = work.tensors[: work.inner]
-    areas = work.mesh.areas[: work.inner]
-    mean = np.trace(own, axis1=1, axis2=2) / 2
-    gauss = np.linalg.det(own)
-    differ = np.sqrt(np.maximum(mean**2 - gauss, 0.0))
-    if _middle(differ, areas) < max(_ROUND * _middle(np.abs(mean), areas), _FLAT / edge):
-        if net in ("asymptotic", "cmc"):
-            raise InputError(
-                f"net: on a flat or round surface no line is more {net} than another; choose "
-                "principal, or a surface that is curved differently in its directions"
-            )
-        remarks.append(
-            "the surface is flat or round: every direction is one of curvature; the lines run "
-            "along its border"
-        )
-        guide = _along_border(work)
-        return guide, np.zeros(len(work.tensors))
-    if net == "asymptotic":
-        saddle = float(areas[gauss < 0].sum() / areas.sum())
-        if saddle < _MOSTLY:
-            raise InputError(
-                f"net: asymptotic lines need a surface that bends both ways, this one does on "
-                f"{100 * saddle:.0f} % of its area; choose principal or cmc"
-            )
-    guide = curvature_guide(work.mesh, work.tensors, work.inner, TURNED[net])
-    return guide, np.minimum(1.0, guide.stretch**2)
-
-
-def _middle(values: FloatArray, areas: FloatArray) -> float:
-    """Median by area."""
-    order = np.argsort(values)
-    half = np.cumsum(areas[order])
-    return float(values[order][np.searchsorted(half, half[-1] / 2)])
-
-
-def _along_border(work: _Work) -> Guide:
-    """Directions of the border at its own triangles, nothing elsewhere."""
-    mesh, angles = work.mesh, np.zeros(len(work.tensors))
-    certainty = np.zeros(len(work.tensors))
-    first, second = (mesh.edges // 3).T
-    at_border = (first < work.inner) != (second < work.inner)
-    start, end = mesh.ends
-    along = mesh.points[end] - mesh.points[start]
-    for side in (first, second):
-        rows = side[at_border]
-        axes, run = mesh.axes[rows], along[at_border]
-        angles[rows] = np.arctan2((run * axes[:, 1]).sum(axis=1), (run * axes[:, 0]).sum(axis=1))
-        certainty[rows] = 1.0
-    return Guide(angles, certainty, np.zeros(len(angles)), work.inner)
 
 
 def _crossing(found: Quads) -> FloatArray | None:

@@ -51,6 +51,11 @@ class Guide:
     stretch: FloatArray
     inner: int
 
+    @property
+    def firmness(self) -> FloatArray:
+        """(T,) how much the lines of a map have to follow, 0 to 1."""
+        return np.minimum(1.0, self.stretch**2)
+
 
 @dataclass(frozen=True, eq=False)
 class Field:

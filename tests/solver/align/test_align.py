@@ -121,6 +121,32 @@ def test_lines_for_asymptotic_do_not_curve_out_of_a_minimal_surface():
     assert bend["asymptotic"] < 0.02 * bend["principal"]
 
 
+def test_lines_run_along_a_stroke():
+    points, faces = triangles(saddle)
+    # Straight in plan, 30 degrees across the lines of curvature, which run along x and y here.
+    x = np.linspace(-7, 7, 30)
+    y = np.tan(np.radians(30)) * x
+    u, v = (x - 0.15 * y) / 30.6, (y + x * 2 / 15) / 20.4
+    stroke = np.stack([x, y, 12 * u**2 - 20 * v**2 + 2 * u * v], axis=1)
+
+    def across(strokes):
+        mesh = aligned(points, faces, edge=EDGE, strokes=strokes).mesh
+        ends = mesh.vertices[mesh.connectivity.edges]
+        middle, run = ends.mean(axis=1), ends[:, 1] - ends[:, 0]
+        far = np.abs(middle[:, 1] - np.tan(np.radians(30)) * middle[:, 0])
+        near = (far < 0.7) & (np.abs(middle[:, 0]) < 5)
+        turn = np.degrees(np.arctan2(run[near, 1], run[near, 0])) - 30
+        # Of lines along it and across it.
+        return np.abs((turn + 45) % 90 - 45).mean()
+
+    assert across([]) > 20
+    assert across([stroke]) < 8
+    with pytest.raises(InputError, match=r"stroke 2.*off the surface"):
+        aligned(points, faces, edge=EDGE, strokes=[stroke, stroke + [0, 0, 9]])
+    with pytest.raises(InputError, match="two points"):
+        aligned(points, faces, edge=EDGE, strokes=[stroke[:1]])
+
+
 def test_rows_may_be_longer_than_they_are_wide():
     points, faces = triangles(barrel)
     made = aligned(points, faces, edge=1.2, ratio=2.0)

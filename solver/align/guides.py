@@ -1,0 +1,147 @@
+"""What the directions of a net should be on a surface: along curvature, its border, strokes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from solver.align.field import Guide, curvature_guide
+from solver.align.triangle_mesh import TriangleMesh
+from solver.errors import InputError
+from solver.mesh.closest import TriangleSurface
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray
+
+# Nets that can be aligned, and by how much their lines are turned from those of curvature.
+TURNED = {"principal": 0.0, "developable": 0.0, "asymptotic": np.pi / 4, "cmc": np.pi / 4}
+# Where curvatures differ by less than this part of what they are, or by less than this angle an
+# edge, on half of the surface, it is round or flat and any line is one of curvature.
+_ROUND, _FLAT = 0.02, 5e-4
+# A surface bends both ways where its curvatures are opposite on this part of it.
+_MOSTLY = 0.8
+# How much more than curvature a stroke counts; in edges, how wide it is, within which distance
+# lines turn to it, and how far from the surface it may be.
+_STROKE, _WIDE, _TURN, _OFF = 30.0, 0.6, 8.0, 1.0
+# Places that a stroke is looked at, for each edge of the net.
+_PLACES = 6
+
+
+def net_guide(
+    mesh: TriangleMesh,
+    inner: int,
+    tensors: FloatArray,
+    net: str,
+    edge: float,
+    remarks: list[str],
+) -> Guide:
+    """Directions in which a net has its lines, where the surface has any.
+
+    Args:
+        mesh: the surface, with its apron.
+        inner: how many of the triangles are the surface's own.
+        tensors: (T, 2, 2) shape operators in the triangles' frames.
+        net: one of :data:`TURNED`.
+        edge: wanted edge length.
+        remarks: gets a sentence where the surface has no lines of its own.
+
+    Raises:
+        InputError: a surface that has no such lines.
+    """
+    own, areas = tensors[:inner], mesh.areas[:inner]
+    mean, gauss = np.trace(own, axis1=1, axis2=2) / 2, np.linalg.det(own)
+    differ = np.sqrt(np.maximum(mean**2 - gauss, 0.0))
+    if _middle(differ, areas) < max(_ROUND * _middle(np.abs(mean), areas), _FLAT / edge):
+        if net in ("asymptotic", "cmc"):
+            raise InputError(
+                f"net: on a flat or round surface no line is more {net} than another; choose "
+                "principal, or a surface that is curved differently in its directions"
+            )
+        remarks.append(
+            "the surface is flat or round: every direction is one of curvature; the lines run "
+            "along its border"
+        )
+        return _along_border(mesh, inner)
+    if net == "asymptotic":
+        saddle = float(areas[gauss < 0].sum() / areas.sum())
+        if saddle < _MOSTLY:
+            raise InputError(
+                f"net: asymptotic lines need a surface that bends both ways, this one does on "
+                f"{100 * saddle:.0f} % of its area; choose principal or cmc"
+            )
+    return curvature_guide(mesh, tensors, inner, TURNED[net])
+
+
+def with_strokes(
+    mesh: TriangleMesh, guide: Guide, strokes: Sequence[FloatArray], edge: float
+) -> Guide:
+    """Let lines of the net run along curves, whatever curvature says there.
+
+    Args:
+        mesh: the surface, with its apron.
+        guide: the directions that hold elsewhere.
+        strokes: polylines (n, 3) on the surface or near it.
+        edge: wanted edge length.
+
+    Raises:
+        InputError: a stroke of one point, or one that is off the surface.
+    """
+    if not strokes:
+        return guide
+    angles, certainty, stretch = guide.angles.copy(), guide.certainty, guide.stretch
+    surface = TriangleSurface(mesh.points, mesh.triangles[: guide.inner])
+    for number, stroke in enumerate(strokes, start=1):
+        places, along = _walked(stroke, edge / _PLACES, number)
+        feet, _ = surface.closest(places)
+        off = float(np.linalg.norm(places - feet, axis=1).max())
+        if off > _OFF * edge:
+            raise InputError(
+                f"stroke {number}: it is up to {off:.3g} off the surface, more than an edge; "
+                "draw it on the surface"
+            )
+        far, nearest = cKDTree(feet).query(mesh.centres)
+        # Curvature is silent where the lines turn from it to the stroke.
+        less = np.minimum(1.0, far / (_TURN * edge))
+        certainty, stretch = certainty * less**4, stretch * less**2
+        rows: IntArray = np.flatnonzero(far < _WIDE * edge)
+        first, second = ((along[nearest[rows]] * mesh.axes[rows, k]).sum(axis=1) for k in (0, 1))
+        angles[rows] = np.arctan2(second, first)
+        certainty[rows], stretch[rows] = _STROKE, 1.0
+    return replace(guide, angles=angles, certainty=certainty, stretch=stretch)
+
+
+def _walked(stroke: FloatArray, step: float, number: int) -> tuple[FloatArray, FloatArray]:
+    """Places along a polyline, and its direction there."""
+    runs = np.diff(stroke, axis=0)
+    lengths = np.linalg.norm(runs, axis=1)
+    if not lengths.sum() > 0:
+        raise InputError(f"stroke {number}: expected two points or more; draw a longer one")
+    runs, starts, lengths = runs[lengths > 0], stroke[:-1][lengths > 0], lengths[lengths > 0]
+    counts = np.maximum(1, np.ceil(lengths / step)).astype(np.int64)
+    row = np.repeat(np.arange(len(runs)), counts)
+    part = (np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[row]
+    return starts[row] + part[:, None] * runs[row], runs[row] / lengths[row, None]
+
+
+def _middle(values: FloatArray, areas: FloatArray) -> float:
+    """Median by area."""
+    order = np.argsort(values)
+    half = np.cumsum(areas[order])
+    return float(values[order][np.searchsorted(half, half[-1] / 2)])
+
+
+def _along_border(mesh: TriangleMesh, inner: int) -> Guide:
+    """Directions of the border at its own triangles, nothing elsewhere."""
+    angles, certainty = np.zeros((2, len(mesh.triangles)))
+    first, second = (mesh.edges // 3).T
+    at_border = (first < inner) != (second < inner)
+    start, end = mesh.ends
+    run = (mesh.points[end] - mesh.points[start])[at_border]
+    for side in (first, second):
+        rows = side[at_border]
+        axes = mesh.axes[rows]
+        angles[rows] = np.arctan2((run * axes[:, 1]).sum(axis=1), (run * axes[:, 0]).sum(axis=1))
+        certainty[rows] = 1.0
+    return Guide(angles, certainty, np.zeros(len(angles)), inner)
