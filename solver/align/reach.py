@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from weakref import WeakKeyDictionary
+
 import numpy as np
 from scipy.spatial import cKDTree
 
 from solver.align.apron import extended
-from solver.align.triangle_mesh import one_surface
+from solver.align.triangle_mesh import TriangleMesh, one_surface
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import IntArray
@@ -37,18 +39,37 @@ def reaching(
         points and triangles; those that were given where nothing overhangs, where the net lies
         elsewhere, or where the surface is not one open sheet.
     """
+    found = carried_to(mesh, TriangleSurface(points, triangles))
+    return (points, triangles) if found is None else (found.vertices, found.triangles)
+
+
+# What a surface is as one sheet: asked for as often as a net is drawn while it is dragged.
+_SHEETS: WeakKeyDictionary[TriangleSurface, TriangleMesh | None] = WeakKeyDictionary()
+
+
+def _sheet(ground: TriangleSurface) -> TriangleMesh | None:
+    """The triangles as one open sheet; None where they are several, or closed."""
+    try:
+        return one_surface(*sound_triangles(ground.vertices, ground.triangles))
+    except InputError:
+        return None
+
+
+def carried_to(mesh: QuadMesh, ground: TriangleSurface) -> TriangleSurface | None:
+    """A surface that reaches as far as a mesh overhangs it; None where nothing does, as above."""
     edge = mesh.mean_edge
     vertices = mesh.vertices[mesh.connectivity.referenced]
-    feet, _ = TriangleSurface(points, triangles).closest(vertices)
+    feet, _ = ground.closest(vertices)
     off = vertices - feet
     far = np.linalg.norm(off, axis=1)
     away = far > _HARDLY * edge
     if not away.any():
-        return points, triangles
-    try:
-        surface = one_surface(*sound_triangles(points, triangles))
-    except InputError:  # several sheets, or a closed one: there is no border to carry on
-        return points, triangles
+        return None
+    if ground not in _SHEETS:
+        _SHEETS[ground] = _sheet(ground)
+    surface = _SHEETS[ground]
+    if surface is None:
+        return None
     rim = np.flatnonzero(surface.on_rim)
     beside = rim[cKDTree(surface.points[rim]).query(feet)[1]]
     level = np.abs((off * surface.vertex_normals[beside]).sum(axis=1)) < _ALONG * far
@@ -56,8 +77,8 @@ def reaching(
     at_border = np.linalg.norm(feet - border.closest(feet)[0], axis=1) < _HARDLY * edge
     overhang = away & level & at_border
     if not overhang.any() or far[overhang].max() > _ELSEWHERE * edge:
-        return points, triangles
+        return None
     step = min(max(float(np.sqrt(2 * surface.areas.mean())), edge / _STRIPS), edge)
     width = float(far[overhang].max()) + _SPARE * edge
     larger = extended(surface, width, step, _RADIUS * edge)
-    return larger.points, larger.triangles
+    return TriangleSurface(larger.points, larger.triangles)

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from solver.align.reach import carried_to
 from solver.analysis.curvature import gauss_curvature, mean_curvature
 from solver.analysis.forces import edge_forces
 from solver.errors import InputError
@@ -109,10 +111,23 @@ def _residual(
     return Field(VERTICES, values, decades=True)
 
 
+# Surfaces that were carried on for nets that overhang them: a net is drawn many times a second.
+_LARGER: WeakKeyDictionary[TriangleSurface, TriangleSurface] = WeakKeyDictionary()
+
+
+def _reaching(mesh: QuadMesh, reference: TriangleSurface) -> TriangleSurface:
+    """The reference, gone on beyond its border where the mesh overhangs it."""
+    ground = _LARGER.get(reference, reference)
+    larger = carried_to(mesh, ground)
+    if larger is not None:
+        _LARGER[reference] = ground = larger
+    return ground
+
+
 def _gap(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
     if reference is None:
         raise InputError("gap to reference: the net has no reference surface; choose one first")
-    feet, _ = reference.closest(mesh.vertices)
+    feet, _ = _reaching(mesh, reference).closest(mesh.vertices)
     return Field(VERTICES, np.linalg.norm(mesh.vertices - feet, axis=1), dimension=1)
 
 

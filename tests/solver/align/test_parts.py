@@ -15,6 +15,8 @@ from solver.align.refine import refined
 from solver.align.seamless import GRID, Map, rounded, seamless_map
 from solver.align.seams import TURNS, seams
 from solver.align.triangle_mesh import TriangleMesh, one_surface
+from solver.analysis.fields import field
+from solver.mesh.closest import TriangleSurface
 from solver.mesh.grid import grid_mesh
 from tests.design_surfaces import barrel, dome, plane, triangles, without
 
@@ -180,6 +182,12 @@ def test_a_surface_reaches_as_far_as_what_overhangs_it():
     assert np.ptp(more[:, 0]) > 13.5
     assert np.abs(more[:, 2]).max() < 1e-9
     assert larger.areas.sum() > 13 * 9
+    # Colours say how far it is from the surface as it goes on, also when it is asked again.
+    ground = TriangleSurface(points, faces)
+    for raised in (0.0, 0.01):
+        moved = mesh.with_vertices(mesh.vertices + [0, 0, raised])
+        gap = field(moved, "Gap to reference", ground).values
+        assert gap == pytest.approx(raised, abs=1e-9)
     within = grid_mesh(np.stack([0.9 * x + 0.6, 0.9 * y + 0.5, 0 * x], axis=-1))
     assert reaching(within, points, faces)[0] is points
     elsewhere = grid_mesh(np.stack([x + 60, y, 0 * x], axis=-1))
