@@ -162,6 +162,21 @@ class Sequence:
         size = self.sampling()
         self.allowed_to_fail(api.net_from_faces, (box, "Face1"), sampling=size, v_part=(0.1, 0.9))
 
+    def net_along_curvature(self):
+        if self.crowded():
+            return False
+        vault = self.document.getObject("Vault")
+        self.document.openTransaction("Vault")
+        vault = vault or self.document.addObject("Part::Feature", "Vault")
+        up, along = FreeCAD.Vector(), FreeCAD.Vector(0, 1, 0)
+        vault.Shape = Part.makeCylinder(self.dice.uniform(2000, 4000), 5000, up, along, 120).Faces[
+            0
+        ]
+        self.document.recompute()
+        self.document.commitTransaction()
+        edge = self.dice.uniform(800, 1500)
+        self.allowed_to_fail(api.net_along_curvature, (vault, "Face1"), edge=edge)
+
     def form_net(self):
         net = self.any_net()
         if net is None or self.crowded():
