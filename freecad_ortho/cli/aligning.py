@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -94,9 +95,11 @@ def _on_step(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:
     strokes = [stroke / scale for stroke in _strokes(options)]
     made = aligned_on(step_surfaces(options.input, numbers), **told, strokes=strokes)
     border = tuple(scale * line for line in made.border)
-    crosses = made.crosses * np.array([scale, 1.0])[:, None]
-    scaled = Aligned(made.mesh.scaled(scale), made.irregular, border, crosses, made.remarks)
-    return scaled, unit, LocalOrigin(np.zeros(3))
+    return (
+        replace(made, mesh=made.mesh.scaled(scale), border=border),
+        unit,
+        LocalOrigin(np.zeros(3)),
+    )
 
 
 def _on_triangles(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:

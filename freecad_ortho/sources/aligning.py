@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -49,7 +50,7 @@ def aligned_on(
 
     Args:
         surfaces: in mm.
-        net: what the net is to become, of :data:`solver.align.align.TURNED`.
+        net: what the net is to become, of :data:`solver.align.guides.TURNED`.
         edge: wanted edge length in mm, 0 for about 600 faces.
         ratio: edge length of the other family of lines over that.
         strokes: polylines (n, 3) on the faces, in mm, along which lines of the net run.
@@ -70,7 +71,7 @@ def aligned_on(
         strokes=strokes,
     )
     mesh = _set_onto(made.mesh, surfaces, edge)
-    return Aligned(mesh, made.irregular, made.border, made.crosses, made.remarks)
+    return replace(made, mesh=mesh)
 
 
 def edge_for(area: float, ratio: float) -> float:

@@ -48,14 +48,12 @@ class Aligned:
         mesh: the quads; they overhang the border.
         irregular: (K,) inner vertices that have not four faces.
         border: polylines (N, 3) of the surface's border, closed, without their start at the end.
-        crosses: (C, 2, 3) places in the surface and a direction of the field there.
         remarks: what is to be said about it, in plain words.
     """
 
     mesh: QuadMesh
     irregular: IntArray
     border: tuple[FloatArray, ...]
-    crosses: FloatArray
     remarks: tuple[str, ...] = ()
 
 
@@ -94,46 +92,23 @@ def aligned(
     _refuse_size(surface, edge, edge * ratio)
     loops = surface.loops()
     remarks: list[str] = []
-    surface = _smoothed(surface, edge, remarks)
-    work = _Work.of(surface, edge, min(edge, edge * ratio), 2 if remarks else 3)
+    smooth, rough = _smoothed(surface, edge)
+    if rough:
+        remarks.append(
+            f"the surface is rough, by {rough:.2g} within an edge; the net is on a smooth one "
+            "through it"
+        )
+    # Of points that have been noisy, one degree less is believed beyond the border.
+    work = _Work.of(smooth, edge, min(edge, edge * ratio), 2 if rough else 3)
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
     guide = with_strokes(work.mesh, guide, strokes, edge)
     field = smooth_field(work.mesh, guide, edge)
-    waiting("map")
-    singular = field.quarters != 0
-    cut = cut_open(work.mesh, field)
-    layout = seams(work.mesh, cut, singular)
-    mesh = None
-    for firm in FIRM:
-        waiting("map")
-        made = seamless_map(
-            *(work.mesh, cut, layout, guide.firmness, (edge, edge * ratio), work.inner, firm),
-            step=lambda: waiting("map"),
-        )
-        waiting("quads")
-        found = quads(work.mesh, cut, made, work.inner)
-        wrong = _crossing(found)
-        if wrong is None:
-            mesh = _net(work.mesh, made, found, carried_on(work.mesh, cut, made, found))
-            break
-    if mesh is None:
-        assert wrong is not None
-        raise InputError(f"map: lines run into each other near {_at(wrong)}; {_REMEDY}")
-    if firm < FIRM[0]:
-        remarks.append(
-            "lines that follow curvature closely would run into each other here; these do less so"
-        )
-    _say_openings(surface, loops, edge, remarks)
+    mesh = _mapped(work, field, guide.firmness, (edge, edge * ratio), waiting, remarks)
+    _say_openings(smooth, loops, mesh, remarks)
     connected = mesh.connectivity
     irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
-    return Aligned(
-        mesh,
-        irregular,
-        tuple(surface.points[loop] for loop in loops),
-        _crosses(work, field),
-        tuple(remarks),
-    )
+    return Aligned(mesh, irregular, tuple(smooth.points[loop] for loop in loops), tuple(remarks))
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,7 +129,6 @@ class _Work:
     def of(cls, surface: TriangleMesh, edge: float, shorter: float, degree: int) -> _Work:
         size = float(np.sqrt(2 * surface.areas.mean()))
         step = min(max(size, edge / _STRIPS), edge)
-        # Of points that have been noisy, one degree less is believed beyond the border.
         larger = extended(surface, _APRON * edge, step, _OUTWARDS * edge, degree)
         jets = fitted(larger, np.arange(len(larger.points)), _RADIUS * edge)
         inner = len(surface.triangles)
@@ -162,18 +136,18 @@ class _Work:
         return cls(mesh, inner, face_tensors(mesh, tensors))
 
 
-def _smoothed(surface: TriangleMesh, edge: float, remarks: list[str]) -> TriangleMesh:
-    """The surface without its noise: what is rough within an edge has no lines to follow."""
+def _smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:
+    """The surface without its noise, and how much that was, 0 where there is hardly any.
+
+    What is rough within an edge has no lines to follow.
+    """
     jets = fitted(surface, np.arange(len(surface.points)), _RADIUS * edge)
     off = jets.coefficients[:, 0] * jets.scale
     rough = float(np.sqrt((off * off).mean()))
     if rough < _ROUGH * edge:
-        return surface
-    remarks.append(
-        f"the surface is rough, by {rough:.2g} within an edge; the net is on a smooth one "
-        "through it"
-    )
-    return TriangleMesh(surface.points + off[:, None] * jets.axes[:, 2], surface.triangles)
+        return surface, 0.0
+    points = surface.points + off[:, None] * jets.axes[:, 2]
+    return TriangleMesh(points, surface.triangles), rough
 
 
 def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
@@ -191,6 +165,38 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
             f"edge: {edge:.4g} makes {count:.3g} faces, {_MOST} at most; "
             f"{np.sqrt(area / 1000):.2g} would give about a thousand (is the unit right?)"
         )
+
+
+def _mapped(
+    work: _Work,
+    field: Field,
+    firmness: FloatArray,
+    edges: tuple[float, float],
+    waiting: Callable[[str], object],
+    remarks: list[str],
+) -> QuadMesh:
+    """The quads of a map along the field, as closely as lines do not run into each other."""
+    waiting("map")
+    cut = cut_open(work.mesh, field)
+    layout = seams(work.mesh, cut, field.quarters != 0)
+    wrong: FloatArray | None = None
+    for firm in FIRM:
+        made = seamless_map(
+            *(work.mesh, cut, layout, firmness, edges, work.inner, firm),
+            step=lambda: waiting("map"),
+        )
+        waiting("quads")
+        found = quads(work.mesh, cut, made, work.inner)
+        wrong = _crossing(found)
+        if wrong is None:
+            if firm < FIRM[0]:
+                remarks.append(
+                    "lines that follow curvature closely would run into each other here; these do "
+                    "less so"
+                )
+            return _net(work.mesh, made, found, carried_on(work.mesh, cut, made, found))
+    assert wrong is not None
+    raise InputError(f"map: lines run into each other near {_at(wrong)}; {_REMEDY}")
 
 
 def _crossing(found: Quads) -> FloatArray | None:
@@ -222,21 +228,14 @@ def _at(place: FloatArray) -> str:
 
 
 def _say_openings(
-    surface: TriangleMesh, loops: list[list[int]], edge: float, remarks: list[str]
+    surface: TriangleMesh, loops: list[list[int]], mesh: QuadMesh, remarks: list[str]
 ) -> None:
-    """Name openings that a face of the net would cover."""
-    largest = max(range(len(loops)), key=lambda k: len(loops[k]))
-    for k, loop in enumerate(loops):
-        points = surface.points[loop]
-        if k != largest and float(np.ptp(points, axis=0).max()) < edge:
-            remarks.append(
-                f"the opening at {_at(points.mean(axis=0))} is smaller than a face; "
-                "lines run over it"
-            )
-
-
-def _crosses(work: _Work, field: Field) -> FloatArray:
-    mesh, angles = work.mesh, field.angles[: work.inner]
-    axes = mesh.axes[: work.inner]
-    direction = np.cos(angles)[:, None] * axes[:, 0] + np.sin(angles)[:, None] * axes[:, 1]
-    return np.stack([mesh.centres[: work.inner], direction], axis=1)
+    """Name openings that the net runs over: the smallest, as many as it has too few."""
+    spans = [float(np.linalg.norm(np.ptp(surface.points[loop], axis=0))) for loop in loops]
+    closed = len(loops) - len(mesh.connectivity.boundary_loops)
+    for k in np.argsort(spans)[: max(closed, 0)].tolist():
+        place = surface.points[loops[k]].mean(axis=0)
+        remarks.append(
+            f"the opening at {_at(place)}, {spans[k]:.3g} across, is too small for faces of this "
+            "size: lines run over it; a shorter edge keeps it"
+        )

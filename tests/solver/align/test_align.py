@@ -21,7 +21,7 @@ from tests.design_surfaces import (
     without,
 )
 
-# Half a part in a thousand of an edge: how far a chord leaves these surfaces between vertices.
+# The surfaces are 20 to 30 m wide, their triangles half a metre.
 EDGE = 1.5
 
 
@@ -170,7 +170,19 @@ def test_a_small_opening_is_run_over_and_said():
     points, faces = without(points, faces, lambda c: np.hypot(c[:, 0] - 2, c[:, 1] - 1) < 0.6)
     made = aligned(points, faces, edge=3.0)
     assert len(made.mesh.connectivity.boundary_loops) == 1
-    assert any("smaller than a face" in remark for remark in made.remarks)
+    (said,) = made.remarks
+    assert "the opening at (1." in said or "the opening at (2." in said
+    assert "lines run over it" in said
+
+
+def test_no_opening_is_closed_without_a_word():
+    points, faces = triangles(saddle)
+    for radius in (1.2, 1.6, 2.0, 2.4):
+        inside = np.array([2.0, 1.0])
+        open_ = without(points, faces, lambda c: np.hypot(*(c[:, :2] - inside).T) < radius)  # noqa: B023
+        made = aligned(*open_, edge=2.0)
+        loops = len(made.mesh.connectivity.boundary_loops)
+        assert loops + len(made.remarks) == 2
 
 
 @pytest.mark.parametrize("formula", [plane, cap])

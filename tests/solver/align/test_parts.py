@@ -73,11 +73,16 @@ def test_strips_of_an_opening_do_not_meet():
 
 
 def test_fans_that_meet_in_a_vertex_are_parted():
-    points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [-1, 0, 0], [-1, -1, 0], [2, 2, 0.0]])
-    # Two fans at vertex 0, joined elsewhere by none: two pieces at least once they are parted.
-    faces = np.array([[0, 1, 2], [1, 5, 2], [0, 3, 4]])
-    with pytest.raises(ValueError, match="2 pieces"):
-        one_surface(points, faces)
+    points, faces = triangles(plane, 13, 9)
+    # Two openings that touch in a vertex: there its fan is in two parts.
+    cells = np.floor(points[faces].mean(axis=1)[:, :2]).astype(int).tolist()
+    kept = np.array([cell not in ([5, 3], [6, 4]) for cell in cells])
+    mesh = one_surface(points, faces[kept])
+    assert len(mesh.points) == len(points) + 1
+    doubled = np.flatnonzero((np.abs(mesh.points - [6, 4, 0]) < 1e-9).all(axis=1))
+    assert len(doubled) == 2
+    # Each part of the border runs through one of the two.
+    assert sorted(len(loop) for loop in mesh.loops()) == [8, 40]
 
 
 def test_triangles_are_turned_alike():
