@@ -223,21 +223,27 @@ class Sequence:
         chosen = self.dice.choice(self.structures())
         self.allowed_to_fail(api.add_flat_patterns, chosen, sheet=sheet)
 
+    def patterns(self):
+        return [item for item in self.document.Objects if is_flat_patterns(item)]
+
     def change_flat_patterns(self):
-        patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
+        # Structures and their patterns seldom come by chance: those are made first.
+        if not self.patterns():
+            self.add_flat_patterns()
+        patterns = self.patterns()
         if not patterns:
             return False
         spacing = self.dice.uniform(2, 20)
         self.allowed_to_fail(api.change_flat_patterns, self.dice.choice(patterns), spacing=spacing)
 
     def add_drawing_page(self):
-        patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
+        patterns = self.patterns()
         if not patterns or self.dice.random() < 0.2:
             return False
         self.allowed_to_fail(api.add_drawing_page, self.dice.choice(patterns))
 
     def add_drawing_pages(self):
-        patterns = [item for item in self.document.Objects if is_flat_patterns(item)]
+        patterns = self.patterns()
         if not patterns or self.document.getObject("Page"):
             return False
         self.allowed_to_fail(api.add_drawing_pages, self.dice.choice(patterns))
@@ -370,6 +376,7 @@ HELPERS = (
     "nets",
     "run",
     "sampling",
+    "patterns",
     "structures",
 )
 ACTIONS = [
