@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -94,12 +93,7 @@ def _on_step(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:
     scale = 1.0 / millimetres_per(unit)
     strokes = [stroke / scale for stroke in _strokes(options)]
     made = aligned_on(step_surfaces(options.input, numbers), **told, strokes=strokes)
-    border = tuple(scale * line for line in made.border)
-    return (
-        replace(made, mesh=made.mesh.scaled(scale), border=border),
-        unit,
-        LocalOrigin(np.zeros(3)),
-    )
+    return made.scaled(scale), unit, LocalOrigin(np.zeros(3))
 
 
 def _on_triangles(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:

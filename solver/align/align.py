@@ -8,13 +8,14 @@ to a face, since lines of curvature seldom run along it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.align.apron import extended
 from solver.align.cells import Quads, quads
+from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
 from solver.align.field import Field, smooth_field
 from solver.align.guides import TURNED, net_guide, with_strokes
@@ -48,13 +49,27 @@ class Aligned:
         mesh: the quads; they overhang the border.
         irregular: (K,) inner vertices that have not four faces.
         border: polylines (N, 3) of the surface's border, closed, without their start at the end.
+        field: the directions that its lines follow.
+        singular: where these cannot be continued.
         remarks: what is to be said about it, in plain words.
     """
 
     mesh: QuadMesh
     irregular: IntArray
     border: tuple[FloatArray, ...]
+    field: Crosses
+    singular: Singular
     remarks: tuple[str, ...] = ()
+
+    def scaled(self, factor: float) -> Aligned:
+        """The same in another unit."""
+        return replace(
+            self,
+            mesh=self.mesh.scaled(factor),
+            border=tuple(factor * line for line in self.border),
+            field=self.field.scaled(factor),
+            singular=self.singular.scaled(factor),
+        )
 
 
 def aligned(
@@ -108,7 +123,14 @@ def aligned(
     _say_openings(smooth, loops, mesh, remarks)
     connected = mesh.connectivity
     irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
-    return Aligned(mesh, irregular, tuple(smooth.points[loop] for loop in loops), tuple(remarks))
+    return Aligned(
+        mesh,
+        irregular,
+        tuple(smooth.points[loop] for loop in loops),
+        Crosses.of(work.mesh, field, guide),
+        Singular.of(work.mesh, field, guide),
+        tuple(remarks),
+    )
 
 
 @dataclass(frozen=True, eq=False)

@@ -74,6 +74,40 @@ def test_the_border_is_carried_along(on_saddle):
     assert {tuple(row) for row in line} <= {tuple(row) for row in points}
 
 
+def test_the_field_is_that_of_the_lines(on_saddle):
+    points, faces, made = on_saddle
+    field = made.field
+    np.testing.assert_allclose(np.linalg.norm(field.directions, axis=2), 1.0)
+    assert np.abs(np.einsum("nk,nk->n", *field.directions.transpose(1, 0, 2))).max() < 1e-12
+    assert off(field.places, points, faces).max() < 0.02
+    # Where a face of the net is near a cross, its edges run as one of the two directions.
+    corners = made.mesh.vertices[made.mesh.faces]
+    centre, along = corners.mean(axis=1), corners[:, 1] - corners[:, 0]
+    nearest = np.linalg.norm(centre[:, None] - field.places[None], axis=2).argmin(axis=1)
+    turned = np.einsum("nkj,nj->nk", field.directions[nearest], along)
+    angles = np.arccos(np.abs(turned).max(axis=1) / np.linalg.norm(along, axis=1))
+    near = np.linalg.norm(centre - field.places[nearest], axis=1) < 0.3 * EDGE
+    assert near.mean() > 0.7
+    assert np.degrees(angles[near]).max() < 5.0
+    assert field.certainty.min() >= 0
+    assert field.certainty.max() == 1.0
+    assert not len(made.singular.places)
+
+
+def test_singular_points_stand_at_the_irregular_vertices(on_dome):
+    made = on_dome[2]
+    assert len(made.singular.places) == len(made.irregular) > 0
+    places = made.mesh.vertices[made.irregular]
+    apart = np.linalg.norm(places[:, None] - made.singular.places[None], axis=2)
+    assert apart.min(axis=1).max() < 0.2 * EDGE
+    degrees = np.bincount(made.mesh.connectivity.edges.ravel())[made.irregular]
+    assert (degrees == made.singular.valences[apart.argmin(axis=1)]).all()
+    metres = made.scaled(1000.0)
+    np.testing.assert_allclose(metres.singular.places, 1000 * made.singular.places)
+    np.testing.assert_allclose(metres.field.places, 1000 * made.field.places)
+    np.testing.assert_allclose(metres.mesh.vertices, 1000 * made.mesh.vertices)
+
+
 def test_an_exact_net_is_a_hair_away(on_saddle):
     points, faces, made = on_saddle
     outcome = optimise(made.mesh, "principal", constraints=Constraints(close_to=(points, faces)))

@@ -1,0 +1,66 @@
+"""What can be seen of a field of directions: crosses on the surface, and where it has none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.align.field import QUARTER, Field, Guide
+from solver.align.triangle_mesh import TriangleMesh
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Crosses:
+    """The two directions in which a net has its lines, at places of a surface.
+
+    Attributes:
+        places: (N, 3).
+        directions: (N, 2, 3) unit vectors, perpendicular to each other.
+        certainty: (N,) 0 where neighbours decide, 1 where curvature or a stroke does.
+    """
+
+    places: FloatArray
+    directions: FloatArray
+    certainty: FloatArray
+
+    @classmethod
+    def of(cls, mesh: TriangleMesh, field: Field, guide: Guide) -> Crosses:
+        """One in each of the surface's own triangles."""
+        inner = guide.inner
+        angles = field.angles[:inner, None] + [0.0, QUARTER]
+        parts = np.stack([np.cos(angles), np.sin(angles)], axis=2)
+        directions = np.einsum("tki,tij->tkj", parts, mesh.axes[:inner])
+        certainty = np.minimum(1.0, guide.certainty[:inner])
+        return cls(mesh.centres[:inner], directions, certainty)
+
+    def scaled(self, factor: float) -> Crosses:
+        """The same in another unit."""
+        return Crosses(factor * self.places, self.directions, self.certainty)
+
+
+@dataclass(frozen=True, eq=False)
+class Singular:
+    """Where directions cannot be continued: the net has irregular vertices there.
+
+    Attributes:
+        places: (K, 3).
+        valences: (K,) how many lines meet there: 3, 5 or 6.
+    """
+
+    places: FloatArray
+    valences: IntArray
+
+    @classmethod
+    def of(cls, mesh: TriangleMesh, field: Field, guide: Guide) -> Singular:
+        """Those of a field, on the surface itself."""
+        own = np.zeros(len(mesh.points), dtype=bool)
+        own[mesh.triangles[: guide.inner]] = True
+        chosen = np.flatnonzero(own & (field.quarters != 0))
+        return cls(mesh.points[chosen], 4 - field.quarters[chosen])
+
+    def scaled(self, factor: float) -> Singular:
+        """The same in another unit."""
+        return Singular(factor * self.places, self.valences)
