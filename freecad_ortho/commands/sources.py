@@ -8,7 +8,8 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_ortho.commands.command import Command
-from freecad_ortho.objects import cad_faces
+from freecad_ortho.objects import source_net
+from freecad_ortho.objects.making import Inputs
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.sources import GROUPS, source
 from freecad_ortho.window import context, messages
@@ -21,9 +22,11 @@ class SourceCommand(Command):
 
     Attributes:
         group: of sources.
+        title: of the panel, where the text in the menu is too long for it; marked for translation.
     """
 
     group: str
+    title: str = ""
 
     def IsActive(self) -> bool:
         """Where there is what the sources need."""
@@ -39,15 +42,19 @@ class SourceCommand(Command):
 
     def panel(self) -> Any:
         """The task panel, on what is selected."""
-        from freecad_ortho.panels.source_panel import SourcePanel
+        inputs = self.inputs()
+        document = inputs.owners[0].Document if inputs.owners else _document()
+        title = FreeCAD.Qt.translate(f"Ortho_{type(self).__name__}", self.title or self.text)
+        return _panel_class(self.group)(title, self.icon, self.group, document, inputs)
 
-        needs = source(GROUPS[self.group][0]).needs
-        nets = selected_nets() if needs in ("net", "nets") else []
-        faces = selected_faces() if needs == "faces" else []
-        owners = [*nets, *(face[0] for face in faces)]
-        document = owners[0].Document if owners else _document()
-        title = FreeCAD.Qt.translate(f"Ortho_{type(self).__name__}", self.text)
-        return SourcePanel(title, self.icon, self.group, document, nets, faces)
+    def inputs(self) -> Inputs:
+        """What is selected, as far as the sources are made of it."""
+        entry = source(GROUPS[self.group][0])
+        return Inputs(
+            selected_nets() if entry.needs in ("net", "nets") else [],
+            selected_faces() if entry.needs == "faces" else [],
+            selected_edges() if entry.strokes else [],
+        )
 
 
 class Primitive(SourceCommand):
@@ -75,10 +82,8 @@ class MultiNet(SourceCommand):
 
     def panel(self) -> Any:
         """The task panel with which one draws."""
-        from freecad_ortho.panels.multi_net_panel import MultiNetPanel
-
         title = FreeCAD.Qt.translate("Ortho_MultiNet", "Multi-net")
-        return MultiNetPanel(title, self.icon, _document())
+        return _panel_class(self.group)(title, self.icon, _document())
 
 
 class EllipticNet(SourceCommand):
@@ -113,8 +118,9 @@ class AlignedNet(SourceCommand):
     tip = QT_TRANSLATE_NOOP(
         "Ortho_AlignedNet",
         "A net on the selected CAD faces along the lines that an exact net has there, which "
-        "overhangs their border",
+        "overhangs their border; edges, wires and sketches that are selected too it runs along",
     )
+    title = QT_TRANSLATE_NOOP("Ortho_AlignedNet", "Aligned net")
 
 
 class FormNet(SourceCommand):
@@ -126,14 +132,6 @@ class FormNet(SourceCommand):
     tip = QT_TRANSLATE_NOOP(
         "Ortho_FormNet", "A membrane or cable net in equilibrium that starts from the selected net"
     )
-
-    def panel(self) -> Any:
-        """The task panel in which one picks supports."""
-        from freecad_ortho.panels.form_panel import FormPanel
-
-        nets = selected_nets()
-        title = FreeCAD.Qt.translate("Ortho_FormNet", "Form-finding")
-        return FormPanel(title, self.icon, self.group, nets[0].Document, nets)
 
 
 class Derived(SourceCommand):
@@ -192,20 +190,30 @@ def edit_source(net: FreeCAD.DocumentObject) -> None:
     """Open the panel with the options of a net that follows a source."""
     if FreeCADGui.Control.activeDialog():
         return
+    group = next(name for name, members in GROUPS.items() if net.MadeBy in members)
+    with messages.errors_shown():
+        make = _panel_class(group)
+        if group == "multi-net":
+            panel = make(net.Label, "multi_net", net.Document, net)
+        else:
+            inputs = source_net.inputs_of(net)
+            panel = make(net.Label, "net", group, net.Document, inputs, net)
+        FreeCADGui.Control.showDialog(panel)
+
+
+def _panel_class(group: str) -> Any:
+    """The class of the task panels for a group of sources."""
+    from freecad_ortho.panels.aligned_panel import AlignedPanel
     from freecad_ortho.panels.form_panel import FormPanel
     from freecad_ortho.panels.multi_net_panel import MultiNetPanel
     from freecad_ortho.panels.source_panel import SourcePanel
 
-    group = next(name for name, members in GROUPS.items() if net.MadeBy in members)
-    with messages.errors_shown():
-        if group == "multi-net":
-            panel = MultiNetPanel(net.Label, "multi_net", net.Document, net)
-        else:
-            faces = cad_faces.faces_of(getattr(net, "CadFaces", []))
-            nets = getattr(net, "Nets", [])
-            make = FormPanel if group == "form-finding" else SourcePanel
-            panel = make(net.Label, "net", group, net.Document, nets, faces, net)
-        FreeCADGui.Control.showDialog(panel)
+    special = {
+        "along curvature": AlignedPanel,
+        "form-finding": FormPanel,
+        "multi-net": MultiNetPanel,
+    }
+    return special.get(group, SourcePanel)
 
 
 def selected_nets() -> list[FreeCAD.DocumentObject]:
@@ -228,6 +236,20 @@ def selected_faces() -> list[tuple[FreeCAD.DocumentObject, str]]:
             names = [f"Face{k + 1}" for k in range(len(shape.Faces))]
         faces += [(picked.Object, name) for name in names]
     return faces
+
+
+def selected_edges() -> list[tuple[FreeCAD.DocumentObject, str]]:
+    """The selected edges of shapes, and what is selected whole and has edges only."""
+    edges = []
+    for picked in FreeCADGui.Selection.getSelectionEx():
+        shape = getattr(picked.Object, "Shape", None)
+        if shape is None or not getattr(shape, "Edges", None):
+            continue
+        names = [name for name in picked.SubElementNames if name.startswith("Edge")]
+        if not picked.SubElementNames and not shape.Faces:
+            names = [""]
+        edges += [(picked.Object, name) for name in names]
+    return edges
 
 
 def _document() -> FreeCAD.Document:

@@ -14,6 +14,8 @@ from freecad_ortho.documents.common import document_or_new, progress, require_ne
 from freecad_ortho.keywords import Value
 from freecad_ortho.objects import cad_faces, places, source_net
 from freecad_ortho.objects import net as net_object
+from freecad_ortho.objects.making import Inputs
+from freecad_ortho.objects.strokes import strokes_of
 from freecad_ortho.sources import GROUPS, source
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
@@ -27,6 +29,7 @@ def add_source(
     /,
     nets: FreeCAD.DocumentObject | Sequence[FreeCAD.DocumentObject] = (),
     faces: Sequence[Face] = (),
+    strokes: Sequence[Face] = (),
     document: FreeCAD.Document | str | None = None,
     **options: Value,
 ) -> FreeCAD.DocumentObject:
@@ -35,7 +38,9 @@ def add_source(
     Args:
         name: of the source, one of :data:`freecad_ortho.sources.SOURCES`.
         nets: nets that it is made of, for sources that need some; they are hidden.
-        faces: shapes and names of their faces, for the source ``faces``; the shapes are hidden.
+        faces: shapes and names of their faces, for sources that need some; the shapes are hidden.
+        strokes: shapes and names of their edges, or wires and sketches, that lines of the net run
+            along, for the source ``along curvature``.
         document: a document or its name; without it that of the nets or faces, the active or a new
             one.
         options: of the source; lengths as numbers of mm, quantities or texts such as ``"2 m"``.
@@ -51,16 +56,16 @@ def add_source(
     chosen = list(nets) if isinstance(nets, (list, tuple)) else [nets]
     for net in chosen:
         require_net(net)
-    links = cad_faces.faces_of(faces)
-    source_net.require_inputs(entry, chosen, links)
+    inputs = Inputs(chosen, cad_faces.faces_of(faces), strokes_of(strokes))
+    inputs.require(entry)
     values = convert.option_values(entry, options)
-    owner = (chosen or [link[0] for link in links] or [None])[0]
+    owner = next(iter(inputs.owners), None)
     target = owner.Document if owner is not None else document_or_new(document, "Net")
     with transaction(target, entry.name.capitalize()):
-        feature = source_net.create(target, name, values, chosen, links)
+        feature = source_net.create(target, name, values, inputs)
         target.recompute()
         # As FreeCAD does with what a shape is made of: both would be drawn into each other.
-        for item in [*chosen, *(link[0] for link in links)]:
+        for item in inputs.owners:
             item.Visibility = False
     _say_remarks(feature)
     return feature
@@ -70,6 +75,7 @@ def change_source(
     net: FreeCAD.DocumentObject,
     nets: Sequence[FreeCAD.DocumentObject] | None = None,
     faces: Sequence[Face] | None = None,
+    strokes: Sequence[Face] | None = None,
     **options: Value,
 ) -> None:
     """Give a net that follows a source other options; vertices that were moved are made anew.
@@ -78,6 +84,7 @@ def change_source(
         net: a net made by :func:`add_source` or its kin.
         nets: other nets that it is made of.
         faces: other faces that it is sampled from.
+        strokes: other edges, wires and sketches that its lines run along; ``()`` for none.
         options: of its source; those not given stay.
 
     Raises:
@@ -87,19 +94,15 @@ def change_source(
     if not source_net.is_source_net(net):
         label = getattr(net, "Label", net)
         raise InputError(f"net: {label} follows no source; add a primitive, for one")
-    values = convert.option_values(source(net.MadeBy), options)
+    entry = source(net.MadeBy)
+    values = convert.option_values(entry, options)
     with transaction(net.Document, FreeCAD.Qt.translate("Ortho", "Change source")):
-        before = source_net.values_of(net)
-        try:
+        inputs = source_net.inputs_of(net, nets=nets, faces=faces, strokes=strokes)
+        inputs.require(entry)
+        with source_net.as_before_on_failure(net):
             source_net.set_values(net, values)
-            if nets is not None:
-                net.Nets = list(nets)
-            if faces is not None:
-                net.CadFaces = cad_faces.faces_of(faces)
+            source_net.set_inputs(net, inputs)
             source_net.remake(net)
-        except BaseException:
-            source_net.set_values(net, before)
-            raise
         net.FollowSource = True
         net.Document.recompute()
     _say_remarks(net)
@@ -163,7 +166,7 @@ def net_from_faces(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
     return add_source("faces", faces=cad_faces.faces_of(faces), **options)
 
 
-def net_along_curvature(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
+def net_along_curvature(faces: Any, strokes: Any = (), **options: Value) -> FreeCAD.DocumentObject:
     """Add a net on CAD faces along their lines of curvature, or at 45 degrees to them.
 
     The net overhangs the border of the faces by up to a face; ``close_to`` keeps it near them when
@@ -171,13 +174,17 @@ def net_along_curvature(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
 
     Args:
         faces: a shape (all its faces), ``(shape, "Face1")``, or a list of these.
+        strokes: what lines of the net run along, whatever curvature says there: ``(shape,
+            "Edge1")``, a wire or a sketch, or a list of these.
         options: ``net`` (``principal``, ``developable``, ``asymptotic`` or ``cmc``),
             ``edge="1.2 m"``, ``ratio``.
 
     Raises:
-        InputError: no faces, or faces that have no such net; the document is unchanged.
+        InputError: no faces, faces that have no such net, or a stroke that is off the faces; the
+            document is unchanged.
     """
-    return add_source("along curvature", faces=cad_faces.faces_of(faces), **options)
+    chosen = cad_faces.faces_of(faces)
+    return add_source("along curvature", faces=chosen, strokes=strokes_of(strokes), **options)
 
 
 def form_net(net: FreeCAD.DocumentObject, **options: Value) -> FreeCAD.DocumentObject:

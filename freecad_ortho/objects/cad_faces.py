@@ -38,7 +38,7 @@ def faces_of(given: Any) -> list[Face]:
         InputError: something without a face of that name.
     """
     result: list[Face] = []
-    for feature, names in _links(given):
+    for feature, names in links_of(given):
         shape = getattr(feature, "Shape", None)
         if shape is None or not shape.Faces:
             label = getattr(feature, "Label", feature)
@@ -54,7 +54,12 @@ def faces_of(given: Any) -> list[Face]:
     return result
 
 
-def _links(given: Any) -> Iterable[tuple[Any, list[str]]]:
+def links_of(given: Any) -> Iterable[tuple[Any, list[str]]]:
+    """Objects with names of their parts, from an object, a link, or a list of these.
+
+    Raises:
+        InputError: something else.
+    """
     if hasattr(given, "Document"):
         yield given, []
     elif isinstance(given, (tuple, list)) and len(given) == 2 and _is_name(given[1]):
@@ -62,7 +67,7 @@ def _links(given: Any) -> Iterable[tuple[Any, list[str]]]:
         yield given[0], [name for name in names if name]
     elif isinstance(given, (tuple, list)):
         for item in given:
-            yield from _links(item)
+            yield from links_of(item)
     else:
         raise InputError(f"faces: expected shapes or (shape, 'Face1'), got {given!r}")
 
@@ -107,14 +112,21 @@ def parametric_surface(feature: FreeCAD.DocumentObject, name: str) -> Parametric
     )
 
 
+def face_word(feature: FreeCAD.DocumentObject, name: str) -> str:
+    """A text that is another for another face, or for one that stands elsewhere."""
+    text: str = _face(feature, name).exportBrepToString()
+    return text
+
+
 def _face(feature: FreeCAD.DocumentObject, name: str) -> Part.Face:
     """A face where it stands in the document, whatever parts and bodies it is in."""
-    shape = feature.Shape
+    # A copy, without the triangles that it may be drawn with: it belongs to no document, so that it
+    # may be sampled in another thread, and is the same again whether it was drawn or not.
+    face = feature.Shape.getElement(name).copy()
     around = places.container(feature)
     if not around.isIdentity():
-        shape = shape.copy()
-        shape.Placement = around.multiply(shape.Placement)
-    return shape.getElement(name)
+        face.Placement = around.multiply(face.Placement)
+    return face
 
 
 def _is_trimmed(face: Part.Face) -> bool:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from hashlib import sha256
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,8 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import answers, convert
-from freecad_ortho.objects import cad_faces, outdated, places
+from freecad_ortho.objects import cad_faces, outdated, places, strokes
+from freecad_ortho.objects.making import Inputs, Making
 from freecad_ortho.objects.net import NET_PROPERTIES, Net
 from freecad_ortho.objects.option_properties import properties, read, write
 from freecad_ortho.objects.properties import (
@@ -86,6 +88,14 @@ _FACES = Property(
     "Source",
     QT_TRANSLATE_NOOP("App::Property", "Faces that the net is sampled from and stays linked to"),
 )
+_STROKES = Property(
+    "App::PropertyLinkSubList",
+    "Strokes",
+    "Source",
+    QT_TRANSLATE_NOOP("App::Property", "Edges, wires and sketches that lines of the net run along"),
+)
+# Properties that say what a net is made of, by the names that macros have for it.
+_LINKS = {"nets": "Nets", "faces": "CadFaces", "strokes": "Strokes"}
 
 
 class SourceNet(Net):
@@ -137,8 +147,7 @@ def create(
     document: FreeCAD.Document,
     kind: str,
     values: Mapping[str, Any],
-    nets: Sequence[FreeCAD.DocumentObject] = (),
-    faces: Sequence[tuple[FreeCAD.DocumentObject, str]] = (),
+    inputs: Inputs,
     label: str | None = None,
 ) -> FreeCAD.DocumentObject:
     """Add a net that follows a source; its mesh is made at once.
@@ -147,24 +156,21 @@ def create(
         document: where to.
         kind: name of the source.
         values: its options, plain values in mm and degrees.
-        nets: nets that it is made of.
-        faces: shapes and names of their faces that it is sampled from.
+        inputs: what it is made of.
         label: name in the tree.
 
     Raises:
         InputError: values that make no net.
     """
-    made = source(kind).make(values, **inputs(nets, faces, nets[0] if nets else None))
+    made = _shown(Making.of(source(kind), values, inputs), kind)
     name = "MultiNet" if kind == "multi-net" else "Net"
     feature = document.addObject("App::FeaturePython", name)
     SourceNet(feature, kind)
     feature.Label = label or kind[0].upper() + kind[1:]
-    if nets:
-        feature.Nets = list(nets)
-        feature.Origin = nets[0].Origin
-        places.join_container(feature, nets[0])
-    if faces:
-        feature.CadFaces = list(faces)
+    if inputs.nets:
+        feature.Origin = inputs.nets[0].Origin
+        places.join_container(feature, inputs.nets[0])
+    set_inputs(feature, inputs)
     set_values(feature, values)
     _store(feature, made)
     if FreeCAD.GuiUp:
@@ -203,7 +209,7 @@ def starting_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
 def _has_source(feature: FreeCAD.DocumentObject) -> bool:
     """Tell whether all that the net is made of is still there."""
     try:
-        require_inputs(source(feature.MadeBy), *_links(feature))
+        inputs_of(feature).require(source(feature.MadeBy))
     except InputError:
         return False
     return True
@@ -240,23 +246,66 @@ def _word(mesh: QuadMesh) -> str:
     return sha256(points.tobytes() + mesh.faces.tobytes()).hexdigest()
 
 
-def _links(feature: FreeCAD.DocumentObject) -> tuple[Sequence[Any], Sequence[Any]]:
-    """The nets and the CAD faces that a net is made of."""
-    nets = feature.Nets if "Nets" in feature.PropertiesList else ()
-    faces = cad_faces.faces_of(feature.CadFaces) if "CadFaces" in feature.PropertiesList else ()
-    return nets, faces
+def inputs_of(feature: FreeCAD.DocumentObject, **others: Any) -> Inputs:
+    """What a net is made of.
+
+    Args:
+        feature: the net.
+        others: ``nets``, ``faces`` or ``strokes`` in place of what it is linked to; None leaves it.
+
+    Raises:
+        InputError: a face or an edge that has gone.
+    """
+    found = {word: getattr(feature, name, None) or () for word, name in _LINKS.items()}
+    found |= {word: links for word, links in others.items() if links is not None}
+    return Inputs(
+        list(found["nets"]),
+        cad_faces.faces_of(found["faces"]),
+        strokes.strokes_of(found["strokes"]),
+    )
+
+
+def set_inputs(feature: FreeCAD.DocumentObject, inputs: Inputs) -> None:
+    """Link a net to what it is made of."""
+    for word, name in _LINKS.items():
+        if name in feature.PropertiesList:
+            setattr(feature, name, list(getattr(inputs, word)))
 
 
 def _made(feature: FreeCAD.DocumentObject) -> Made:
-    entry, links = source(feature.MadeBy), _links(feature)
+    entry, inputs = source(feature.MadeBy), inputs_of(feature)
     # What it was made of may have been deleted since.
-    require_inputs(entry, *links)
-    made = entry.make(values_of(feature), **inputs(*links, feature))
-    if not links[1]:
+    inputs.require(entry)
+    made = _shown(Making.of(entry, values_of(feature), inputs, feature), feature.Label)
+    if not inputs.faces:
         return made
     # Faces are sampled where they stand in the document, which may not be where the net is.
     here = places.container(feature).inverse()
     return replace(made, mesh=places.moved_mesh(made.mesh, here))
+
+
+def _shown(making: Making, label: str) -> Made:
+    """Make a net; where that takes long, the window shows how far it is and Esc stops it."""
+    stages = making.entry.stages
+    if not stages or making.at_hand or not FreeCAD.GuiUp:
+        return making.made()
+    with answers.ask("show progress", label) as move:
+        return making.made(lambda stage: move(stages.index(stage) / len(stages), stage))
+
+
+@contextmanager
+def as_before_on_failure(feature: FreeCAD.DocumentObject) -> Iterator[None]:
+    """Give a net its options and links back where a change of them fails, also without undo."""
+    values = values_of(feature)
+    links = {name: getattr(feature, name, None) for name in _LINKS.values()}
+    try:
+        yield
+    except BaseException:
+        set_values(feature, values)
+        for name, before in links.items():
+            if before is not None:
+                setattr(feature, name, before)
+        raise
 
 
 def values_of(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
@@ -269,30 +318,6 @@ def set_values(feature: FreeCAD.DocumentObject, values: Mapping[str, Any]) -> No
     entry = source(feature.MadeBy)
     for name, value in values.items():
         write(feature, entry.option(name), value)
-
-
-def inputs(
-    nets: Sequence[FreeCAD.DocumentObject],
-    faces: Sequence[tuple[FreeCAD.DocumentObject, str]],
-    beside: FreeCAD.DocumentObject | None = None,
-) -> dict[str, Any]:
-    """What a source takes besides its options.
-
-    Args:
-        nets: nets that are changed or joined.
-        faces: CAD faces that are sampled, where they stand in the document.
-        beside: an object in whose coordinates the meshes of the nets are given, by default the
-            first net.
-    """
-    result: dict[str, Any] = {}
-    if nets:
-        target = nets[0] if beside is None else beside
-        result["meshes"] = [
-            places.moved_mesh(convert.quad_mesh(net), places.between(target, net)) for net in nets
-        ]
-    if faces:
-        result["surfaces"] = [cad_faces.parametric_surface(*face) for face in faces]
-    return result
 
 
 def _store(feature: FreeCAD.DocumentObject, made: Made) -> None:
@@ -319,21 +344,5 @@ def _own_properties(entry: Source) -> list[Property]:
     """The properties that hold a source's options and links."""
     made = [item for option in entry.options for item in properties(option, "Parameters")]
     made += [_NETS] if entry.needs in ("net", "nets") else []
-    return made + ([_FACES] if entry.needs == "faces" else [])
-
-
-def require_inputs(
-    entry: Source,
-    nets: Sequence[FreeCAD.DocumentObject],
-    faces: Sequence[tuple[FreeCAD.DocumentObject, str]],
-) -> None:
-    """Raise InputError unless a source is given what it needs."""
-    wanted = 1 if entry.needs in ("net", "nets") else 0
-    if len(nets) < wanted or (entry.needs != "nets" and len(nets) > wanted):
-        raise InputError(
-            f"{entry.name}: expected {wanted or 'no'} net{'s' * (wanted != 1)}"
-            f"{' or more' * (entry.needs == 'nets')}, got {len(nets)}; select them"
-        )
-    if (entry.needs == "faces") != bool(faces):
-        words = "at least one CAD face" if entry.needs == "faces" else "no CAD faces"
-        raise InputError(f"{entry.name}: expected {words}, got {len(faces)}; select them")
+    made += [_FACES] if entry.needs == "faces" else []
+    return made + ([_STROKES] if entry.strokes else [])

@@ -24,7 +24,7 @@ class FormPanel(SourcePanel):
     def look(self) -> None:
         """Show supports and shape again where a field has changed."""
         if self.picking is None:
-            mesh = self._inputs["meshes"][0]
+            mesh = self.geometry["meshes"][0]
             self.picking = Picking(self.view, mesh.vertices, self._picked, self.stands)
         words = self.fields["supports"].value
         state = (words, self.pick_button.isChecked())
@@ -36,7 +36,7 @@ class FormPanel(SourcePanel):
     def _supports(self, words: str) -> set[int]:
         """Numbers of the vertices that the field names, none while it makes no sense."""
         try:
-            held = supported(self._inputs["meshes"][0], words.replace(" ", ""))
+            held = supported(self.geometry["meshes"][0], words.replace(" ", ""))
         except OrthoError:
             # The panel's message says what is wrong.
             return set()

@@ -11,6 +11,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from freecad_ortho.objects import places, source_net
+from freecad_ortho.objects.making import Inputs
 from freecad_ortho.panels.fields import form_rows, leave_room, shortened
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.resources import icon
@@ -24,7 +25,7 @@ translate = FreeCAD.Qt.translate
 
 # How often the fields are looked at, in ms: no signal of a field is the same in all FreeCADs.
 _LOOK = 120
-Face = tuple[FreeCAD.DocumentObject, str]
+_NOTHING = Inputs()
 
 
 class SourcePanel:
@@ -35,8 +36,7 @@ class SourcePanel:
         picture: name of its icon.
         group: name of a group of sources.
         document: where the net goes.
-        nets: what it is made of, for sources that need nets.
-        faces: shapes and names of faces, for the source of CAD faces.
+        inputs: what the net is made of.
         edited: a net to change instead of making one.
     """
 
@@ -46,25 +46,23 @@ class SourcePanel:
         picture: str,
         group: str,
         document: FreeCAD.Document,
-        nets: Sequence[FreeCAD.DocumentObject] = (),
-        faces: Sequence[Face] = (),
+        inputs: Inputs = _NOTHING,
         edited: FreeCAD.DocumentObject | None = None,
     ) -> None:
         self._document = document.Name
-        self._nets, self._faces = list(nets), list(faces)
+        self.inputs = inputs
         self._edited = edited.Name if edited else None
-        owners = {face[0].Name: face[0] for face in faces}
-        self._shown_before = _visible([*nets, *owners.values(), *([edited] if edited else [])])
-        self._inputs = source_net.inputs(nets, faces, edited)
-        self.stands = self._stands(nets, faces, edited)
+        self._shown_before = _visible([*inputs.owners, *([edited] if edited else [])])
+        self.geometry = inputs.geometry(edited)
+        self.stands = self._stands(inputs, edited)
+        self.made: Made | None = None
         self._last: Any = None
         self.view = three_d_view(document)
         self.preview = Preview(self.view, self.stands)
         self.fields: dict[str, OptionField] = {}
         self._build_form(title, picture, group, edited)
         self._choose(edited.MadeBy if edited else GROUPS[group][0])
-        for feature in self._shown_before:
-            feature.Visibility = False
+        self._cover()
         # A child of the form: it ends with the form, however that is closed.
         self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self.look)
@@ -77,9 +75,9 @@ class SourcePanel:
             self._fit()
 
     @staticmethod
-    def _stands(nets: Any, faces: Any, edited: Any) -> FreeCAD.Placement:
+    def _stands(inputs: Inputs, edited: Any) -> FreeCAD.Placement:
         """Where the coordinates of what is shown stand; of faces they are the document's."""
-        beside = None if faces else edited or next(iter(nets), None)
+        beside = None if inputs.faces else edited or next(iter(inputs.nets), None)
         return FreeCAD.Placement() if beside is None else places.container(beside)
 
     @property
@@ -98,17 +96,23 @@ class SourcePanel:
         if state == self._last:
             return
         self._last = state
+        self._remake()
+
+    def _remake(self) -> None:
+        """Make the net as the fields say now."""
         try:
-            self.made: Made | None = self.source.make(values, **self._inputs)
+            self._show(self.source.make(self.values(), **self.geometry))
         except OrthoError as error:
             self.made = None
             self._say(str(error), wrong=True)
-            return
-        self.preview.show(self.made.mesh)
+
+    def _show(self, made: Made) -> None:
+        self.made = made
+        self.preview.show(made.mesh)
         count = translate("Ortho", "{} vertices, {} quads").format(
-            len(self.made.mesh.vertices), len(self.made.mesh.faces)
+            len(made.mesh.vertices), len(made.mesh.faces)
         )
-        self._say("\n".join([count, *self.made.remarks]))
+        self._say("\n".join([count, *made.remarks]))
 
     def accept(self) -> bool:
         """Make or change the net, as one undo step and one line of a macro."""
@@ -137,7 +141,7 @@ class SourcePanel:
 
     def slotDeletedObject(self, feature: FreeCAD.DocumentObject) -> None:
         """Leave quietly when what the net is made of is deleted."""
-        mine = {item.Name for item in [*self._nets, *(face[0] for face in self._faces)]}
+        mine = {item.Name for item in self.inputs.owners}
         if feature.Document.Name == self._document and feature.Name in {*mine, self._edited}:
             self._shown_before = [x for x in self._shown_before if x.Name != feature.Name]
             self._stop()
@@ -156,8 +160,8 @@ class SourcePanel:
         elif self.source.name in GROUPS["primitive"]:
             context.run("add_primitive", self.source.name, document=document.Name, **changed)
         else:
-            inputs: dict[str, Any] = {"nets": self._nets} if self._nets else {}
-            inputs |= {"faces": self._faces} if self._faces else {}
+            given = [(word, getattr(self.inputs, word)) for word in ("nets", "faces", "strokes")]
+            inputs = {word: list(items) for word, items in given if items}
             inputs |= {} if inputs else {"document": document.Name}
             context.run("add_source", self.source.name, **inputs, **changed)
 
@@ -180,6 +184,11 @@ class SourcePanel:
         if self._watching:
             self._watching = False
             FreeCAD.removeDocumentObserver(self)
+
+    def _cover(self) -> None:
+        """Hide what the net is drawn in place of."""
+        for feature in self._shown_before:
+            feature.Visibility = False
 
     def _fit(self) -> None:
         self.view.fitAll()

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from freecad_ortho.sources.source import Made, Source
+from freecad_ortho.words import counted
 from solver.align.align import Aligned, aligned
 from solver.align.guides import TURNED
 from solver.errors import InputError
@@ -22,6 +24,8 @@ _FINER, _POINTS = 4.0, 40_000
 _FACES = 600
 # Vertices nearer to the exact surface than this part of an edge are set onto it.
 _NEAR = 0.05
+# Points that a face is asked for before it is seen whether they are still wanted.
+_PORTION = 200
 
 OPTIONS = (
     Option("net", "principal", "choice",
@@ -33,10 +37,26 @@ OPTIONS = (
 
 
 def _on_faces(
-    surfaces: Sequence[ParametricSurface], unit: str, net: str, edge: float, ratio: float
+    surfaces: Sequence[ParametricSurface],
+    unit: str,
+    net: str,
+    edge: float,
+    ratio: float,
+    waiting: Callable[[str], object],
+    strokes: Sequence[FloatArray] = (),
 ) -> Made:
-    made = aligned_on(surfaces, net, edge, ratio)
-    return Made(made.mesh, made.remarks)
+    made = aligned_on(surfaces, net, edge, ratio, strokes, waiting)
+    return Made(made.mesh, (*_irregular(made), *made.remarks), made.field, made.singular)
+
+
+def _irregular(made: Aligned) -> list[str]:
+    """How many irregular vertices there are, by how many lines meet there, in words."""
+    counts = made.mesh.connectivity.face_valence[made.irregular]
+    found = [
+        f"{counted(int((counts == lines).sum()), 'vertex', 'vertices')} with {lines} lines"
+        for lines in np.unique(counts).tolist()
+    ]
+    return [f"irregular: {', '.join(found)}"] if found else []
 
 
 def aligned_on(
@@ -45,6 +65,7 @@ def aligned_on(
     edge: float,
     ratio: float,
     strokes: Sequence[FloatArray] = (),
+    waiting: Callable[[str], object] = lambda stage: None,
 ) -> Aligned:
     """A net along lines of CAD faces that meet smoothly; vertices on the faces themselves.
 
@@ -54,10 +75,13 @@ def aligned_on(
         edge: wanted edge length in mm, 0 for about 600 faces.
         ratio: edge length of the other family of lines over that.
         strokes: polylines (n, 3) on the faces, in mm, along which lines of the net run.
+        waiting: called with the name of each stage, some of them several times; what it raises is
+            passed on.
 
     Raises:
         InputError: faces that cannot be sampled, or a surface that has no such net.
     """
+    surfaces = [_in_portions(surface, waiting) for surface in surfaces]
     edge = edge or edge_for(_area(surfaces), ratio)
     _refuse_ratio(ratio)
     fine = max(edge * min(1.0, ratio) / _FINER, np.sqrt(_area(surfaces) / _POINTS))
@@ -69,9 +93,31 @@ def aligned_on(
         edge=edge,
         ratio=ratio,
         strokes=strokes,
+        waiting=waiting,
     )
     mesh = _set_onto(made.mesh, surfaces, edge)
     return replace(made, mesh=mesh)
+
+
+def _in_portions(surface: ParametricSurface, waiting: Callable[[str], object]) -> ParametricSurface:
+    """A surface that is asked for a few points at a time, and may be broken off in between."""
+
+    def portioned(function: Any, stage: str) -> Any:
+        def asked(*columns: FloatArray) -> FloatArray:
+            found = []
+            for start in range(0, max(len(columns[0]), 1), _PORTION):
+                waiting(stage)
+                found.append(function(*(column[start : start + _PORTION] for column in columns)))
+            return np.concatenate(found)
+
+        return function and asked
+
+    return replace(
+        surface,
+        evaluate=portioned(surface.evaluate, "surface"),
+        inside=portioned(surface.inside, "surface"),
+        foot=portioned(surface.foot, "quads"),
+    )
 
 
 def edge_for(area: float, ratio: float) -> float:
@@ -115,4 +161,6 @@ ALIGNED = Source(
     OPTIONS,
     _on_faces,
     "faces",
+    strokes=True,
+    stages=("surface", "curvature", "directions", "map", "quads"),
 )

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from freecad_ortho.units import millimetres_per
+from solver.align.crosses import Crosses, Singular
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.option import Option
@@ -21,10 +22,14 @@ class Made:
     Attributes:
         mesh: the net.
         remarks: what a user should know about it, one sentence each.
+        field: the directions that its lines follow, where it follows any.
+        singular: where these cannot be continued.
     """
 
     mesh: QuadMesh
     remarks: tuple[str, ...] = ()
+    field: Crosses | None = None
+    singular: Singular | None = None
 
 
 @dataclass(frozen=True)
@@ -38,6 +43,9 @@ class Source:
         build: from the ``unit`` and the options by name (and ``meshes`` or ``surfaces``) to the
             net.
         needs: ``""``, ``net`` (one), ``nets`` (one or more) or ``faces`` (of CAD shapes).
+        strokes: it may be given ``strokes``, polylines (n, 3) that its lines run along.
+        stages: of a source that takes seconds: ``build`` is given ``waiting``, which it calls with
+            the name of each, some several times, and passes on what that raises.
     """
 
     name: str
@@ -45,6 +53,8 @@ class Source:
     options: tuple[Option, ...]
     build: Callable[..., Made]
     needs: str = ""
+    strokes: bool = False
+    stages: tuple[str, ...] = ()
 
     @property
     def defaults(self) -> dict[str, Any]:
@@ -76,13 +86,20 @@ class Source:
             found[option.name] = option.plain(value if was is None else was.now(value))
         return found
 
-    def make(self, given: Mapping[str, Any], unit: str = "mm", **inputs: Any) -> Made:
+    def make(
+        self,
+        given: Mapping[str, Any],
+        unit: str = "mm",
+        waiting: Callable[[str], object] = lambda stage: None,
+        **inputs: Any,
+    ) -> Made:
         """Make the net from given options and the defaults of the others.
 
         Args:
             given: values by name, lengths in ``unit``.
             unit: that of the net, and of the meshes that it is made of.
-            inputs: ``meshes`` or ``surfaces``.
+            waiting: called with the name of each of the stages.
+            inputs: ``meshes`` or ``surfaces``, and ``strokes``.
 
         Raises:
             InputError: an unknown option, or values that make no net.
@@ -98,6 +115,8 @@ class Source:
             elif option.kind == "placement":
                 rotation, origin = (np.asarray(x, dtype=float) for x in value)
                 values[option.name] = (rotation, origin)
+        if self.stages:
+            inputs["waiting"] = waiting
         return self.build(unit=unit, **values, **inputs)
 
 

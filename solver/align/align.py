@@ -118,7 +118,7 @@ def aligned(
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
     guide = with_strokes(work.mesh, guide, strokes, edge)
-    field = smooth_field(work.mesh, guide, edge)
+    field = smooth_field(work.mesh, guide, edge, lambda: waiting("directions"))
     mesh = _mapped(work, field, guide.firmness, (edge, edge * ratio), waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
     connected = mesh.connectivity

@@ -9,6 +9,7 @@ Source: Knoeppel, Crane, Pinkall, Schroeder (2013), Globally optimal direction f
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -92,7 +93,9 @@ def curvature_guide(mesh: TriangleMesh, tensors: FloatArray, inner: int, turn: f
     return Guide(angles, certainty, stretch, inner)
 
 
-def smooth_field(mesh: TriangleMesh, guide: Guide, edge: float) -> Field:
+def smooth_field(
+    mesh: TriangleMesh, guide: Guide, edge: float, step: Callable[[], object] = lambda: None
+) -> Field:
     """Find the smooth field near the guide, with the fewest singular vertices that it needs.
 
     The guide is made to count less round singular vertices, further and further; what has fewer is
@@ -102,6 +105,7 @@ def smooth_field(mesh: TriangleMesh, guide: Guide, edge: float) -> Field:
         mesh: the surface, with its apron.
         guide: wanted directions.
         edge: wanted edge length; what turns within less is smoothed away.
+        step: called before each further field; what it raises is passed on.
     """
     certainty = guide.certainty
     field = _solved(mesh, guide.angles, certainty, edge)
@@ -111,6 +115,7 @@ def smooth_field(mesh: TriangleMesh, guide: Guide, edge: float) -> Field:
     within = certainty * (np.arange(len(certainty)) < guide.inner)
     if field.quarters[outside].any():
         certainty = within
+        step()
         field = _solved(mesh, guide.angles, certainty, edge)
     worth, strayed = _worth(mesh, field, edge), _strayed(mesh, guide, field)
     centres = mesh.centres
@@ -120,6 +125,7 @@ def smooth_field(mesh: TriangleMesh, guide: Guide, edge: float) -> Field:
             break
         far = cKDTree(mesh.points[singular]).query(centres)[0]
         less = np.minimum(certainty, within * np.minimum(1.0, (far / reach / edge) ** 4))
+        step()
         trial = _solved(mesh, guide.angles, less, edge)
         found = _worth(mesh, trial, edge)
         more = _strayed(mesh, guide, trial) - strayed

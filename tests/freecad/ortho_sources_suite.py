@@ -1,6 +1,5 @@
 """Sources of nets in documents without a window: what they make, follow, undo and refuse."""
 
-import json
 import math
 import unittest
 from importlib.util import find_spec
@@ -12,7 +11,6 @@ import Part
 from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api, convert
-from freecad_ortho.documents.common import transaction
 from freecad_ortho.objects import cad_faces, source_net
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis import measures
@@ -167,27 +165,6 @@ class TestFaces(SourceCase):
         self.assertLess(abs(convert.quad_mesh(fine).mean_edge / 500 - 1), 0.06)
         self.assertEqual(fine.CadFaces, [(feature, ("Face1",))])
 
-    def test_along_the_curvature_of_a_face(self):
-        feature = self.shape(self.dome().toShape())
-        net = api.net_along_curvature(feature, edge="0.6 m")
-        mesh = convert.quad_mesh(net)
-        self.assertEqual(net.Edge.getValueAs("mm"), 600)
-        self.assertLess(measures.orthogonality(mesh).mean(), 0.02)
-        # What overhangs lies beyond the face, everything else on it.
-        distances = [
-            feature.Shape.distToShape(Part.Vertex(point))[0]
-            for point in convert.vectors(tools.vertices(net))
-        ]
-        inner = ~mesh.connectivity.boundary_vertices
-        self.assertLess(np.array(distances)[inner].max(), 900)
-        self.assertGreater(np.mean(np.array(distances) < 1e-3), 0.6)
-        before = len(net.Faces)
-        net.Edge = 900
-        self.document.recompute()
-        self.assertLess(len(net.Faces), 0.7 * before)
-        api.optimise_net(net, net="principal", close_to=net)
-        self.assertLessEqual(max(tools.faults(net)), 1e-10)
-
     def test_follows_the_face_until_it_was_optimised(self):
         feature = self.shape(self.dome().toShape())
         net = api.net_from_faces(feature, sampling=(9, 7))
@@ -284,62 +261,6 @@ class TestFaces(SourceCase):
         crossed = self.shape(curve.toShape().extrude(FreeCAD.Vector(0, 0, 900)))
         with self.assertRaisesRegex(InputError, "meets itself"):
             api.net_from_faces(crossed, sampling=(40, 5))
-
-
-class TestOutdated(SourceCase):
-    """A net that was moved away from its source knows when that has changed."""
-
-    def test_marked_once_its_source_has_changed_until_it_is_optimised_again(self):
-        source = api.add_primitive("cylinder", sampling=(7, 6), document=self.document)
-        net = api.change_net(source, "subdivide")
-        api.optimise_net(net, net="orthogonal")
-        beams = api.add_beams(net)
-        made = api.change_net(net, "medial mesh")
-        points = tools.vertices(net)
-        self.assertFalse(net.Outdated)
-        with transaction(self.document, "Larger"):
-            source.Radius = 2 * source.Radius.Value
-            self.document.recompute()
-        following = (net, beams, made)
-        for item in following:
-            self.assertIn("Touched", item.State, item.Label)
-        self.assertEqual(tools.vertices(net).tobytes(), points.tobytes())
-        self.assertTrue(net.Outdated and json.loads(net.LastReport)["outdated"])
-        for said in (beams.Notice, json.loads(beams.Report)["messages"][-1], made.Remarks[-1]):
-            self.assertIn(f"{net.Label} is outdated", said)
-        self.document.undo()
-        self.assertEqual((net.Outdated, beams.Notice), (False, ""))
-        self.document.redo()
-        labels = [item.Name for item in following]
-        self.reopened("outdated.FCStd")
-        net, beams, made = (self.document.getObject(name) for name in labels)
-        for item in (net, beams, made):
-            self.assertIn("Touched", item.State, item.Label)
-        self.document.recompute()
-        self.assertIn("Touched", net.State)
-        api.optimise_net(net, net="orthogonal")
-        self.assertGreater(np.ptp(tools.vertices(net)[:, 0]), 1.5 * np.ptp(points[:, 0]))
-        self.assertEqual((net.Outdated, beams.Notice, made.Remarks), (False, "", []))
-        self.assertNotIn("outdated", json.loads(net.LastReport))
-        for item in (net, beams, made):
-            self.assertEqual(item.State, ["Up-to-date"], item.Label)
-
-    def test_refused_settings_leave_an_outdated_net_as_it_was(self):
-        net = api.change_net(
-            api.add_primitive("cylinder", sampling=(7, 6), document=self.document), "subdivide"
-        )
-        api.optimise_net(net, net="orthogonal")
-        radius = net.Nets[0].Radius.Value
-        net.Nets[0].Radius = radius / 2
-        self.document.recompute()
-        points = tools.vertices(net)
-        with self.assertRaises(InputError):
-            api.optimise_net(net, fix=[10**6])
-        self.assertEqual(tools.vertices(net).tobytes(), points.tobytes())
-        self.assertTrue(net.Outdated)
-        net.Nets[0].Radius = radius
-        self.document.recompute()
-        self.assertEqual((net.Outdated, net.State), (False, ["Up-to-date"]))
 
 
 class TestChanges(SourceCase):

@@ -17,7 +17,7 @@ from PySide import QtGui
 from freecad_ortho import api, convert
 from freecad_ortho.commands import sources
 from freecad_ortho.commands.groups import ChangeNet, NewNet
-from freecad_ortho.panels import form_panel, multi_net_panel, source_panel
+from freecad_ortho.panels import aligned_panel, form_panel, multi_net_panel, source_panel
 from freecad_ortho.sources import GROUPS
 from freecad_ortho.window import dialogs
 from solver.mesh.remesh import LIBRARY
@@ -29,6 +29,7 @@ class SourceWindowCase(PanelCase):
         self.watch_panel(source_panel, "SourcePanel")
         self.watch_panel(multi_net_panel, "MultiNetPanel")
         self.watch_panel(form_panel, "FormPanel")
+        self.watch_panel(aligned_panel, "AlignedPanel")
         self.document = FreeCAD.newDocument("Sources")
         wait()
 

@@ -1,0 +1,153 @@
+"""Task panel of nets along curvature: made in the background, with their field and strokes."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import FreeCAD
+from PySide import QtGui
+
+from freecad_ortho.objects.making import Making
+from freecad_ortho.panels.aside import Aside
+from freecad_ortho.panels.source_panel import SourcePanel
+from freecad_ortho.sources import Made
+from freecad_ortho.window import messages
+from solver.errors import OrthoError
+
+translate = FreeCAD.Qt.translate
+
+# Seconds without a change after which a net is made.
+_SETTLED = 0.35
+
+
+class AlignedPanel(SourcePanel):
+    """The fields of a net along curvature; it is made aside, and OK waits for it.
+
+    Attributes:
+        aside: makes the net.
+    """
+
+    def look(self) -> None:
+        """Begin to make the net once the fields have settled."""
+        state = repr((self.values(), self.inputs.strokes))
+        if state != self._last:
+            settling = 0.0 if self._last is None else _SETTLED
+            self._last, self._begin_at = state, time.monotonic() + settling
+            self._halt()
+            self._waits = True
+            self._say(translate("Ortho", "The net follows in a moment."))
+        if self._waits and time.monotonic() >= self._begin_at:
+            self.begin()
+
+    def begin(self) -> None:
+        """Make the net as the fields say, in place of what is under way."""
+        self._waits, self._error = False, None
+        try:
+            making = self._making()
+        except OrthoError as error:
+            self._ended(None, str(error))
+            return
+        self.aside.ask(making.made)
+        self._reached(making.entry.stages[0])
+        self._show_state()
+
+    def stop(self) -> None:
+        """Make nothing until a field changes, or OK is pressed."""
+        self._halt()
+        self._say(translate("Ortho", "Stopped. A change or OK begins again."))
+
+    def accept(self) -> bool:
+        """Keep the net that is shown; where it is not the one that is wanted, as soon as it is."""
+        if self._document not in FreeCAD.listDocuments() or self._is_shown:
+            return super().accept()
+        if self._error is not None:
+            messages.show_error(self._error)
+            return False
+        self._accepting = True
+        if not self.aside.busy:
+            self.begin()
+        self._show_state()
+        return False
+
+    @property
+    def _is_shown(self) -> bool:
+        """Tell whether the net on the screen is the one that the fields ask for."""
+        self.look()
+        return self.made is not None and not self._waits and not self.aside.busy
+
+    def _making(self) -> Making:
+        document = FreeCAD.getDocument(self._document)
+        edited = document.getObject(self._edited) if self._edited else None
+        return Making.of(self.source, self.values(), self.inputs, edited)
+
+    def _halt(self) -> None:
+        self.aside.stop()
+        self.made, self._waits, self._accepting = None, False, False
+        self._show_state()
+
+    def _reached(self, stage: str) -> None:
+        names = {
+            "surface": translate("Ortho", "surface"),
+            "curvature": translate("Ortho", "curvature"),
+            "directions": translate("Ortho", "directions"),
+            "map": translate("Ortho", "map"),
+            "quads": translate("Ortho", "quads"),
+        }
+        stages = self.source.stages
+        self.bar.setRange(0, len(stages))
+        self.bar.setValue(stages.index(stage))
+        words = translate("Ortho", "Step {} of {}: {}")
+        self._say(words.format(stages.index(stage) + 1, len(stages), names[stage]))
+
+    def _ended(self, made: Made | None, error: str | None) -> None:
+        accepting, self._accepting = self._accepting, False
+        self._error = error
+        if made is None:
+            self._say(error or "", wrong=True)
+        else:
+            self._show(made)
+        self._show_state()
+        if accepting and error is not None:
+            messages.show_error(error)
+        elif accepting:
+            super().accept()
+
+    def _show(self, made: Made) -> None:
+        first = not self._covered
+        super()._show(made)
+        if first:
+            self._covered = True
+            super()._cover()
+            if self._edited is None:
+                self._fit()
+
+    def _cover(self) -> None:
+        """Nothing is hidden before there is something to be seen in its place."""
+
+    def _show_state(self) -> None:
+        self.progress.setVisible(self.aside.busy)
+        if self._table is not None:
+            self._table.setEnabled(not self._accepting)
+
+    def _build_form(self, title: str, picture: str, group: str, edited: Any) -> None:
+        super()._build_form(title, picture, group, edited)
+        self.aside = Aside(self._reached, self._ended)
+        self._waits = self._accepting = self._covered = False
+        self._error: str | None = None
+        self._begin_at = 0.0
+        self.bar = QtGui.QProgressBar()
+        self.bar.setTextVisible(False)
+        self.stop_button = QtGui.QPushButton(translate("Ortho", "Stop"))
+        self.stop_button.clicked.connect(self.stop)
+        self.progress = QtGui.QWidget()
+        line = QtGui.QHBoxLayout(self.progress)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.addWidget(self.bar)
+        line.addWidget(self.stop_button)
+        self.form.layout().insertWidget(3, self.progress)
+        self._show_state()
+
+    def _clear(self, *_: Any) -> None:
+        self.aside.stop()
+        super()._clear()

@@ -1,0 +1,171 @@
+"""Nets along curvature in FreeCAD's window: made in the background. Run by FreeCAD."""
+
+import time
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import ortho_suite_tools as tools
+from ortho_aligned_tools import roof
+from ortho_suite_cases import PanelCase
+from ortho_suite_tools import press, wait
+from PySide import QtCore
+
+from freecad_ortho import api
+from freecad_ortho.objects import making
+from freecad_ortho.panels import aligned_panel
+from freecad_ortho.sources import aligning
+from solver.errors import OrthoError
+
+# Seconds that a net may take on a busy machine.
+LONG = 120
+
+
+class AlignedCase(PanelCase):
+    def setUp(self):
+        super().setUp()
+        self.watch_panel(aligned_panel, "AlignedPanel")
+        self.document = FreeCAD.newDocument("Aligned")
+        self.sheet = self.document.addObject("Part::Feature", "Sheet")
+        self.sheet.Shape = roof()
+        self.document.recompute()
+        wait()
+        # What another test made is not at hand.
+        making._made.clear()
+        self.made = 0
+        make = aligning.aligned
+
+        def counted(*arguments, **options):
+            self.made += 1
+            return make(*arguments, **options)
+
+        self.replace(aligning, "aligned", counted)
+
+    def opened_on(self, *names):
+        FreeCADGui.Selection.clearSelection()
+        for name in names:
+            FreeCADGui.Selection.addSelection(self.sheet, name)
+        return self.opened("AlignedNet")
+
+    def until_made(self, panel):
+        self.assertTrue(wait(lambda: panel.made is not None, LONG), panel.message.text())
+
+
+class TestPreview(AlignedCase):
+    def test_freecad_stays_alive_while_a_net_is_made_once(self):
+        beats, stages = [], set()
+        panel = self.opened_on("Face1")
+        clock = QtCore.QTimer()
+        clock.setInterval(10)
+        clock.timeout.connect(lambda: (beats.append(time.monotonic()), stages.add(self.stage())))
+        clock.start()
+        self.assertTrue(panel.aside.busy)
+        self.assertTrue(self.sheet.Visibility)
+        begun = time.monotonic()
+        self.until_made(panel)
+        clock.stop()
+        took = time.monotonic() - begun
+        # The clock beats on, with no long gap.
+        self.assertGreater(len(beats), 10 * took)
+        self.assertLess(np.diff([begun, *beats]).max(), max(0.6, 0.2 * took))
+        self.assertGreaterEqual(stages, {"directions", "map"})
+        self.assertFalse(self.sheet.Visibility)
+        self.assertEqual(len(self.previewed()), len(panel.made.mesh.vertices))
+        press("Ok")
+        net = self.document.Objects[-1]
+        np.testing.assert_allclose(tools.vertices(net), panel.made.mesh.vertices, atol=1e-9)
+        # Neither the macro line nor the recompute after it has made it again.
+        self.assertEqual(self.made, 1)
+        self.assertIn("add_source('along curvature', faces=[(", self.lines[-1])
+        self.assertEqual((self.document.UndoCount, self.errors), (1, []))
+
+    def stage(self):
+        return self.panel.message.text().rpartition(": ")[2]
+
+    def test_a_change_breaks_off_and_begins_again(self):
+        panel = self.opened_on("Face1")
+        wait(lambda: self.stage() == "directions", LONG)
+        panel.fields["edge"].value = 1500.0
+        wait(seconds=0.2)
+        panel.fields["edge"].value = 1200.0
+        self.until_made(panel)
+        self.assertAlmostEqual(panel.made.mesh.mean_edge, 1200.0, delta=120.0)
+        # Of the three only the last came to its end.
+        self.assertEqual(self.made, 2)
+        panel.fields["edge"].value = 1e6
+        self.assertTrue(wait(lambda: "leaves room for" in panel.message.text(), LONG))
+        press("Ok")
+        self.assertIn("leaves room for", self.errors.pop())
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        press("Cancel")
+        self.assertEqual([item.Name for item in self.document.Objects], ["Sheet"])
+        self.assertTrue(self.sheet.Visibility)
+
+    def test_stop_and_ok_waits(self):
+        panel = self.opened_on("Face1")
+        panel.fields["edge"].value = 900.0
+        wait(lambda: self.stage() == "map", LONG)
+        panel.stop_button.click()
+        self.assertFalse(panel.aside.busy)
+        self.assertIn("Stopped", panel.message.text())
+        wait(seconds=0.6)
+        self.assertIsNone(panel.made)
+        press("Ok")
+        self.assertTrue(panel.aside.busy)
+        self.assertFalse(panel.fields["edge"].widget.isEnabled())
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), LONG))
+        self.assertEqual(self.document.Objects[-1].Edge.Value, 900.0)
+        self.assertEqual(self.errors, [])
+
+    def test_cancel_and_a_closed_document_leave_nothing_behind(self):
+        panel = self.opened_on("Face1")
+        press("Cancel")
+        self.assertFalse(panel.aside.busy)
+        self.assertLess(panel.view.getSceneGraph().findChild(panel.preview.root), 0)
+        self.opened_on("Face1")
+        FreeCAD.closeDocument(self.document.Name)
+        wait(seconds=0.4)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertFalse(self.panel.aside.busy)
+
+    def test_a_double_click_changes_it(self):
+        net = api.net_along_curvature(self.sheet, edge=1200.0)
+        self.assertEqual(self.made, 1)
+        net.ViewObject.Proxy.doubleClicked(net.ViewObject)
+        self.until_made(self.panel)
+        self.assertEqual(self.made, 1)
+        self.panel.fields["edge"].value = 900.0
+        press("Ok")
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), LONG))
+        self.assertEqual((net.Edge.Value, self.made), (900.0, 2))
+        self.assertTrue(self.lines[-1].endswith("edge=900.0)"), self.lines[-1])
+
+    def test_esc_stops_it_where_no_panel_is_open(self):
+        net = api.net_along_curvature(self.sheet, edge=1200.0)
+        before = tools.vertices(net).tobytes()
+        progress = mock.Mock()
+        progress.return_value.next.side_effect = RuntimeError("User aborted")
+        with mock.patch.object(FreeCAD.Base, "ProgressIndicator", progress):
+            with self.assertRaisesRegex(OrthoError, "stopped"):
+                api.change_source(net, edge=1000.0)
+        self.assertEqual((net.Edge.Value, self.document.UndoCount), (1200.0, 1))
+        self.assertEqual(tools.vertices(net).tobytes(), before)
+        api.change_source(net, edge=1000.0)
+        self.assertAlmostEqual(net.Edge.Value, 1000.0)
+
+
+class TestStrokes(AlignedCase):
+    def test_a_picked_edge_becomes_a_stroke(self):
+        panel = self.opened_on("Face1", "Edge2")
+        panel.fields["edge"].value = 1200.0
+        self.until_made(panel)
+        press("Ok")
+        net = self.document.Objects[-1]
+        self.assertEqual(net.Strokes, [(self.sheet, ("Edge2",))])
+        self.assertIn("strokes=[(", self.lines[-1])
+        points = tools.vertices(net).tobytes()
+        self.document.undo()
+        self.replay()
+        self.assertEqual(tools.vertices(self.document.Objects[-1]).tobytes(), points)
+        self.assertEqual(self.errors, [])
