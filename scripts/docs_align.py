@@ -3,6 +3,7 @@
 usage: python scripts/docs_align.py                     print the table
        python scripts/docs_align.py --write             write it into the page
        python scripts/docs_align.py --picture FILE.png  draw the nets
+       python scripts/docs_align.py --random 40         try random surfaces
 
 Surfaces are given as 120 x 72 x 2 triangles, aligned with edges of 1.1 m by the command line, then
 optimised close to the surface, with default settings. What is off the surface is measured on one
@@ -26,12 +27,21 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from examples.drawing import Panel, draw  # noqa: E402
-from solver import QuadMesh, read_mesh, write_mesh  # noqa: E402
+from solver import (  # noqa: E402
+    Constraints,
+    InputError,
+    QuadMesh,
+    optimise,
+    read_mesh,
+    write_mesh,
+)
 from solver.align.align import aligned  # noqa: E402
+from solver.align.reach import reaching  # noqa: E402
 from solver.analysis import form, measures  # noqa: E402
 from solver.mesh.closest import TriangleSurface  # noqa: E402
 from solver.mesh.grid import grid_mesh  # noqa: E402
 from solver.mesh.quadmesh import FloatArray  # noqa: E402
+from tests.design_surfaces import random_surface  # noqa: E402
 
 PAGE = ROOT / "docs" / "sources.md"
 BEGIN, END = "<!-- align -->\n", "<!-- /align -->"
@@ -147,6 +157,27 @@ def table() -> str:
     return "\n".join(lines) + "\n"
 
 
+def random_row(seed: int) -> str:
+    """What became of one random surface, in one line; noise is not what a net is measured by."""
+    points, triangles = random_surface(seed)
+    begun = time.process_time()
+    try:
+        made = aligned(points, triangles, edge=1.2)
+    except InputError as error:
+        return f"{seed:2} refused: {error}"
+    spent = time.process_time() - begun
+    given = Constraints(close_to=reaching(made.mesh, points, triangles))
+    outcome = optimise(made.mesh, "principal", constraints=given)
+    clean = TriangleSurface(*reaching(made.mesh, *random_surface(seed, noisy=False)))
+    found = form.form_of(made.mesh, outcome.mesh, clean)
+    return (
+        f"{seed:2} {len(triangles):6} triangles, {len(made.mesh.faces):4} faces, "
+        f"{len(made.irregular):2} irregular, {spent:3.0f} s; {outcome.report.status}, "
+        f"off {found.off_surface.percent:.3f} %, zigzag {found.zigzag:.2f}, folded "
+        f"{outcome.report.flipped_faces} {'; '.join(made.remarks)}"
+    )
+
+
 def picture(target: str) -> None:
     """All nets as they are aligned, with the border of the surface and irregular vertices."""
     panels = []
@@ -164,7 +195,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--picture", metavar="FILE.png")
+    parser.add_argument("--random", metavar="N", type=int)
     given = parser.parse_args()
+    if given.random:
+        for seed in range(given.random):
+            print(random_row(seed), flush=True)
+        return
     if given.picture:
         picture(given.picture)
         return

@@ -1,6 +1,7 @@
-"""Surfaces by formula, as triangles: what nets are aligned on in these tests."""
+"""Surfaces by formula, as triangles: what nets are aligned on in tests and tables."""
 
 import numpy as np
+from scipy.spatial import Delaunay
 
 
 def triangles(formula, nu=61, nv=37):
@@ -54,3 +55,58 @@ def without(points, faces, inside):
     kept = faces[~inside(points[faces].mean(axis=1))]
     used, numbers = np.unique(kept, return_inverse=True)
     return points[used], numbers.reshape(-1, 3)
+
+
+def random_surface(seed, noisy=True):
+    """A roof of waves and bumps over a rectangle, of irregular triangles.
+
+    Four in ten have an opening, four in ten noise of a thousandth of the size in every coordinate,
+    unless it is left out. Slivers are left out, which leaves notches and slits.
+
+    Returns:
+        Points (V, 3), 20 to 45 m by 15 to 30, and triangles (T, 3), 0.2 to 0.5 m wide.
+    """
+    dice = np.random.default_rng(seed)
+    size = np.array([dice.uniform(20, 45), dice.uniform(15, 30)])
+    places, corners = _irregular(dice, size, dice.uniform(0.2, 0.5))
+    x, y = places.T
+    z = np.zeros(len(x))
+    for _ in range(dice.integers(1, 4)):
+        turn, length = dice.uniform(0, np.pi), dice.uniform(0.7, 2.5) * size[0]
+        rise, shift = dice.uniform(0.5, 2.5), dice.uniform(0, 6)
+        z += rise * np.sin(2 * np.pi * (x * np.cos(turn) + y * np.sin(turn)) / length + shift)
+    for _ in range(dice.integers(0, 3)):
+        middle, width = dice.uniform(0.2, 0.8, 2) * size, dice.uniform(5, 10)
+        z += dice.uniform(-3, 3) * np.exp(-((places - middle) ** 2).sum(axis=1) / width**2)
+    if dice.random() < 0.4:
+        middle, radius = dice.uniform(0.3, 0.7, 2) * size, dice.uniform(2, 4)
+        apart = np.linalg.norm(places[corners].mean(axis=1) - middle, axis=1)
+        corners = corners[apart > radius]
+    points = np.column_stack([x, y, z])
+    if dice.random() < 0.4:
+        noise = 1e-3 * np.linalg.norm(np.ptp(points, axis=0)) if noisy else 0.0
+        points += dice.normal(size=points.shape) * noise
+    one, two = (places[corners[:, k]] - places[corners[:, 0]] for k in (1, 2))
+    corners = corners[np.abs(one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]) > 1e-4]
+    used, numbers = np.unique(corners, return_inverse=True)
+    return points[used], numbers.reshape(-1, 3)
+
+
+def _irregular(dice, size, step):
+    """Points of a rectangle and triangles of them, as even as two rounds of averages make them."""
+    inner = dice.uniform(0, 1, (int(size.prod() / step**2), 2)) * size
+    counts = (size / step).astype(int)
+    x, y = (np.linspace(0, size[k], counts[k]) for k in (0, 1))
+    rim = [np.column_stack(np.broadcast_arrays(x, side)) for side in (0.0, size[1])]
+    rim += [np.column_stack(np.broadcast_arrays(side, y)) for side in (0.0, size[0])]
+    places = np.unique(np.concatenate([inner, *rim]).round(6), axis=0)
+    free = ((places > 1e-6) & (places < size - 1e-6)).all(axis=1)
+    for _ in range(2):
+        corners = Delaunay(places).simplices
+        sums, counts = np.zeros_like(places), np.zeros(len(places))
+        for k in range(3):
+            for other in (k + 1, k + 2):
+                np.add.at(sums, corners[:, k], places[corners[:, other % 3]])
+                np.add.at(counts, corners[:, k], 1)
+        places = np.where(free[:, None], sums / counts[:, None], places)
+    return places, Delaunay(places).simplices

@@ -13,32 +13,28 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.align.apron import extended
 from solver.align.cells import Quads, quads
 from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
-from solver.align.field import Field, smooth_field
+from solver.align.field import Field, Guide, smooth_field
 from solver.align.guides import TURNED, net_guide, with_strokes
-from solver.align.jets import face_tensors, fitted
 from solver.align.overhang import carried_on
-from solver.align.refine import refined
+from solver.align.prepare import Work, openings, prepared
 from solver.align.seamless import FIRM, Map, seamless_map
 from solver.align.seams import seams
 from solver.align.triangle_mesh import TriangleMesh, one_surface
+from solver.analysis.measures import flipped
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
 
-# In edges of the net: how far curvature is looked for, and what the surface is carried on by; how
-# far points count for that, and how fine the strips are; the longest edge of a triangle.
-_RADIUS, _APRON, _OUTWARDS, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 6, 0.5
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
 _REMEDY = "give a shorter edge, or smooth the surface there"
-# A surface that leaves its smooth fit by more than this part of an edge is rough.
-_ROUGH = 2e-3
+# How much curvature says about directions, less where lines that follow it would cross.
+_CALM = (1.0, 0.1, 1e-2, 1e-3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,21 +101,13 @@ def aligned(
     waiting("curvature")
     surface = one_surface(*sound_triangles(vertices, triangles))
     _refuse_size(surface, edge, edge * ratio)
-    loops = surface.loops()
     remarks: list[str] = []
-    smooth, rough = _smoothed(surface, edge)
-    if rough:
-        remarks.append(
-            f"the surface is rough, by {rough:.2g} within an edge; the net is on a smooth one "
-            "through it"
-        )
-    # Of points that have been noisy, one degree less is believed beyond the border.
-    work = _Work.of(smooth, edge, min(edge, edge * ratio), 2 if rough else 3)
+    loops = openings(surface, edge, remarks)
+    smooth, work = prepared(surface, edge, min(edge, edge * ratio), remarks)
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
     guide = with_strokes(work.mesh, guide, strokes, edge)
-    field = smooth_field(work.mesh, guide, edge, lambda: waiting("directions"))
-    mesh = _mapped(work, field, guide.firmness, (edge, edge * ratio), waiting, remarks)
+    mesh, field = _mapped(work, guide, (edge, edge * ratio), waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
     connected = mesh.connectivity
     irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
@@ -131,45 +119,6 @@ def aligned(
         Singular.of(work.mesh, field, guide),
         tuple(remarks),
     )
-
-
-@dataclass(frozen=True, eq=False)
-class _Work:
-    """A surface made ready: carried on beyond its border, fine enough, with its curvature.
-
-    Attributes:
-        mesh: the triangles.
-        inner: how many of them are the surface's own.
-        tensors: (T, 2, 2) shape operators in the triangles' frames.
-    """
-
-    mesh: TriangleMesh
-    inner: int
-    tensors: FloatArray
-
-    @classmethod
-    def of(cls, surface: TriangleMesh, edge: float, shorter: float, degree: int) -> _Work:
-        size = float(np.sqrt(2 * surface.areas.mean()))
-        step = min(max(size, edge / _STRIPS), edge)
-        larger = extended(surface, _APRON * edge, step, _OUTWARDS * edge, degree)
-        jets = fitted(larger, np.arange(len(larger.points)), _RADIUS * edge)
-        inner = len(surface.triangles)
-        mesh, tensors, inner = refined(larger, jets.shape_tensors(), inner, _LONGEST * shorter)
-        return cls(mesh, inner, face_tensors(mesh, tensors))
-
-
-def _smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:
-    """The surface without its noise, and how much that was, 0 where there is hardly any.
-
-    What is rough within an edge has no lines to follow.
-    """
-    jets = fitted(surface, np.arange(len(surface.points)), _RADIUS * edge)
-    off = jets.coefficients[:, 0] * jets.scale
-    rough = float(np.sqrt((off * off).mean()))
-    if rough < _ROUGH * edge:
-        return surface, 0.0
-    points = surface.points + off[:, None] * jets.axes[:, 2]
-    return TriangleMesh(points, surface.triangles), rough
 
 
 def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
@@ -190,35 +139,51 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
 
 
 def _mapped(
-    work: _Work,
-    field: Field,
-    firmness: FloatArray,
+    work: Work,
+    guide: Guide,
     edges: tuple[float, float],
     waiting: Callable[[str], object],
     remarks: list[str],
-) -> QuadMesh:
-    """The quads of a map along the field, as closely as lines do not run into each other."""
-    waiting("map")
-    cut = cut_open(work.mesh, field)
-    layout = seams(work.mesh, cut, field.quarters != 0)
-    wrong: FloatArray | None = None
-    for firm in FIRM:
-        made = seamless_map(
-            *(work.mesh, cut, layout, firmness, edges, work.inner, firm),
-            step=lambda: waiting("map"),
+) -> tuple[QuadMesh, Field]:
+    """The quads of a map along the guide, as closely as lines do not run into each other."""
+    mesh, wrong = work.mesh, None
+    best: tuple[int, QuadMesh, Field] | None = None
+    for calm in _CALM:
+        waiting("directions")
+        field = smooth_field(mesh, guide.calmed(calm), edges[0], lambda: waiting("directions"))
+        cut = cut_open(mesh, field)
+        layout = seams(mesh, cut, field.quarters != 0)
+        for firm in FIRM:
+            waiting("map")
+            made = seamless_map(
+                *(mesh, cut, layout, guide.firmness, edges, work.inner, firm),
+                step=lambda: waiting("map"),
+            )
+            waiting("quads")
+            found = quads(mesh, cut, made, work.inner)
+            wrong = _crossing(found)
+            if wrong is not None:
+                continue
+            net = _net(mesh, made, found, carried_on(mesh, cut, made, found))
+            folded = int(flipped(net).sum())
+            if best is None or folded < best[0]:
+                best = folded, net, field
+                close = (calm, firm) == (_CALM[0], FIRM[0])
+            if not folded:
+                break
+        if best is not None and not best[0]:
+            break
+    if best is None:
+        assert wrong is not None
+        raise InputError(f"map: lines run into each other near {_at(wrong)}; {_REMEDY}")
+    folded, net, field = best
+    if not close:
+        remarks.append(
+            "lines that follow curvature closely would run into each other here; these do less so"
         )
-        waiting("quads")
-        found = quads(work.mesh, cut, made, work.inner)
-        wrong = _crossing(found)
-        if wrong is None:
-            if firm < FIRM[0]:
-                remarks.append(
-                    "lines that follow curvature closely would run into each other here; these do "
-                    "less so"
-                )
-            return _net(work.mesh, made, found, carried_on(work.mesh, cut, made, found))
-    assert wrong is not None
-    raise InputError(f"map: lines run into each other near {_at(wrong)}; {_REMEDY}")
+    if folded:
+        remarks.append(f"{folded} faces are folded; {_REMEDY}")
+    return net, field
 
 
 def _crossing(found: Quads) -> FloatArray | None:

@@ -10,7 +10,7 @@ Source: Knoeppel, Crane, Pinkall, Schroeder (2013), Globally optimal direction f
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_array, diags_array
@@ -56,6 +56,10 @@ class Guide:
     def firmness(self) -> FloatArray:
         """(T,) how much the lines of a map have to follow, 0 to 1."""
         return np.minimum(1.0, self.stretch**2)
+
+    def calmed(self, part: float) -> Guide:
+        """The same that counts less."""
+        return replace(self, certainty=part * self.certainty)
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,4 +221,5 @@ def _quarters(mesh: TriangleMesh, angles: FloatArray) -> IntArray:
     np.add.at(missing, end, left)
     missing[mesh.on_rim] = 0.0
     quarters: IntArray = np.round(missing / QUARTER).astype(np.int64)
-    return quarters
+    # Directions that go once round themselves go over into each other: only the mesh is at fault.
+    return np.where(quarters % 4 == 0, 0, quarters)

@@ -1,0 +1,98 @@
+"""A design surface made ready for a net: mended, smooth, carried on, fine enough."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.align.apron import extended
+from solver.align.jets import face_tensors, fitted
+from solver.align.mend import mended
+from solver.align.refine import refined
+from solver.align.triangle_mesh import TriangleMesh
+from solver.mesh.quadmesh import FloatArray
+
+# In edges of the net: how far curvature is looked for, and what the surface is carried on by; how
+# far points count for that, and how fine the strips are; the longest edge of a triangle.
+_RADIUS, _APRON, _OUTWARDS, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 6, 0.5
+# A surface that leaves its smooth fit by more than this part of an edge is rough.
+_ROUGH = 2e-3
+# An opening less than this part of an edge across is a fault of the triangles.
+_PINHOLE = 0.25
+
+
+@dataclass(frozen=True, eq=False)
+class Work:
+    """A surface made ready: carried on beyond its border, fine enough, with its curvature.
+
+    Attributes:
+        mesh: the triangles.
+        inner: how many of them are the surface's own.
+        tensors: (T, 2, 2) shape operators in the triangles' frames.
+    """
+
+    mesh: TriangleMesh
+    inner: int
+    tensors: FloatArray
+
+    @classmethod
+    def of(cls, surface: TriangleMesh, edge: float, shorter: float, degree: int) -> Work:
+        """Carry a smooth surface on, fit its curvature, and refine it."""
+        size = float(np.sqrt(2 * surface.areas.mean()))
+        step = min(max(size, edge / _STRIPS), edge)
+        larger = extended(surface, _APRON * edge, step, _OUTWARDS * edge, degree)
+        jets = fitted(larger, np.arange(len(larger.points)), _RADIUS * edge)
+        inner = len(surface.triangles)
+        mesh, tensors, inner = refined(larger, jets.shape_tensors(), inner, _LONGEST * shorter)
+        return cls(mesh, inner, face_tensors(mesh, tensors))
+
+
+def prepared(
+    surface: TriangleMesh, edge: float, shorter: float, remarks: list[str]
+) -> tuple[TriangleMesh, Work]:
+    """Make a surface ready.
+
+    Args:
+        surface: as it was given.
+        edge: wanted edge length.
+        shorter: the shorter of the two wanted edge lengths.
+        remarks: gets a sentence where the surface is rough.
+
+    Returns:
+        the surface without its noise, with the same numbers of points, and what to work on.
+    """
+    smooth, rough = _smoothed(mended(surface, edge), edge)
+    if rough:
+        remarks.append(
+            f"the surface is rough, by {rough:.2g} within an edge; the net is on a smooth one "
+            "through it"
+        )
+    # Of points that have been noisy, one degree less is believed beyond the border.
+    return smooth, Work.of(smooth, edge, shorter, 2 if rough else 3)
+
+
+def openings(surface: TriangleMesh, edge: float, remarks: list[str]) -> list[list[int]]:
+    """Vertices of the border's loops without pinholes, which are taken for faults."""
+    loops = surface.loops()
+    spans = [float(np.linalg.norm(np.ptp(surface.points[loop], axis=0))) for loop in loops]
+    kept = [loop for loop, span in zip(loops, spans, strict=True) if span > _PINHOLE * edge]
+    if not kept or len(kept) == len(loops):
+        return loops
+    largest = max(span for span in spans if span <= _PINHOLE * edge)
+    remarks.append(f"pinholes are closed: {len(loops) - len(kept)}, {largest:.2g} across at most")
+    return kept
+
+
+def _smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:
+    """The surface without its noise, and how much that was, 0 where there is hardly any.
+
+    What is rough within an edge has no lines to follow.
+    """
+    jets = fitted(surface, np.arange(len(surface.points)), _RADIUS * edge)
+    off = jets.coefficients[:, 0] * jets.scale
+    rough = float(np.sqrt((off * off).mean()))
+    if rough < _ROUGH * edge:
+        return surface, 0.0
+    points = surface.points + off[:, None] * jets.axes[:, 2]
+    return TriangleMesh(points, surface.triangles), rough
