@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,7 +13,8 @@ import numpy as np
 from solver.errors import InputError
 from solver.io.reading import read_bytes
 from solver.mesh.border import closed_loops
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.closest import TriangleSurface
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 from solver.mesh.sampling import ParametricSurface, SampledNet, sampled
 
@@ -20,10 +22,32 @@ if TYPE_CHECKING:
     import cadquery
     from OCP.Geom import Geom_Surface
 
+_ENDINGS = (".step", ".stp")
+# Points of the triangles that stand for faces, about.
+_POINTS = 40_000
 _SAME_AREA = 1e-6
 # How far polylines stray from edges, in parts of the face's size.
 _DEFLECTION = 2e-5
 _TOLERANCE = 1e-7
+
+
+def is_step(path: str | os.PathLike[str]) -> bool:
+    """Whether a file's name says that it is one of STEP."""
+    return Path(path).suffix.lower() in _ENDINGS
+
+
+def triangles_from_step(
+    path: str | os.PathLike[str], faces: Sequence[int] = ()
+) -> tuple[FloatArray, IntArray]:
+    """Vertices (V, 3) in mm and triangles (T, 3) on faces of a STEP file, by default on all.
+
+    Raises:
+        InputError: as :func:`step_surfaces`, or a face that cannot be sampled.
+    """
+    surfaces = step_surfaces(path, faces)
+    area = sum(surface.area for surface in surfaces)
+    made = TriangleSurface.from_quads(sampled(surfaces, edge=math.sqrt(area / _POINTS)).mesh)
+    return made.vertices, made.triangles
 
 
 def net_from_step(

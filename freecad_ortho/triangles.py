@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from freecad_ortho.mesh_files import ENDINGS, read_mesh_file, upright
+from freecad_ortho.step_faces import is_step, triangles_from_step
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.intake import refuse_missing_vertices
@@ -20,7 +21,8 @@ def read_triangles(
 ) -> tuple[FloatArray, IntArray, str | None]:
     """Vertices (V, 3), triangles (T, 3) and unit of a file; larger faces are cut into fans.
 
-    OBJ, PLY, OFF, JSON and VTK are read here, STL, GLB and others through trimesh.
+    OBJ, PLY, OFF, JSON and VTK are read here, STEP through cadquery, in mm, STL, GLB and others
+    through trimesh.
 
     Args:
         path: the file.
@@ -29,6 +31,9 @@ def read_triangles(
     Raises:
         InputError: no such file, trimesh missing, or nothing with triangles in it.
     """
+    if is_step(path):
+        points, triangles = triangles_from_step(path)
+        return upright(points, up), triangles, "mm"
     if Path(path).suffix.lower() in ENDINGS:
         data = read_mesh_file(path, up)
         try:

@@ -140,10 +140,10 @@ def test_gliding_on_a_surface_file(tmp_path, wave):
 def glides(*arguments: str):
     """Gliding that the options ask for, of a mesh in metres."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("--fix", default="none")
     parser.add_argument("--net", default="principal")
     values.add_up(parser)
     net_options.add(parser)
+    net_options.add_close_to(parser)
     options = parser.parse_args(arguments)
     return net_options.settings(options, api.LoadedMesh(wavy_grid(3, 3), "m", ()))["constraints"]
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +15,7 @@ from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import values
 from freecad_ortho.mesh_files import DEFAULT_UNIT, upright
 from freecad_ortho.sources.aligning import ALIGNED, aligned_on, edge_for
-from freecad_ortho.step_faces import step_surfaces
+from freecad_ortho.step_faces import is_step, step_surfaces
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from freecad_ortho.words import counted
@@ -22,9 +24,7 @@ from solver.io.atomic import write_text
 from solver.io.json_mesh import write_json
 from solver.io.points import read_points
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import FloatArray
-
-_STEP = (".step", ".stp")
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -36,54 +36,89 @@ def add(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("input", metavar="SURFACE.stl|obj|ply|off|glb|step")
     values.add_up(parser)
+    arguments.add(parser, ALIGNED.option("net"))
+    add_settings(parser)
+    parser.add_argument("--report", metavar="R.json", help="border, singular vertices, remarks")
+    values.add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def add_settings(group: argparse._ActionsContainer) -> None:
+    """Options that say how a net lies on its surface."""
     for option in ALIGNED.options:
-        arguments.add(parser, option)
-    parser.add_argument(
+        if option.name != "net":
+            arguments.add(group, option)
+    group.add_argument(
         "--stroke",
         action="append",
         default=[],
         metavar="FILE",
         help="points of a curve along which the net runs; may be repeated",
     )
-    parser.add_argument("--faces", metavar="I,J,K", help="of a STEP file, from 1 (default: all)")
-    parser.add_argument("--report", metavar="R.json", help="border, singular vertices, remarks")
-    values.add_output(parser)
-    parser.set_defaults(run=run)
+    group.add_argument("--faces", metavar="I,J,K", help="of a STEP file, from 1 (default: all)")
 
 
 def run(options: argparse.Namespace) -> int:
     """Align and write."""
     values.refuse_unwritable(options.output, options.report)
-    made, unit, origin = (_on_step if _is_step(options.input) else _on_triangles)(options)
-    for remark in made.remarks:
-        sys.stderr.write(f"note: {remark}\n")
-    words = f"{counted(len(made.irregular), 'irregular vertex', 'irregular vertices')}, "
-    words += f"mean edge {made.mesh.mean_edge:.4g} {unit}"
-    code = values.write(options, made.mesh, unit, words, origin)
-    shift = values.origin_of(options, origin).shift
-    border = [(line + origin.shift - shift).tolist() for line in made.border]
+    found = align(options)
+    code = values.write(options, found.net.mesh, found.unit, found.words, found.origin)
+    about = values.origin_of(options, found.origin)
     if Path(options.output).suffix.lower() == ".json":
-        back = LocalOrigin(origin.shift - shift).back_mesh(made.mesh)
-        write_json(options.output, back, unit, border)
+        write_json(options.output, *found.in_file(about))
     elif options.report is None:
         sys.stderr.write("note: the border is kept in a .json file or a --report only\n")
     if options.report:
-        places = made.mesh.vertices[made.irregular] + origin.shift - shift
-        found = {
-            "unit": unit,
-            "faces": len(made.mesh.faces),
-            "irregular_vertices": made.irregular.tolist(),
-            "irregular_places": places.tolist(),
-            "mean_edge": made.mesh.mean_edge,
-            "border": border,
-            "remarks": list(made.remarks),
-        }
-        write_text(options.report, json.dumps(found, indent=2) + "\n")
+        write_text(options.report, json.dumps(found.numbers(about), indent=2) + "\n")
     return code
 
 
-def _is_step(path: str) -> bool:
-    return Path(path).suffix.lower() in _STEP
+@dataclass(frozen=True)
+class Found:
+    """A net on a surface.
+
+    Attributes:
+        net: about ``origin``.
+        unit: of its coordinates.
+        origin: local origin of the surface.
+    """
+
+    net: Aligned
+    unit: str
+    origin: LocalOrigin
+
+    @property
+    def words(self) -> str:
+        """What there is to say of it beside its size."""
+        irregular = counted(len(self.net.irregular), "irregular vertex", "irregular vertices")
+        return f"{irregular}, mean edge {self.net.mesh.mean_edge:.4g} {self.unit}"
+
+    def in_file(self, about: LocalOrigin) -> tuple[QuadMesh, str, list[list[list[float]]]]:
+        """Mesh, unit and border, with coordinates measured from a point."""
+        shift = self.origin.shift - about.shift
+        border = [(line + shift).tolist() for line in self.net.border]
+        return LocalOrigin(shift).back_mesh(self.net.mesh), self.unit, border
+
+    def numbers(self, about: LocalOrigin) -> dict[str, Any]:
+        """The report, with coordinates measured from a point."""
+        mesh, unit, border = self.in_file(about)
+        return {
+            "unit": unit,
+            "faces": len(mesh.faces),
+            "irregular_vertices": self.net.irregular.tolist(),
+            "irregular_places": mesh.vertices[self.net.irregular].tolist(),
+            "mean_edge": mesh.mean_edge,
+            "border": border,
+            "remarks": list(self.net.remarks),
+        }
+
+
+def align(options: argparse.Namespace) -> Found:
+    """Align as the options say; what is out of the ordinary is said on stderr."""
+    found = Found(*(_on_step if is_step(options.input) else _on_triangles)(options))
+    for remark in found.net.remarks:
+        sys.stderr.write(f"note: {remark}\n")
+    return found
 
 
 def _on_step(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:

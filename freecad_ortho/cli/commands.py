@@ -73,12 +73,9 @@ def _add_optimise(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--net", default="principal", help=f"{names} (default: principal)")
     parser.add_argument("-o", "--output", required=True, metavar="OUT.obj")
     parser.add_argument("--report", metavar="R.json", help="write the numbers of the run")
-    parser.add_argument(
-        "--fix", default="none", metavar="none|corners|boundary|I,J,K", help="what must not move"
-    )
-    parser.add_argument("--max-steps", type=int, default=1000, metavar="N")
     values.add_origin(parser)
     net_options.add(parser)
+    net_options.add_close_to(parser)
     parser.add_argument("-v", "--verbose", action="store_true", help="one line a step")
     parser.set_defaults(run=_optimise)
 

@@ -17,6 +17,7 @@ from freecad_ortho.units import millimetres_per
 from solver import Constraints, InputError, NetOptions
 from solver.io.points import read_points
 from solver.io.polygons import quads_of
+from solver.mesh.connectivity import IntArray
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray
 from solver.nets import NETS, Net, net_named, nets_with
@@ -31,6 +32,8 @@ from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
 from solver.nets.supports import SUPPORTS
 
+# Points (V, 3) and triangles (T, 3) of a surface.
+Triangles = tuple[FloatArray, IntArray]
 _AXES = "xyz"
 # The end of a --glide that names vertices; a path may have an @ of its own.
 _VERTICES = re.compile(r"@([\d,]+)$")
@@ -38,8 +41,12 @@ _VERTICES = re.compile(r"@([\d,]+)$")
 _CLOSED = 1e-6
 
 
-def add(parser: argparse.ArgumentParser) -> None:
+def add(parser: argparse._ActionsContainer) -> None:
     """Add the options; lengths are in the unit of the mesh file."""
+    parser.add_argument(
+        "--fix", default="none", metavar="none|corners|boundary|I,J,K", help="what must not move"
+    )
+    parser.add_argument("--max-steps", type=int, default=1000, metavar="N")
     for weight in WEIGHTS.values():
         arguments.add(parser, weight)
     for option in OPTIONS.values():
@@ -65,19 +72,22 @@ def add(parser: argparse.ArgumentParser) -> None:
         metavar="boundary|z=0|curve:FILE|surface:FILE",
         help="what boundary vertices (all, for a surface) move along; @I,J names others",
     )
-    parser.add_argument("--close-to", metavar="FILE", help="a surface to stay near")
     parser.add_argument("--symmetry", default="", metavar="x,y", help="mirror planes")
 
 
-def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, Any]:
-    """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh near its origin.
+def add_close_to(parser: argparse._ActionsContainer) -> None:
+    """Add the option that names a surface."""
+    parser.add_argument("--close-to", metavar="FILE", help="a surface to stay near")
+
+
+def refuse_unfit(options: argparse.Namespace) -> Net:
+    """Refuse options that the net does not have; return the net.
 
     Raises:
-        InputError: an option that the net does not have, or one that cannot be used.
+        InputError: naming the option and the nets that have it, or no such net.
     """
     asked = net_named(options.net)
-    chosen = arguments.given(OPTIONS.values(), options, loaded.unit)
-    for name in chosen:
+    for name in arguments.given(OPTIONS.values(), options):
         if name not in asked.options:
             raise _not_for(arguments.flag_of(OPTIONS[name]), nets_with(name), asked)
     for flag, value in (
@@ -90,16 +100,35 @@ def settings(options: argparse.Namespace, loaded: api.LoadedMesh) -> dict[str, A
         raise InputError(
             "--supports-fixed: what --fix names does not move already; give one of them"
         )
+    return asked
+
+
+def settings(
+    options: argparse.Namespace, loaded: api.LoadedMesh, surface: Triangles | None = None
+) -> dict[str, Any]:
+    """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh near its origin.
+
+    Args:
+        options: those of this module.
+        loaded: the mesh.
+        surface: to stay near where the options name none, in the unit of the mesh.
+
+    Raises:
+        InputError: an option that the net does not have, or one that cannot be used.
+    """
+    asked = refuse_unfit(options)
+    chosen = arguments.given(OPTIONS.values(), options, loaded.unit)
     standing = options.supports or asked.supports
     if "reference" in chosen:
         chosen["reference"] = _reference(chosen["reference"], options.up, loaded)
     return {
         "fix": standing if options.supports_fixed else options.fix,
         "supports": "" if options.supports_fixed else options.supports or "",
+        "max_steps": options.max_steps,
         **{name: option.default for name, option in WEIGHTS.items()},
         **arguments.given(WEIGHTS.values(), options, loaded.unit),
         "options": NetOptions(**chosen),
-        "constraints": _constraints(options, loaded),
+        "constraints": _constraints(options, loaded, surface),
     }
 
 
@@ -134,14 +163,15 @@ def _in_unit(points: FloatArray, named: str | None, wanted: str) -> FloatArray:
     return points if named is None else points * (millimetres_per(named) / millimetres_per(wanted))
 
 
-def _constraints(options: argparse.Namespace, loaded: api.LoadedMesh) -> Constraints | None:
+def _constraints(
+    options: argparse.Namespace, loaded: api.LoadedMesh, near: Triangles | None
+) -> Constraints | None:
     """What the options hold, about the local origin of the mesh."""
     unit = loaded.unit
     handles = dict(_handle(text) for text in options.handle)
     glide = tuple(_glide(text, unit, options.up) for text in options.glide)
-    near = None
     if options.close_to:
-        near = _surface(options.close_to, unit, options.up)
+        near = surface_in(options.close_to, unit, options.up)
     symmetry = options.symmetry.replace(",", "").replace(" ", "").lower()
     if not (handles or glide or near or symmetry):
         return None
@@ -174,15 +204,19 @@ def _glide(text: str, unit: str, up: str) -> Glide:
         points, closed = _curve(where, up)
         return CurveGlide(points, closed, vertices)
     if kind == "surface" and where:
-        return SurfaceGlide(*_surface(where, unit, up), vertices)
+        return SurfaceGlide(*surface_in(where, unit, up), vertices)
     raise InputError(
         "glide: expected boundary, z=0, curve:FILE or surface:FILE, and @I,J for some "
         f"vertices only, got '{text}'"
     )
 
 
-def _surface(path: str, unit: str, up: str) -> tuple[FloatArray, np.ndarray]:
-    """Points and triangles of a surface's file."""
+def surface_in(path: str, unit: str, up: str) -> Triangles:
+    """Points and triangles of a surface's file, in a unit.
+
+    Raises:
+        InputError: no such file, or nothing with triangles in it.
+    """
     points, triangles, named = read_triangles(path, up)
     return _in_unit(points, named, unit), triangles
 

@@ -7,6 +7,7 @@ import json
 import math
 import sys
 from collections.abc import Callable
+from typing import Any
 
 from freecad_ortho import api
 from freecad_ortho.cli import net_options, reporting, values
@@ -23,27 +24,38 @@ def run(options: argparse.Namespace) -> bool:
     loaded = reporting.load(options)
     settings = net_options.settings(options, loaded)
     values.refuse_unwritable(options.output, options.report)
-    optimisation = api.start_optimisation(
-        loaded.near,
-        options.net,
-        **settings,
-        max_steps=options.max_steps,
-    )
-    # Before the first step: whoever reads it need not wait for the end.
-    side = side_remark(loaded.near, *settings["options"].load_vectors)
-    for remark in [*optimisation.remarks, *([] if side is None else [side])]:
-        sys.stderr.write(f"note: {remark}\n")
-    with reporting.Progress(options.verbose) as progress:
-        outcome = optimisation.run(_follower(progress, settings["tolerance"]))
+    outcome = optimised(options, loaded, settings)
     wanted = values.write_mesh(options, outcome.mesh, loaded.unit, loaded.origin)
     if options.report:
         places = {"origin": loaded.origin.shift.tolist(), "file_origin": wanted.shift.tolist()}
         report = outcome.report.as_dict() | places
         write_text(options.report, json.dumps(report, indent=2) + "\n")
-    _tell(outcome, options.output, loaded)
+    tell(outcome, options.output, loaded)
     if wanted.far:
         sys.stdout.write(f"{values.about(wanted, loaded.unit)}\n")
     return outcome.report.status == CONVERGED and outcome.report.is_within
+
+
+def optimised(
+    options: argparse.Namespace, loaded: api.LoadedMesh, settings: dict[str, Any]
+) -> Outcome:
+    """Optimise a mesh and show how far it is.
+
+    Args:
+        options: with ``net`` and ``verbose``.
+        loaded: the mesh.
+        settings: from :func:`net_options.settings`.
+
+    Returns:
+        the outcome, about the local origin of the mesh.
+    """
+    optimisation = api.start_optimisation(loaded.near, options.net, **settings)
+    # Before the first step: whoever reads it need not wait for the end.
+    side = side_remark(loaded.near, *settings["options"].load_vectors)
+    for remark in [*optimisation.remarks, *([] if side is None else [side])]:
+        sys.stderr.write(f"note: {remark}\n")
+    with reporting.Progress(options.verbose) as progress:
+        return optimisation.run(_follower(progress, settings["tolerance"]))
 
 
 def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepRecord], None]:
@@ -61,7 +73,8 @@ def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepR
     return follow
 
 
-def _tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
+def tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
+    """Say what was reached; on stderr where that is not what was asked for."""
     report, unit = outcome.report, loaded.unit
     moved, edge = report.moved, report.mean_edge
     most = f"{_digits(moved.max * edge)} {unit}"

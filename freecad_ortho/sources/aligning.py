@@ -82,9 +82,10 @@ def aligned_on(
         InputError: faces that cannot be sampled, or a surface that has no such net.
     """
     surfaces = [_in_portions(surface, waiting) for surface in surfaces]
-    edge = edge or edge_for(_area(surfaces), ratio)
+    area = sum(surface.area for surface in surfaces)
+    edge = edge or edge_for(area, ratio)
     _refuse_ratio(ratio)
-    fine = max(edge * min(1.0, ratio) / _FINER, np.sqrt(_area(surfaces) / _POINTS))
+    fine = max(edge * min(1.0, ratio) / _FINER, np.sqrt(area / _POINTS))
     stand_in = sampled(surfaces, edge=fine)
     triangles = TriangleSurface.from_quads(stand_in.mesh)
     made = aligned(
@@ -129,16 +130,6 @@ def edge_for(area: float, ratio: float) -> float:
 def _refuse_ratio(ratio: float) -> None:
     if not ratio > 0:
         raise InputError(f"ratio: expected a positive number, got {ratio:g}")
-
-
-def _area(surfaces: Sequence[ParametricSurface]) -> float:
-    """About the area of all faces, from a coarse grid of each."""
-    total = 0.0
-    for surface in surfaces:
-        points = surface.grid(np.linspace(*surface.u, 25), np.linspace(*surface.v, 25))
-        one, two = points[1:, 1:] - points[:-1, :-1], points[1:, :-1] - points[:-1, 1:]
-        total += 0.5 * float(np.linalg.norm(np.cross(one, two), axis=2).sum())
-    return total
 
 
 def _set_onto(mesh: QuadMesh, surfaces: Sequence[ParametricSurface], edge: float) -> QuadMesh:

@@ -20,6 +20,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 _FINE = 129
 _LINES = 9
+_COARSE = 25
 # Points a side of the triangles that stand for a surface while a net is fitted to its border.
 _STAND_IN = 49
 # Sides shorter than this part of the surface are points; ends nearer than this are the same.
@@ -52,6 +53,13 @@ class ParametricSurface:
     name: str = "face"
     foot: Callable[[FloatArray], FloatArray] | None = None
     cut: tuple[bool, bool, bool, bool] = (False, False, False, False)
+
+    @property
+    def area(self) -> float:
+        """About its area, that of the whole rectangle, from a coarse grid."""
+        points = self.grid(np.linspace(*self.u, _COARSE), np.linspace(*self.v, _COARSE))
+        one, two = points[1:, 1:] - points[:-1, :-1], points[1:, :-1] - points[:-1, 1:]
+        return 0.5 * float(np.linalg.norm(np.cross(one, two), axis=2).sum())
 
     def part(self, u: tuple[float, float], v: tuple[float, float]) -> ParametricSurface:
         """The surface between fractions 0 to 1 of its parameters.
