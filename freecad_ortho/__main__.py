@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, NOTHING_WRITTEN, kept_whole
+from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, kept_whole, stopped_words
 from freecad_ortho.cli.supervising import supervised
 
 
@@ -19,7 +19,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             from freecad_ortho.cli import commands
         return commands.run(arguments)
     except KeyboardInterrupt:
-        sys.stderr.write(NOTHING_WRITTEN)
+        sys.stderr.write(stopped_words(sys.argv[1:] if arguments is None else arguments))
         return EXIT_NOT_CONVERGED
 
 

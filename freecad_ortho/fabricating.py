@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from freecad_ortho import fabrication
 from freecad_ortho.fabrication import Limits, Structure
+from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.keywords import Sizes, WorkshopSettings
 from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.units import millimetres_per
@@ -78,6 +79,7 @@ def write_fabrication(
     workers: int | None = None,
     executor: Executor | None = None,
     project: str = "",
+    way: Way | None = None,
     origin: str | Sequence[float] = "local",
     **workshop: Unpack[WorkshopSettings],
 ) -> list[Path]:
@@ -90,6 +92,7 @@ def write_fabrication(
         workers: processes on this machine to share the work on parts.
         executor: any ``concurrent.futures`` executor to do so instead, e.g. that of a cluster.
         project: what the readable report is headed by, such as the name of the mesh.
+        way: how the net came to be, which the reports begin with.
         origin: what coordinates in the files are measured from: ``local`` for the round point near
             a net that is far from the origin, ``keep`` for the model's own origin, or a point, mm.
         workshop: settings of ``fabrication.Workshop`` (``sheet="3000x1500", kerf=0.2``), mm.
@@ -110,4 +113,5 @@ def write_fabrication(
             workshop=chosen,
             executor=executor or pool,
             project=project,
+            way=way,
         )

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _ENDINGS = (".step", ".stp")
 # Points of the triangles that stand for faces, about.
-_POINTS = 40_000
+_POINTS = 12_000
 _SAME_AREA = 1e-6
 # How far polylines stray from edges, in parts of the face's size.
 _DEFLECTION = 2e-5

@@ -7,6 +7,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.__main__ import main
+from freecad_ortho.triangles import read_triangles
 from solver import InputError
 from solver.analysis import measures
 
@@ -82,3 +83,16 @@ def test_bad_files_and_faces_get_one_line(files, tmp_path):
         with pytest.raises(InputError, match=words) as caught:
             api.net_from_step(path, faces, counts=(5, 5))
         assert "\n" not in str(caught.value)
+
+
+def test_faces_are_triangles_to_stay_near(files):
+    points, triangles, unit = read_triangles(files["tube"])
+    assert unit == "mm"
+    areas = np.linalg.norm(
+        np.cross(*(points[triangles[:, k]] - points[triangles[:, 0]] for k in (1, 2))), axis=1
+    )
+    # Both ends are faces, too.
+    assert areas.sum() / 2 == pytest.approx(2 * np.pi * 1000 * (3000 + 1000), rel=1e-3)
+    assert np.hypot(points[:, 0], points[:, 1]).max() == pytest.approx(1000, abs=0.01)
+    turned, _, _ = read_triangles(files["tube"], up="y")
+    np.testing.assert_allclose(turned[:, 2], points[:, 1])

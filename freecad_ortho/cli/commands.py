@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from freecad_ortho import api
 from freecad_ortho.cli import (
+    building,
     fabricating,
     net_options,
     optimising,
@@ -62,6 +63,9 @@ def _parser() -> argparse.ArgumentParser:
     fabricate = commands.add_parser("fabricate", help="parts of a net: STEP, DXF, CSV, report")
     _add_input(fabricate)
     fabricating.add(fabricate)
+    building.add(
+        commands.add_parser("build", help="a design surface to parts: all stages in one command")
+    )
     _add_check(commands.add_parser("check", help="measure a mesh against every net"))
     sources.add(commands)
     return parser

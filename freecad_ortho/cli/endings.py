@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType
 
@@ -12,7 +12,13 @@ EXIT_OK, EXIT_NOT_CONVERGED, EXIT_BAD_INPUT = 0, 1, 2
 # Between two processes of ours only: the work was stopped, as a shell counts it.
 EXIT_STOPPED = 130
 NOTHING_WRITTEN = "stopped; nothing was written\n"
+_GOES_ON = {"build": "stopped; finished stages are kept, the same command goes on from there\n"}
 ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+
+
+def stopped_words(arguments: Sequence[str]) -> str:
+    """What there is to say of a command that was stopped, by its arguments."""
+    return _GOES_ON.get(next(iter(arguments), ""), NOTHING_WRITTEN)
 
 
 @contextmanager

@@ -7,13 +7,14 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from freecad_ortho import api
+from freecad_ortho import api, fabrication
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_OK, kept_whole
 from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
+from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
@@ -25,7 +26,22 @@ _SHARED = {option.name for option in Workshop.options}
 
 
 def add(parser: argparse.ArgumentParser) -> None:
-    """Add the options of the command and those of every system."""
+    """Add the options of the command."""
+    add_settings(parser)
+    add_workers(parser)
+    parser.add_argument("-o", "--output", required=True, metavar="DIR")
+    values.add_origin(parser, keep=False)
+    parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
+    parser.set_defaults(run=run)
+
+
+def add_workers(parser: argparse.ArgumentParser) -> None:
+    """Add the option that says how many share the work; the files are the same."""
+    parser.add_argument("--workers", type=int, metavar="N", help="processes that share the work")
+
+
+def add_settings(parser: argparse.ArgumentParser) -> None:
+    """Add the options that say what is built, those of every system and of the workshop."""
     parser.add_argument("--system", default="beams+panels", metavar="NAME[+NAME...]")
     parser.epilog = f"systems: {', '.join(SYSTEMS)}"
     group = parser.add_argument_group(
@@ -57,15 +73,40 @@ def add(parser: argparse.ArgumentParser) -> None:
     shop = parser.add_argument_group("workshop", "what parts are cut from and with")
     for option in Workshop.options:
         arguments.add(shop, option, length="MM")
-    parser.add_argument("--workers", type=int, metavar="N", help="processes that share the work")
-    parser.add_argument("-o", "--output", required=True, metavar="DIR")
-    values.add_origin(parser, keep=False)
-    parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
-    parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Build the structure and write its files."""
+    sys.stdout.write(fabricated(options, Path(options.input).stem) + "\n")
+    return EXIT_OK
+
+
+def refuse_unfit(options: argparse.Namespace) -> None:
+    """Refuse, before any net is there, what can be used with none.
+
+    Raises:
+        InputError: no such system, material or size, or a value that cannot be used.
+    """
+    Workshop.of(arguments.given(Workshop.options, options))
+    Limits.of(arguments.given(Limits.options, options))
+    names = options.system.split("+")
+    materials = fabrication.materials_of(options.material, names, options.density)
+    fabrication.systems_of(options.system, _sizes(options), materials)
+    fabrication.Selection(options.family, _lines(options))
+
+
+def fabricated(options: argparse.Namespace, project: str, way: Way | None = None) -> str:
+    """Build the structure and write its files; a line that says what was made.
+
+    Args:
+        options: of the command.
+        project: what the readable report is headed by.
+        way: what the reports begin with.
+
+    Raises:
+        InputError: options that cannot be used.
+        OutputError: the folder cannot be written.
+    """
     loaded = reporting.load(options)
     workshop = arguments.given(Workshop.options, options)
     Workshop.of(workshop)
@@ -74,7 +115,7 @@ def run(options: argparse.Namespace) -> int:
         loaded.mesh,
         options.system,
         family=options.family,
-        lines=None if options.lines is None else values.whole_numbers("--lines", options.lines),
+        lines=_lines(options),
         material=options.material,
         density=options.density,
         unit=loaded.unit,
@@ -90,12 +131,16 @@ def run(options: argparse.Namespace) -> int:
             options.output,
             progress,
             workers=options.workers,
-            project=Path(options.input).stem,
+            project=project,
+            way=way,
             origin=values.origin_of(options, loaded.origin).scaled(scale).shift.tolist(),
             **workshop,
         )
-    sys.stdout.write(reporting.fabrication_line(structure, options.output) + "\n")
-    return EXIT_OK
+    return reporting.fabrication_line(structure, options.output)
+
+
+def _lines(options: argparse.Namespace) -> tuple[int, ...] | None:
+    return None if options.lines is None else values.whole_numbers("--lines", options.lines)
 
 
 def _sizes(options: argparse.Namespace) -> dict[str, Any]:

@@ -87,6 +87,7 @@ def refuse_unfit(options: argparse.Namespace) -> Net:
         InputError: naming the option and the nets that have it, or no such net.
     """
     asked = net_named(options.net)
+    arguments.given(WEIGHTS.values(), options)
     for name in arguments.given(OPTIONS.values(), options):
         if name not in asked.options:
             raise _not_for(arguments.flag_of(OPTIONS[name]), nets_with(name), asked)

@@ -22,10 +22,10 @@ from freecad_ortho.cli.endings import (
     EXIT_BAD_INPUT,
     EXIT_NOT_CONVERGED,
     EXIT_STOPPED,
-    NOTHING_WRITTEN,
     held_back,
     let_through,
     pass_over,
+    stopped_words,
 )
 
 # Seconds that the work has to end by itself once it has been told to, and how many times that at
@@ -60,7 +60,7 @@ def supervised(arguments: Sequence[str] | None = None) -> int:
         sys.stderr.write(f"error: killed by signal {-code}; is there enough memory?\n")
         return EXIT_BAD_INPUT
     if code == EXIT_STOPPED:
-        sys.stderr.write(NOTHING_WRITTEN)
+        sys.stderr.write(stopped_words(words))
         return EXIT_NOT_CONVERGED
     return code
 

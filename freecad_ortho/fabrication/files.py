@@ -8,7 +8,6 @@ import re
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
-from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -18,6 +17,7 @@ from freecad_ortho.fabrication.nesting.sheet import file_words
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production, produce
 from freecad_ortho.fabrication.report import overview, report_page
+from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.step import write_step
 from freecad_ortho.fabrication.stl import write_stl
 from freecad_ortho.fabrication.structure import Progress, Structure, build
@@ -32,10 +32,10 @@ from freecad_ortho.fabrication.tables import (
     write_table,
 )
 from freecad_ortho.fabrication.workshop import Workshop
-from solver.io.atomic import refuse_in_the_way, staged_folder
+from solver.io.atomic import no_new_folders_on_failure, refuse_in_the_way, staged_folder
 from solver.mesh.quadmesh import QuadMesh
 
-_REPORT = "report.json"
+REPORT = "report.json"
 _FLAT = "flat.dxf"
 _STEP = "structure.step"
 FILES = (
@@ -45,7 +45,7 @@ FILES = (
     "nodes.csv",
     "stock.csv",
     "bevels.csv",
-    _REPORT,
+    REPORT,
     "report.html",
 )
 BENDS = "bends.csv"
@@ -67,6 +67,7 @@ def write(
     workshop: Workshop | None = None,
     executor: Executor | None = None,
     project: str = "",
+    way: Way | None = None,
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports; with a sheet size the folder ``sheets`` too.
 
@@ -78,6 +79,7 @@ def write(
         workshop: sizes of sheets and bars, width of the cut.
         executor: for work on parts; the files are the same with any and without.
         project: what the readable report is headed by.
+        way: how the net came to be, which the reports begin with.
 
     Returns:
         The files, in the order of ``FILES`` (``flat.dxf`` only where a part has a flat pattern and
@@ -96,7 +98,7 @@ def write(
     for name in (*FILES, *solids, f"{SHEETS}/*", f"{JOINTS}/*", f"{PARTS}/*"):
         refuse_in_the_way(target, name)
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
-    with _no_new_folders_on_failure(target), staged_folder(target, _earlier(target)) as staging:
+    with no_new_folders_on_failure(target), staged_folder(target, earlier(target)) as staging:
         structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
         for number, (name, parts) in enumerate(solids.items()):
             say(0.4 + 0.4 * number / len(solids), name)
@@ -110,7 +112,7 @@ def write(
             _write_sheets(staging / SHEETS, production)
         say(0.95, "lists and reports")
         _write_joints(staging / JOINTS, structure)
-        names = write_lists(staging, production, project)
+        names = write_lists(staging, production, project, way)
         say(1.0, "written")
     return [target / name for name in names]
 
@@ -137,13 +139,13 @@ def _beside(folder: Path, structure: Structure) -> list[str]:
     ]
 
 
-def _earlier(target: Path) -> Iterator[str]:
-    """Names of the files that an earlier run wrote here and that this one may leave out.
+def earlier(target: Path) -> Iterator[str]:
+    """Names of the files that an earlier run wrote here and that another one may leave out.
 
     Looked up when they are asked for: until then that run may not have come to its end.
     """
     try:
-        report = json.loads((target / _REPORT).read_text(encoding="utf-8"))
+        report = json.loads((target / REPORT).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         # Missing, or something else of that name: then nothing here is known to be ours.
         return
@@ -153,7 +155,9 @@ def _earlier(target: Path) -> Iterator[str]:
             yield name
 
 
-def write_lists(folder: Path, production: Production, project: str = "") -> list[str]:
+def write_lists(
+    folder: Path, production: Production, project: str = "", way: Way | None = None
+) -> list[str]:
     """Write the lists and reports into a folder that holds all other files.
 
     Returns:
@@ -174,10 +178,11 @@ def write_lists(folder: Path, production: Production, project: str = "") -> list
     for result in production.structure.results.values():
         for table in result.tables:
             write_table(folder / table.name, table.columns, table.rows)
-    (folder / "report.html").write_text(report_page(production, project), encoding="utf-8")
+    (folder / "report.html").write_text(report_page(production, project, way), encoding="utf-8")
     usual = [name for name in FILES if name not in (_FLAT, _STEP) or (folder / name).exists()]
     names = [*usual, *_beside(folder, production.structure)]
-    write_report(folder / _REPORT, {**production.report(), "files": names})
+    before = {} if way is None else way.numbers
+    write_report(folder / REPORT, {**before, **production.report(), "files": names})
     return names
 
 
@@ -238,17 +243,3 @@ def stage_seconds(mesh_mm: QuadMesh, systems: Sequence[System]) -> dict[str, flo
         timed("tables", lambda: write_lists(folder, production))
     seconds["total"] = sum(seconds.values())
     return seconds
-
-
-@contextmanager
-def _no_new_folders_on_failure(target: Path) -> Iterator[None]:
-    missing = [path for path in (target, *target.parents) if not path.exists()]
-    try:
-        yield
-    except BaseException:
-        for path in missing:
-            try:
-                path.rmdir()
-            except OSError:
-                break
-        raise

@@ -79,6 +79,21 @@ def staged_folder(target: str | os.PathLike[str], replaced: Iterable[str] = ()) 
         raise cannot_be_written(folder, error, "choose another folder") from error
 
 
+@contextmanager
+def no_new_folders_on_failure(target: Path) -> Iterator[None]:
+    """Remove, where the block fails, what it made of a folder and those above it and left empty."""
+    missing = [path for path in (target, *target.parents) if not path.exists()]
+    try:
+        yield
+    except BaseException:
+        for path in missing:
+            try:
+                path.rmdir()
+            except OSError:
+                break
+        raise
+
+
 def refuse_in_the_way(folder: Path, name: str | os.PathLike[str]) -> None:
     """Refuse to write a file where a folder is, or into a folder where a file is.
 

@@ -94,6 +94,7 @@ NETS = (
             Measure("asymptotic", measures.asymptotic, "vertex", across="vertex"),
         ),
         options=("diagonal", "singular"),
+        begins_as="asymptotic",
         shape="minimal",
         way=Way(evenness=(3.0, 30.0)),
     ),
@@ -112,6 +113,7 @@ NETS = (
             Measure("cmc", spheres.cmc, "vertex", across="vertex", shown="CMC"),
         ),
         options=("diagonal", "radius", "singular"),
+        begins_as="cmc",
         way=Way(evenness=(3.0, 30.0)),
     ),
     Net(
@@ -128,6 +130,7 @@ NETS = (
             Measure("snet", spheres.snet, "vertex", across="vertex", shown="Spherical stars"),
         ),
         options=("diagonal", "singular"),
+        begins_as="cmc",
         general=True,
     ),
 )

@@ -118,6 +118,7 @@ class Net:
         held: what fixed vertices are called.
         shape: surfaces that carry it: any, developable ones only, or minimal ones only.
         along_curvature: its lines follow the principal directions.
+        begins_as: the net whose lines it begins with on a surface, where these are others.
         conjugate: its faces are flat and nothing else is asked: its lines are conjugate.
         flat: a plane is a shape as good as any other, as it is of sheets.
         general: others are special cases of it, and are advised before it.
@@ -141,6 +142,7 @@ class Net:
     held: str = "fixed vertices"
     shape: Literal["any", "developable", "minimal"] = "any"
     along_curvature: bool = False
+    begins_as: str = ""
     conjugate: bool = False
     flat: bool = False
     general: bool = False
@@ -156,6 +158,11 @@ class Net:
     def field(self) -> str:
         """Name of the field that shows where a mesh is this net."""
         return self.colours or (self.measures[-1].title if self.measures else "Orthogonality")
+
+    @property
+    def lines(self) -> str:
+        """The net as which it begins on a surface; empty where no lines of one lead to it."""
+        return self.begins_as or "principal" * (self.along_curvature or self.conjugate)
 
     @property
     def told(self) -> tuple[str, ...]:

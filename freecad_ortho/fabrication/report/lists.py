@@ -11,11 +11,18 @@ from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.part import Measures, Part, measure_words
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.report.pictures import sheet_picture
+from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.stock import bars_by_section
 from freecad_ortho.words import counted, plural
 
 # Rows of a list and pictures of sheets that a page holds; the files hold all of them.
 _ROWS, _PICTURES = 60, 24
+
+
+def way_to_it(way: Way) -> str:
+    """How the net came to be: a row a stage, with what was asked and what came of it."""
+    rows = [(stage.name, stage.asked, stage.reached) for stage in way.stages]
+    return "<h2>The way to it</h2>" + _table(("stage", "asked", "reached"), rows)
 
 
 def groups_of_parts(production: Production) -> str:

@@ -24,6 +24,7 @@ from freecad_ortho.fabrication.report.lists import (
     parts_list,
     sheets,
     stock,
+    way_to_it,
 )
 from freecad_ortho.fabrication.report.pictures import (
     BAD,
@@ -34,6 +35,7 @@ from freecad_ortho.fabrication.report.pictures import (
     structure_view,
 )
 from freecad_ortho.fabrication.report.plots import histogram
+from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.words import counted
 
 _STYLE = f"""
@@ -58,16 +60,18 @@ tr.bad td {{ background: #fbe9eb; }}
 """
 
 
-def report_page(production: Production, project: str = "") -> str:
+def report_page(production: Production, project: str = "", way: Way | None = None) -> str:
     """Write the page; pictures and plots are part of it, so it works without a network.
 
     Args:
         production: what is reported.
         project: what the page is headed by, such as the name of the mesh.
+        way: how the net came to be.
     """
     title = escape(f"Fabrication report: {project}" if project else "Fabrication report")
     sections = [
         f"<h1>{title}</h1>",
+        "" if way is None else way_to_it(way),
         _summary(production),
         _views(production),
         _messages(production.messages),
