@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from freecad_ortho.cli import options as arguments
-from freecad_ortho.cli import values
+from freecad_ortho.cli import reporting, values
 from freecad_ortho.mesh_files import DEFAULT_UNIT, upright
 from freecad_ortho.sources.aligning import ALIGNED, aligned_on, edge_for
 from freecad_ortho.step_faces import is_step, step_surfaces
@@ -25,6 +26,10 @@ from solver.io.json_mesh import write_json
 from solver.io.points import read_points
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+
+Waiting = Callable[[str], None]
+# What is done one after the other; the first only on CAD faces.
+_STEPS = ("surface", "curvature", "directions", "map", "quads")
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -40,6 +45,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     add_settings(parser)
     parser.add_argument("--report", metavar="R.json", help="border, singular vertices, remarks")
     values.add_output(parser)
+    parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
     parser.set_defaults(run=run)
 
 
@@ -115,23 +121,40 @@ class Found:
 
 def align(options: argparse.Namespace) -> Found:
     """Align as the options say; what is out of the ordinary is said on stderr."""
-    found = Found(*(_on_step if is_step(options.input) else _on_triangles)(options))
+    on = _on_step if is_step(options.input) else _on_triangles
+    with reporting.Progress(options.verbose) as progress:
+        found = Found(*on(options, _follower(progress)))
     for remark in found.net.remarks:
         sys.stderr.write(f"note: {remark}\n")
     return found
 
 
-def _on_step(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:
+def _follower(progress: reporting.Progress) -> Waiting:
+    """Turn the names of steps into how far the work is; each is said once."""
+    said: set[str] = set()
+
+    def follow(step: str) -> None:
+        if step not in said:
+            said.add(step)
+            progress(_STEPS.index(step) / len(_STEPS), step)
+
+    return follow
+
+
+def _on_step(options: argparse.Namespace, waiting: Waiting) -> tuple[Aligned, str, LocalOrigin]:
     unit = options.unit or "mm"
     numbers = values.whole_numbers("--faces", options.faces) if options.faces else ()
     told = ALIGNED.defaults | arguments.given(ALIGNED.options, options, "mm", bare=unit)
     scale = 1.0 / millimetres_per(unit)
     strokes = [stroke / scale for stroke in _strokes(options)]
-    made = aligned_on(step_surfaces(options.input, numbers), **told, strokes=strokes)
+    surfaces = step_surfaces(options.input, numbers)
+    made = aligned_on(surfaces, **told, strokes=strokes, waiting=waiting)
     return made.scaled(scale), unit, LocalOrigin(np.zeros(3))
 
 
-def _on_triangles(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigin]:
+def _on_triangles(
+    options: argparse.Namespace, waiting: Waiting
+) -> tuple[Aligned, str, LocalOrigin]:
     vertices, triangles, named = read_triangles(options.input, options.up)
     unit = options.unit or named or DEFAULT_UNIT
     told = ALIGNED.defaults | arguments.given(ALIGNED.options, options, unit)
@@ -141,7 +164,8 @@ def _on_triangles(options: argparse.Namespace) -> tuple[Aligned, str, LocalOrigi
     area = 0.5 * float(np.linalg.norm(np.cross(one, two), axis=1).sum())
     told["edge"] = told["edge"] or edge_for(area, told["ratio"])
     strokes = [origin.near(stroke) for stroke in _strokes(options)]
-    return aligned(near, triangles, **told, strokes=strokes), unit, origin
+    made = aligned(near, triangles, **told, strokes=strokes, waiting=waiting)
+    return made, unit, origin
 
 
 def _strokes(options: argparse.Namespace) -> list[FloatArray]:
