@@ -8,14 +8,18 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from freecad_ortho import fabrication
 from freecad_ortho.fabrication import Limits, Structure
 from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.keywords import Sizes, WorkshopSettings
 from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.units import millimetres_per
+from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -33,6 +37,7 @@ def fabricate(
     density: float | None = None,
     limits: Limits | None = None,
     progress: Callable[[float, str], None] | None = None,
+    border: Sequence[ArrayLike] = (),
     **sizes: Unpack[Sizes],
 ) -> Structure:
     """Turn an optimised net into the parts of one or more systems.
@@ -49,6 +54,8 @@ def fabricate(
             named for them alone.
         limits: what the parts are held against.
         progress: called with a fraction and words; may raise to stop.
+        border: closed polylines (N, 3) in ``unit`` along which parts are trimmed, such as those of
+            ``read_mesh(path).border``.
         sizes: settings of the systems by name (``height=200, thickness=12, gap=10``), see
             :class:`freecad_ortho.keywords.Sizes`; lengths in mm, each is of one of the systems at
             least.
@@ -68,7 +75,24 @@ def fabricate(
         progress=progress,
         place=fabrication.Place(origin=shift),
         origin=shift,
+        border=[scale * origin.near(line) for line in _lines(border)],
     )
+
+
+def _lines(border: Sequence[ArrayLike]) -> list[FloatArray]:
+    """Closed polylines (N, 3).
+
+    Raises:
+        InputError: anything else.
+    """
+    lines = [np.asarray(line, dtype=np.float64) for line in border]
+    for line in lines:
+        if line.ndim != 2 or line.shape[1] != 3 or len(line) < 3 or not np.isfinite(line).all():
+            raise InputError(
+                f"border: expected closed polylines (N, 3) of three points or more, got one of "
+                f"shape {line.shape}; mend it or leave it out"
+            )
+    return lines
 
 
 def write_fabrication(

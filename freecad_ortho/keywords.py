@@ -38,6 +38,7 @@ class Sizes(TypedDict, total=False):
     gap: Length
     panel_edge: Literal["square", "bevel"]
     at_hubs: Literal["cut", "lift"]
+    least_width: Length
     louvre_axis: Literal["u", "v"]
     tilt: float
     width: Length

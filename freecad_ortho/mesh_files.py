@@ -38,7 +38,8 @@ def read_mesh_file(path: str | os.PathLike[str], up: str = "z") -> ObjData:
     """
     reader = read_vtk if Path(path).suffix.lower() in VTK_ENDINGS else read_polygons
     data = reader(path)
-    return replace(data, vertices=upright(data.vertices, up))
+    border = tuple(upright(line, up) for line in data.border)
+    return replace(data, vertices=upright(data.vertices, up), border=border)
 
 
 def upright(points: FloatArray, up: str) -> FloatArray:
@@ -63,11 +64,13 @@ class LoadedMesh:
         mesh: positions in the file's unit.
         unit: mm, cm, m, in or ft.
         remarks: what was mended or is unusual, in plain words.
+        border: closed polylines (N, 3) along which parts on it are trimmed, in the file's unit.
     """
 
     mesh: QuadMesh
     unit: str
     remarks: tuple[str, ...]
+    border: tuple[FloatArray, ...] = ()
 
     @cached_property
     def origin(self) -> LocalOrigin:
@@ -78,6 +81,11 @@ class LoadedMesh:
     def near(self) -> QuadMesh:
         """The mesh about that point; the mesh itself where it is not far."""
         return self.origin.near_mesh(self.mesh)
+
+    @property
+    def near_border(self) -> tuple[FloatArray, ...]:
+        """The border about the same point."""
+        return tuple(self.origin.near(line) for line in self.border)
 
 
 def read_mesh(path: str | os.PathLike[str], unit: str | None = None, up: str = "z") -> LoadedMesh:
@@ -107,4 +115,4 @@ def read_mesh(path: str | os.PathLike[str], unit: str | None = None, up: str = "
             f"no unit is said, taken as mm: the mesh is {width:.2g} mm wide; if that is wrong say "
             "the unit (--unit m, or unit of imported meshes in FreeCAD's preferences)"
         )
-    return LoadedMesh(mesh, chosen, tuple(remarks))
+    return LoadedMesh(mesh, chosen, tuple(remarks), data.border)

@@ -7,7 +7,6 @@ import json
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,6 @@ from freecad_ortho.units import millimetres_per
 from freecad_ortho.words import counted
 from solver.align.align import Aligned, aligned
 from solver.io.atomic import write_text
-from solver.io.json_mesh import write_json
 from solver.io.points import read_points
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -68,14 +66,12 @@ def run(options: argparse.Namespace) -> int:
     """Align and write."""
     values.refuse_unwritable(options.output, options.report)
     found = align(options)
-    code = values.write(options, found.net.mesh, found.unit, found.words, found.origin)
-    about = values.origin_of(options, found.origin)
-    if Path(options.output).suffix.lower() == ".json":
-        write_json(options.output, *found.in_file(about))
-    elif options.report is None:
-        sys.stderr.write("note: the border is kept in a .json file or a --report only\n")
+    code = values.write(
+        options, found.net.mesh, found.unit, found.words, found.origin, found.net.border
+    )
     if options.report:
-        write_text(options.report, json.dumps(found.numbers(about), indent=2) + "\n")
+        numbers = found.numbers(values.origin_of(options, found.origin))
+        write_text(options.report, json.dumps(numbers, indent=2) + "\n")
     return code
 
 
@@ -99,11 +95,11 @@ class Found:
         irregular = counted(len(self.net.irregular), "irregular vertex", "irregular vertices")
         return f"{irregular}, mean edge {self.net.mesh.mean_edge:.4g} {self.unit}"
 
-    def in_file(self, about: LocalOrigin) -> tuple[QuadMesh, str, list[list[list[float]]]]:
+    def in_file(self, about: LocalOrigin) -> tuple[QuadMesh, str, list[FloatArray]]:
         """Mesh, unit and border, with coordinates measured from a point."""
-        shift = self.origin.shift - about.shift
-        border = [(line + shift).tolist() for line in self.net.border]
-        return LocalOrigin(shift).back_mesh(self.net.mesh), self.unit, border
+        back = LocalOrigin(self.origin.shift - about.shift)
+        border = [back.back(line) for line in self.net.border]
+        return back.back_mesh(self.net.mesh), self.unit, border
 
     def numbers(self, about: LocalOrigin) -> dict[str, Any]:
         """The report, with coordinates measured from a point."""
@@ -114,7 +110,7 @@ class Found:
             "irregular_vertices": self.net.irregular.tolist(),
             "irregular_places": mesh.vertices[self.net.irregular].tolist(),
             "mean_edge": mesh.mean_edge,
-            "border": border,
+            "border": [line.tolist() for line in border],
             "remarks": list(self.net.remarks),
         }
 

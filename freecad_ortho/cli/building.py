@@ -177,8 +177,7 @@ def _optimise(options: argparse.Namespace, stages: Stages) -> None:
         outcome = optimising.optimised(options, loaded, settings)
         _pass_on_interrupt(outcome, options.max_steps)
         mesh = loaded.origin.back_mesh(outcome.mesh)
-        border = json.loads(aligned.read_text(encoding="utf-8")).get("border", ())
-        write_json(folder / _NET, mesh, loaded.unit, border)
+        write_json(folder / _NET, mesh, loaded.unit, loaded.border)
         api.write_mesh((folder / _NET).with_suffix(".obj"), mesh, loaded.unit)
         report = outcome.report
         findings = check_form(loaded.mesh, mesh, report.form, report.within)

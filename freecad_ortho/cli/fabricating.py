@@ -18,7 +18,12 @@ from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.mesh_files import upright
 from freecad_ortho.units import millimetres_per
+from solver.errors import InputError
+from solver.io.points import read_points
+from solver.io.polygons import keeps_border
+from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
 
 # A workshop's own as well, so of use with every system.
@@ -52,6 +57,17 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
             users = _users(option)
             before = f"{', '.join(users)}: "
             arguments.add(group, option, before, _defaults(users), length="MM")
+    trim = parser.add_mutually_exclusive_group()
+    trim.add_argument(
+        "--border",
+        action="append",
+        metavar="FILE",
+        help="points of a closed curve along which parts are trimmed, in the net's unit, or a "
+        ".json net that has a border; may be repeated (default: the net's own border)",
+    )
+    trim.add_argument(
+        "--untrimmed", action="store_true", help="build all of a net that overhangs its border"
+    )
     parser.add_argument("--family", default="both", metavar="|".join(FAMILY_CHOICES))
     parser.add_argument("--lines", metavar="I,J,...", help="these parameter lines only, from 0")
     parser.add_argument(
@@ -119,6 +135,7 @@ def fabricated(options: argparse.Namespace, project: str, way: Way | None = None
         material=options.material,
         density=options.density,
         unit=loaded.unit,
+        border=_border(options, loaded),
         limits=Limits.of(arguments.given(Limits.options, options)),
         **_sizes(options),
     )
@@ -141,6 +158,29 @@ def fabricated(options: argparse.Namespace, project: str, way: Way | None = None
 
 def _lines(options: argparse.Namespace) -> tuple[int, ...] | None:
     return None if options.lines is None else values.whole_numbers("--lines", options.lines)
+
+
+def _border(options: argparse.Namespace, loaded: api.LoadedMesh) -> list[FloatArray]:
+    """The closed curves along which parts are trimmed, in the unit of the net.
+
+    Raises:
+        InputError: a file without such curves.
+    """
+    if options.untrimmed:
+        return []
+    if options.border is None:
+        return list(loaded.border)
+    lines: list[FloatArray] = []
+    for path in options.border:
+        if not keeps_border(path):
+            lines.append(upright(read_points(path), options.up))
+            continue
+        other = api.read_mesh(path, options.unit, options.up)
+        if not other.border:
+            raise InputError(f"{path}: has no border; name another file, or build --untrimmed")
+        scale = millimetres_per(other.unit) / millimetres_per(loaded.unit)
+        lines += [scale * line for line in other.border]
+    return lines
 
 
 def _sizes(options: argparse.Namespace) -> dict[str, Any]:

@@ -25,7 +25,9 @@ def run(options: argparse.Namespace) -> bool:
     settings = net_options.settings(options, loaded)
     values.refuse_unwritable(options.output, options.report)
     outcome = optimised(options, loaded, settings)
-    wanted = values.write_mesh(options, outcome.mesh, loaded.unit, loaded.origin)
+    wanted = values.write_mesh(
+        options, outcome.mesh, loaded.unit, loaded.origin, loaded.near_border
+    )
     if options.report:
         places = {"origin": loaded.origin.shift.tolist(), "file_origin": wanted.shift.tolist()}
         report = outcome.report.as_dict() | places

@@ -46,7 +46,7 @@ _CHANGES = {
 }
 # What a form begins with and a command does only where it is told to.
 _UNTOLD: dict[str, dict[str, Any]] = {"trim": {"rings": 0}, "orient": {"reverse": False}}
-# Changes whose options name places.
+# Changes whose options name places; they leave the surface, and its border behind.
 _PLACED = ("mirror", "transform", "moebius", "inversion")
 # What was an option of transform and is a command now.
 _MOVED = {
@@ -108,7 +108,10 @@ def _changer(
         mesh = loaded.mesh if placed else loaded.near
         made = entry.make(untold | told, loaded.unit, meshes=[mesh]).mesh
         made = loaded.origin.near_mesh(made) if placed else made
-        return values.write(options, made, loaded.unit, origin=loaded.origin)
+        border = () if placed else loaded.near_border
+        if placed and loaded.border:
+            sys.stderr.write("note: the border of the surface stays behind\n")
+        return values.write(options, made, loaded.unit, origin=loaded.origin, border=border)
 
     return run
 
@@ -116,7 +119,9 @@ def _changer(
 def _convert(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output)
     loaded = reporting.load(options)
-    return values.write(options, loaded.near, loaded.unit, origin=loaded.origin)
+    return values.write(
+        options, loaded.near, loaded.unit, origin=loaded.origin, border=loaded.near_border
+    )
 
 
 def _add_primitive(parser: argparse.ArgumentParser) -> None:

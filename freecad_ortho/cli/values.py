@@ -6,6 +6,7 @@ import argparse
 import os
 import re
 import sys
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -14,9 +15,9 @@ from freecad_ortho.mesh_files import UP
 from freecad_ortho.units import MILLIMETRES
 from freecad_ortho.words import counted
 from solver.errors import InputError, OutputError
-from solver.io.polygons import refuse_unknown_extension
+from solver.io.polygons import keeps_border, refuse_unknown_extension
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 
 def allow_negative_lists(parser: argparse.ArgumentParser) -> None:
@@ -146,12 +147,22 @@ def refuse_unwritable(output: str, report: str | None = None) -> None:
 
 
 def write_mesh(
-    options: argparse.Namespace, mesh: QuadMesh, unit: str | None, origin: LocalOrigin
+    options: argparse.Namespace,
+    mesh: QuadMesh,
+    unit: str | None,
+    origin: LocalOrigin,
+    border: Sequence[FloatArray] = (),
 ) -> LocalOrigin:
     """Write a mesh that lies about ``origin``; return what the file's coordinates lie about."""
     wanted = origin_of(options, origin)
     # Their difference is taken first: a file about a local origin has every digit of the work.
-    api.write_mesh(options.output, LocalOrigin(origin.shift - wanted.shift).back_mesh(mesh), unit)
+    back = LocalOrigin(origin.shift - wanted.shift)
+    lines = [back.back(line) for line in border]
+    api.write_mesh(options.output, back.back_mesh(mesh), unit, lines)
+    if border and not keeps_border(options.output):
+        sys.stderr.write(
+            "note: the border is kept in a .json file only; parts are trimmed along it\n"
+        )
     return wanted
 
 
@@ -167,6 +178,7 @@ def write(
     unit: str | None,
     words: str = "",
     origin: LocalOrigin | None = None,
+    border: Sequence[FloatArray] = (),
 ) -> int:
     """Write a mesh where the options want it and say so in one line; exit code 0.
 
@@ -176,12 +188,13 @@ def write(
         unit: of its coordinates.
         words: what else to say.
         origin: the local origin of what the mesh was made from; by default the mesh's own.
+        border: closed polylines (N, 3) along which parts on it are trimmed; about ``origin``.
     """
     if origin is None:
         origin = LocalOrigin.of_mesh(mesh)
         mesh = origin.near_mesh(mesh)
     path = options.output
-    wanted = write_mesh(options, mesh, unit, origin)
+    wanted = write_mesh(options, mesh, unit, origin, border)
     if wanted.far:
         words = "; ".join(part for part in (words, about(wanted, unit)) if part)
     vertices = counted(len(mesh.vertices), "vertex", "vertices")

@@ -110,6 +110,7 @@ def add_panels(
     panel_edge: str = "square",
     at_hubs: str = "cut",
     clearance: Length = 1.0,
+    least_width: Length = 60.0,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -126,6 +127,7 @@ def add_panels(
         panel_edge: ``"square"``, or ``"bevel"``: along the beams.
         at_hubs: ``"cut"`` corners off beside hubs, or ``"lift"`` panels over them.
         clearance: to hubs.
+        least_width: narrower pieces at the border of the surface are left out.
         family: parameter lines that the beams are on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Protocol, TypeVar
@@ -10,6 +10,7 @@ from typing import Protocol, TypeVar
 import numpy as np
 
 from freecad_ortho.fabrication.material import MATERIALS, Material
+from freecad_ortho.fabrication.trimming import Trimming
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import FAMILIES, ParameterLine, ParameterLines
@@ -77,6 +78,7 @@ class Site:
         selection: which of them are wanted.
         material: of the parts that are being made.
         done: what the systems before made, by their names.
+        trimming: what the border leaves of the net, None where all of it is built.
     """
 
     mesh: QuadMesh
@@ -86,19 +88,24 @@ class Site:
     selection: Selection = Selection()
     material: Material = MATERIALS["steel"]
     done: Mapping[str, Built] = field(default_factory=dict)
+    trimming: Trimming | None = None
 
     @classmethod
-    def of(cls, mesh_mm: QuadMesh, selection: Selection) -> Site:
-        """Make a site of a mesh in mm.
+    def of(cls, mesh_mm: QuadMesh, selection: Selection, border: Sequence[FloatArray] = ()) -> Site:
+        """Make a site of a mesh in mm, trimmed along closed polylines (N, 3).
 
         Raises:
-            InputError: edges of kilometres, or lines that the net does not have.
+            InputError: edges of kilometres, lines that the net does not have, or a border of
+                something else.
         """
         _refuse_long_edges(mesh_mm)
         centre = mesh_mm.vertices[mesh_mm.connectivity.referenced].mean(axis=0)
         mesh = mesh_mm.with_vertices(mesh_mm.vertices - centre)
         lines = ParameterLines.of(mesh)
-        site = cls(mesh, centre, torsion_free_axes(mesh), lines, selection)
+        axes = torsion_free_axes(mesh)
+        loops = [line - centre for line in border]
+        trimming = Trimming.of(mesh, axes.offsets, loops) if loops else None
+        site = cls(mesh, centre, axes, lines, selection, trimming=trimming)
         site._refuse_missing_lines()
         return site
 

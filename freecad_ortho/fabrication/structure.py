@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     import cadquery
 
 Progress = Callable[[float, str], None]
+# A border beyond the net by less, mm, is not worth a word.
+_MISSED = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,7 +178,17 @@ class Structure:
     def _messages(self) -> list[str]:
         """What the systems say, after what is to be said about the mesh."""
         said = [word for result in self.results.values() for word in result.messages]
-        return [*seams(self.mesh).remarks(), *self._far(), *said]
+        return [*seams(self.mesh).remarks(), *self._far(), *self._missed(), *said]
+
+    def _missed(self) -> list[str]:
+        """Where the border is beyond the net."""
+        trimming = self.site.trimming
+        if trimming is None or trimming.missed < _MISSED:
+            return []
+        return [
+            f"border: the net ends before it along {trimming.missed / 1000:.3g} m, and is not cut "
+            "there"
+        ]
 
     def _far(self) -> list[str]:
         """Where coordinates are measured from, where that is not the model's origin."""
@@ -209,6 +221,7 @@ def build(
     progress: Progress | None = None,
     place: Place | None = None,
     origin: FloatArray | None = None,
+    border: Sequence[FloatArray] = (),
 ) -> Structure:
     """Work out all parts of a structure; the solids are built when first asked for.
 
@@ -222,9 +235,12 @@ def build(
         progress: called with a fraction and words; may raise to stop.
         place: where the mesh's coordinates stand in the model, by default they are the model's.
         origin: (3,) what was taken off the model's coordinates already, mm.
+        border: closed polylines (N, 3) along which parts are trimmed, in the coordinates of the
+            mesh; by default all of the net is built.
 
     Raises:
-        InputError: no system or one twice, or a size that does not fit the mesh.
+        InputError: no system or one twice, a size that does not fit the mesh, or a border that does
+            not.
     """
     names = [system.name for system in systems]
     if not names or len(set(names)) < len(names):
@@ -241,7 +257,7 @@ def build(
     held = limits if isinstance(limits, Mapping) else dict.fromkeys(names, limits or Limits())
     local = LocalOrigin.of_mesh(mesh_mm)
     near = local.near_mesh(mesh_mm)
-    site = Site.of(near, selection or Selection())
+    site = Site.of(near, selection or Selection(), [local.near(line) for line in border])
     for number, system in enumerate(systems):
         say(number / len(systems), system.name)
         here = replace(site, material=materials[system.name], done=dict(results))
@@ -249,7 +265,12 @@ def build(
         if not made.parts:
             raise InputError(f"{system.name}: nothing to build on this net; choose another system")
         _refuse_thickness(system.name, made.parts)
-        results[system.name] = replace(made, parts=_stressed(made.parts), settings=system)
+        said = made.messages
+        if site.trimming is not None and not system.trims:
+            said = (*said, f"{system.name}: they run on over the border, which does not cut them")
+        results[system.name] = replace(
+            made, parts=_stressed(made.parts), messages=said, settings=system
+        )
     stands = place or Place()
     moved = stands.directions(local.shift)
     taken = moved if origin is None else origin + moved

@@ -1,4 +1,8 @@
-"""Quad meshes as JSON: ``{"unit": "mm", "vertices": [[x, y, z]], "faces": [[a, b, c, d]]}``."""
+"""Quad meshes as JSON: ``{"unit": "mm", "vertices": [[x, y, z]], "faces": [[a, b, c, d]]}``.
+
+A mesh that overhangs the surface that it is on has the surface's border too, ``"border": [[[x, y,
+z], ...], ...]``: closed polylines, along which parts on the mesh are trimmed.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +18,7 @@ from solver.io.compas import compas_mesh
 from solver.io.obj import ObjData
 from solver.io.reading import read_text
 from solver.io.units import unit_named
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 
 def read_json(path: str | os.PathLike[str]) -> ObjData:
@@ -50,7 +54,30 @@ def read_json(path: str | os.PathLike[str]) -> ObjData:
         ) from None
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not found[1]:
         raise InputError(f"{name}: expected vertices of three coordinates and at least one face")
-    return ObjData(vertices, found[1], unit_named(unit) if isinstance(unit, str) else None)
+    border = _border(data.get("border", []), name) if isinstance(data, dict) else ()
+    named = unit_named(unit) if isinstance(unit, str) else None
+    return ObjData(vertices, found[1], named, border=border)
+
+
+def _border(data: object, name: str) -> tuple[FloatArray, ...]:
+    """Closed polylines (N, 3) from lists of points.
+
+    Raises:
+        InputError: anything else.
+    """
+    try:
+        if not isinstance(data, list):
+            raise TypeError
+        lines = tuple(np.array(line, dtype=np.float64) for line in data)
+        good = all(line.ndim == 2 and line.shape[1] == 3 and len(line) > 2 for line in lines)
+        if not (good and all(np.isfinite(line).all() for line in lines)):
+            raise ValueError
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(
+            f"{name}: border: expected closed polylines [[[x, y, z], ...], ...] of three points or "
+            "more; mend it or leave it out"
+        ) from None
+    return lines
 
 
 def _whole(corner: object) -> int:
@@ -63,7 +90,7 @@ def write_json(
     path: str | os.PathLike[str],
     mesh: QuadMesh,
     unit: str | None = None,
-    border: Sequence[Sequence[Sequence[float]]] = (),
+    border: Sequence[FloatArray] = (),
 ) -> None:
     """Write a mesh with every digit, whole or not at all.
 
@@ -71,7 +98,7 @@ def write_json(
         path: of the file.
         mesh: the mesh.
         unit: of its coordinates.
-        border: closed polylines along which the mesh will be trimmed, under ``border``.
+        border: closed polylines (N, 3) along which parts on the mesh are trimmed.
 
     Raises:
         OutputError: the folder is missing or cannot be written.
@@ -79,5 +106,5 @@ def write_json(
     data: dict[str, object] = {} if unit is None else {"unit": unit}
     data |= {"vertices": mesh.vertices.tolist(), "faces": mesh.faces.tolist()}
     if border:
-        data["border"] = border
+        data["border"] = [line.tolist() for line in border]
     write_text(path, json.dumps(data) + "\n")

@@ -32,6 +32,7 @@ class ObjData:
         unit_line: line of the file that names it, 0 where that is not known.
         lines: line of the file of each face, empty where that is not known.
         remarks: what is to be said about how it was read, in plain words.
+        border: closed polylines (N, 3) along which parts on the mesh are trimmed.
     """
 
     vertices: FloatArray
@@ -40,6 +41,7 @@ class ObjData:
     unit_line: int = 0
     lines: Sequence[int] = ()
     remarks: tuple[str, ...] = ()
+    border: tuple[FloatArray, ...] = ()
 
 
 def read_obj(path: str | os.PathLike[str]) -> ObjData:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from solver.errors import InputError
@@ -12,7 +12,7 @@ from solver.io.obj import ObjData, read_obj, write_obj
 from solver.io.off import read_off, write_off
 from solver.io.ply import read_ply, write_ply
 from solver.mesh.intake import quad_mesh
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 READERS: dict[str, Callable[[str | os.PathLike[str]], ObjData]] = {
     ".obj": read_obj,
@@ -67,15 +67,35 @@ def read_mesh(path: str | os.PathLike[str]) -> QuadMesh:
     return quads_of(read_polygons(path), path)[0]
 
 
-def write_mesh(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = None) -> None:
+def write_mesh(
+    path: str | os.PathLike[str],
+    mesh: QuadMesh,
+    unit: str | None = None,
+    border: Sequence[FloatArray] = (),
+) -> None:
     """Write an OBJ, PLY, OFF or JSON file that keeps vertex and face order and every digit.
+
+    Args:
+        path: of the file.
+        mesh: the mesh.
+        unit: of its coordinates.
+        border: closed polylines (N, 3) along which parts on the mesh are trimmed; only a JSON file
+            keeps them, see :func:`keeps_border`.
 
     Raises:
         InputError: the name ends in none of ``.obj``, ``.ply``, ``.off`` and ``.json``.
         OutputError: the folder is missing or cannot be written.
     """
     refuse_unknown_extension(path)
-    WRITERS[Path(path).suffix.lower()](path, mesh, unit)
+    if keeps_border(path):
+        write_json(path, mesh, unit, border)
+    else:
+        WRITERS[Path(path).suffix.lower()](path, mesh, unit)
+
+
+def keeps_border(path: str | os.PathLike[str]) -> bool:
+    """Whether a file of this name has room for the border of a mesh."""
+    return Path(path).suffix.lower() == ".json"
 
 
 def refuse_unknown_extension(path: str | os.PathLike[str]) -> None:

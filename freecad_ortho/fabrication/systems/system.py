@@ -55,6 +55,8 @@ class System(ABC):
 
     name: ClassVar[str]
     options: ClassVar[tuple[Option, ...]]
+    # Whether its parts are cut at the border of the surface.
+    trims: ClassVar[bool] = False
     # Systems whose parts would stand where its own do, and why.
     excludes: ClassVar[Mapping[str, str]] = {}
 

@@ -71,6 +71,10 @@ class Corners:
             points.append(trimmed[k, 0])
         return np.array(points)
 
+    def sides(self, face: int) -> list[int | None]:
+        """The side of a face that each side of one panel's outline lies on, None at a cut."""
+        return [side for k in range(4) for side in ((None, k) if self.cut[face, k] else (k,))]
+
     def spared(self, faces: BoolArray) -> Corners:
         """Lines that leave the chosen panels (F,) whole."""
         return replace(self, begins=np.where(faces[:, None], -np.inf, self.begins))

@@ -71,6 +71,7 @@ def panel_geometry(
     beams: BeamGeometry | None = None,
     inward: FloatArray | None = None,
     stands: Stands | None = None,
+    wanted: BoolArray | None = None,
 ) -> PanelGeometry:
     """Compute the corners of all panels.
 
@@ -83,6 +84,7 @@ def panel_geometry(
             without it sides are square.
         stands: hubs that the panels stay clear of. Panels on beams whose cut corners would leave
             nothing of a side are lifted over them.
+        wanted: (F,) faces of which something is to be left, by default all.
 
     Raises:
         InputError: a face that the gap or the hubs leave nothing of.
@@ -103,7 +105,7 @@ def panel_geometry(
     both = np.stack([lower, lower + thickness])
     rings = _rings(mesh, planes, both, gap, inward)
     for ring in rings:
-        _refuse_gap(gap, thickness, planes.flat, ring)
+        _refuse_gap(gap, thickness, planes.flat, ring, wanted)
     lines = uncut(len(lift))
     if stands is not None:
         lines = corner_cuts(planes, both, stands).spared(over_hubs).through(*rings)
@@ -235,10 +237,18 @@ def inset(polygon: FloatArray, distance: FloatArray) -> FloatArray:
     return np.asarray(polygon + np.where(straight[..., None], even, shift))
 
 
-def _refuse_gap(gap: float, thickness: float, polygon: FloatArray, outline: FloatArray) -> None:
+def _refuse_gap(
+    gap: float,
+    thickness: float,
+    polygon: FloatArray,
+    outline: FloatArray,
+    wanted: BoolArray | None,
+) -> None:
     side = np.roll(polygon, -1, axis=1) - polygon
     left = np.roll(outline, -1, axis=1) - outline
     kept = np.einsum("fcd,fcd->fc", left, side) / np.einsum("fcd,fcd->fc", side, side)
+    if wanted is not None:
+        kept = np.where(wanted[:, None], kept, 1.0)
     if kept.min() <= 1e-3:
         face = int(np.argmin(kept.min(axis=1)))
         largest = gap / (1 - float(kept.min()))

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from freecad_ortho.fabrication.bevels import bevels_of
-from freecad_ortho.fabrication.bodies import Polyhedron, prism_sides
+from freecad_ortho.fabrication.bodies import Body, Polyhedron, prism_sides
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.plate_bodies import Pierced, plate_body
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
+from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, trimmed, trimmed_pattern
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -22,8 +26,9 @@ def panel_parts(
     thickness: float,
     gaps: FloatArray,
     bearing: FloatArray | None,
-) -> tuple[Part, ...]:
-    """Return one part a face, in the order of the faces.
+    least_width: float = 0.0,
+) -> tuple[tuple[Part, ...], dict[str, Trimmed]]:
+    """Return one part a face, in the order of the faces, or what the border leaves of it.
 
     Args:
         site: the net.
@@ -31,45 +36,129 @@ def panel_parts(
         thickness: of the plates, mm.
         gaps: (F,) distance of each face from planar, mm.
         bearing: (F,) least width on the beams, mm; None without beams.
+        least_width: pieces at the border that are narrower are left out, mm.
+
+    Returns:
+        The parts, and the pieces that are left out by their names.
     """
-    connectivity = site.mesh.connectivity
-    names = part_names("P", len(connectivity.faces))
-    across = neighbours(connectivity).tolist()
-    faces = connectivity.faces.tolist()
-    rings = geometry.lower, geometry.upper, geometry.outline
-    lower, upper, whole = (geometry.corners.trimmed(ring) for ring in rings)
-    parts = []
-    for face, name in enumerate(names):
-        beside = [names[other] if other >= 0 else "" for other in across[face]]
-        low = geometry.outline[face].min(axis=0)
-        under, over, outline = (
-            geometry.corners.outline(face, sides[face]) - low for sides in (lower, upper, whole)
+    faces = site.mesh.faces
+    plates, left_out = _plates(site, geometry, thickness, least_width)
+    parts = tuple(
+        plate_part(
+            site,
+            plate.name,
+            "panel",
+            plate.body,
+            (plate.origin, geometry.planes.frame[plate.face]),
+            plate.pattern,
+            thickness,
+            vertices=tuple(faces[plate.face].tolist()),
+            face=plate.face,
+            measures=Measures(
+                gap_mm=float(gaps[plate.face]),
+                bearing_mm=None if bearing is None else float(bearing[plate.face]),
+            ),
         )
-        count = len(outline)
-        corners = np.column_stack(
-            [np.concatenate([under, over]), np.repeat([0.0, thickness], count)]
-        )
-        body = Polyhedron(corners, prism_sides(count))
-        pattern = _flat_pattern(name, outline, geometry.outline[face] - low, beside)
-        pattern = replace(pattern, bevels=bevels_of(body), seen="above")
-        parts.append(
-            plate_part(
-                site,
-                name,
-                "panel",
-                body,
-                (geometry.origin[face], geometry.planes.frame[face]),
-                pattern,
-                thickness,
-                vertices=tuple(faces[face]),
-                face=face,
-                measures=Measures(
-                    gap_mm=float(gaps[face]),
-                    bearing_mm=None if bearing is None else float(bearing[face]),
-                ),
-            )
-        )
-    return tuple(parts)
+        for plate in plates
+    )
+    return parts, left_out
+
+
+class _Plate(NamedTuple):
+    """A panel, or a piece of one; its origin is the lower left corner of its pattern's box."""
+
+    name: str
+    face: int
+    body: Body
+    pattern: FlatPattern
+    origin: FloatArray
+
+
+def _plates(
+    site: Site, geometry: PanelGeometry, thickness: float, least_width: float
+) -> tuple[list[_Plate], dict[str, Trimmed]]:
+    """The panels and pieces of panels, and the pieces that are left out."""
+    names = part_names("P", len(site.mesh.faces))
+    rings = [
+        geometry.corners.trimmed(ring)
+        for ring in (geometry.lower, geometry.upper, geometry.outline)
+    ]
+    pieces = _at_the_border(site, geometry, rings)
+    left_out = {}
+    made = np.ones(len(names), dtype=bool) if site.trimming is None else site.trimming.whole.copy()
+    for face, some in pieces.items():
+        wide = [piece for piece in some if piece.width >= least_width]
+        for number, piece in enumerate(some[len(wide) :], start=len(wide)):
+            left_out[_piece_name(names[face], number)] = piece
+        pieces[face], made[face] = wide, bool(wide)
+    across = neighbours(site.mesh.connectivity).tolist()
+    plates = []
+    for face in np.flatnonzero(made).tolist():
+        beside = [names[other] if other >= 0 and made[other] else "" for other in across[face]]
+        if face not in pieces:
+            plates.append(_plate(names[face], geometry, rings, face, thickness, beside))
+        for number, piece in enumerate(pieces.get(face, ())):
+            name = _piece_name(names[face], number)
+            plates.append(_cut_plate(name, geometry, face, piece, thickness, beside))
+    return plates, left_out
+
+
+def _at_the_border(
+    site: Site, geometry: PanelGeometry, rings: Sequence[FloatArray]
+) -> dict[int, list[Trimmed]]:
+    """The pieces of the panels that the border cuts, by face."""
+    if site.trimming is None:
+        return {}
+    found = {}
+    for face in site.trimming.regions:
+        under, over, outline = (geometry.corners.outline(face, ring[face]) for ring in rings)
+        regions = site.trimming.flat_regions(face, geometry.planes.flat[face])
+        found[face] = trimmed(under, over, outline, regions)
+    return found
+
+
+def _piece_name(name: str, number: int) -> str:
+    """The name of one of a panel's pieces: P0012, P0012b, P0012c ..."""
+    return name if number == 0 else f"{name}{chr(ord('a') + number)}"
+
+
+def _plate(
+    name: str,
+    geometry: PanelGeometry,
+    rings: Sequence[FloatArray],
+    face: int,
+    thickness: float,
+    beside: list[str],
+) -> _Plate:
+    low = geometry.outline[face].min(axis=0)
+    under, over, outline = (geometry.corners.outline(face, ring[face]) - low for ring in rings)
+    count = len(outline)
+    corners = np.column_stack([np.concatenate([under, over]), np.repeat([0.0, thickness], count)])
+    body = Polyhedron(corners, prism_sides(count))
+    pattern = _flat_pattern(name, outline, geometry.outline[face] - low, beside)
+    pattern = replace(pattern, bevels=bevels_of(body), seen="above")
+    return _Plate(name, face, body, pattern, geometry.origin[face])
+
+
+def _cut_plate(
+    name: str,
+    geometry: PanelGeometry,
+    face: int,
+    piece: Trimmed,
+    thickness: float,
+    beside: list[str],
+) -> _Plate:
+    """A piece that the border leaves."""
+    low = piece.outline.min(axis=0)
+    piece = piece.moved(-low)
+    body = plate_body(piece.under, piece.over, thickness, piece.cutouts)
+    told = ["" if side is None else beside[side] for side in geometry.corners.sides(face)]
+    pattern = trimmed_pattern(name, piece, told)
+    sides = body.whole if isinstance(body, Pierced) else body
+    pattern = replace(pattern, bevels=bevels_of(sides), seen="above")
+    corner = np.append(low, geometry.levels[0, face])
+    origin = geometry.planes.middle[face] + corner @ geometry.planes.frame[face]
+    return _Plate(name, face, body, pattern, origin)
 
 
 def _flat_pattern(

@@ -11,17 +11,29 @@ import numpy as np
 from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.sizes import (
+    OFFSETS,
+    check_offset,
+    check_size,
+    not_negative,
+    offset_levels,
+)
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.panels.bearing import bearings, least_bearing
-from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, panel_geometry
+from freecad_ortho.fabrication.systems.panels.geometry import (
+    PanelGeometry,
+    neighbours,
+    panel_geometry,
+)
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
+from freecad_ortho.fabrication.systems.panels.trimmed import left_out_words, trimming_report
 from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.option import Option
 
@@ -47,6 +59,7 @@ class Panels(System):
         at_hubs: "cut" corners of panels off beside hubs, or "lift" panels over them; without beams
             corners are cut off whatever it says.
         clearance: between hubs and corners that are cut off beside them, mm.
+        least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown offset.
@@ -58,7 +71,9 @@ class Panels(System):
     edge: str = "square"
     at_hubs: str = "cut"
     clearance: float = 1.0
+    least_width: float = 60.0
 
+    trims: ClassVar[bool] = True
     name: ClassVar[str] = "panels"
     options: ClassVar[tuple[Option, ...]] = (
         Option("thickness", 12.0, "length", "the plates are this thick"),
@@ -91,6 +106,12 @@ class Panels(System):
             AT_HUBS,
         ),
         Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+        Option(
+            "least_width",
+            60.0,
+            "length",
+            "pieces of panels at the border that are narrower than this are left out",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -103,13 +124,14 @@ class Panels(System):
             raise InputError(f"at hubs: expected one of {', '.join(AT_HUBS)}, got '{self.at_hubs}'")
         if not 0 <= self.clearance < float("inf"):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
+        not_negative("least width", self.least_width)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Panels:
         """Make the settings from options; panels are as thick as the beams unless told."""
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
-        names = ("gap", "offset", "panel_edge", "at_hubs", "clearance")
+        names = ("gap", "offset", "panel_edge", "at_hubs", "clearance", "least_width")
         return cls(plate, *(values[name] for name in names))
 
     @property
@@ -131,24 +153,34 @@ class Panels(System):
         if hubs is not None:
             cut = self.at_hubs == "cut" or beams is None
             stands = Stands(hubs, cut, self.clearance)
-        geometry = panel_geometry(mesh, self.levels, self.gap, beams, inward, stands)
+        wanted = np.ones(len(mesh.faces), dtype=bool)
+        if site.trimming is not None:
+            wanted = site.trimming.made
+        geometry = panel_geometry(mesh, self.levels, self.gap, beams, inward, stands, wanted)
         widths = None
         if beams is not None:
             widths = bearings(mesh.connectivity, beams, geometry.lower_edges())
         gaps = diagonal_distances(site.mesh)
         least = None if widths is None else least_bearing(widths)
-        parts = panel_parts(site, geometry, self.thickness, gaps, least)
+        parts, left_out = panel_parts(site, geometry, self.thickness, gaps, least, self.least_width)
+        faces = [part.face for part in parts if part.face is not None]
+        made = np.zeros(len(wanted), dtype=bool)
+        made[faces] = True
         doubts: list[str] = []
         if inward is not None:
-            beside = site.mesh.connectivity.twins.reshape(-1, 4) >= 0
+            across = neighbours(mesh.connectivity)
+            beside = (across >= 0) & made[across]
             normals = geometry.planes.frame[:, 2]
             closes = closing(normals, inward, beside, self.thickness, self.gap)
             if beams is None:
                 below = closing(-normals, inward, beside, self.thickness, self.gap)
                 closes = np.minimum(closes, below)
-            parts, doubts = judged(parts, closes, self.gap)
-        report = self._report(geometry, parts, least)
-        messages = (*_messages(report, float(gaps.max()), site.material), *doubts)
+            parts, doubts = judged(parts, closes[faces], self.gap)
+        report = self._report(geometry, parts, made, least)
+        if site.trimming is not None:
+            report |= trimming_report(parts, site.trimming, left_out)
+            doubts += left_out_words(left_out, self.least_width)
+        messages = (*_messages(report, float(gaps[made].max()), site.material), *doubts)
         if beams is not None and _faces_down(site.mesh):
             messages += (
                 "panels: they lie under the beams, because the upper side of the net faces down; "
@@ -157,23 +189,27 @@ class Panels(System):
         return SystemParts(parts, report, messages, geometry)
 
     def _report(
-        self, geometry: PanelGeometry, parts: tuple[Part, ...], bearing: FloatArray | None
+        self,
+        geometry: PanelGeometry,
+        parts: tuple[Part, ...],
+        made: BoolArray,
+        bearing: FloatArray | None,
     ) -> dict[str, Any]:
         on_beams = bearing is not None
-        clear = float(geometry.clear.min())
+        clear = float(geometry.clear[made].min())
         return {
             "thickness_mm": self.thickness,
             "gap_mm": self.gap,
             "offset": "on the beams" if on_beams else self.offset,
             "clear_gap_min_mm": clear if np.isfinite(clear) else None,
             "edge": self.edge,
-            "sides_shrunk_more": int((geometry.sides > self.gap / 2 * (1 + 1e-9)).sum())
+            "sides_shrunk_more": int((geometry.sides[made] > self.gap / 2 * (1 + 1e-9)).sum())
             if self.edge == "square"
             else 0,
-            "lift_max_mm": float(geometry.lift.max()),
-            "corners_cut": int(geometry.corners.cut.sum()),
-            "lifted_over_hubs": int(geometry.over_hubs.sum()),
-            "bearing_min_mm": None if bearing is None else float(bearing.min()),
+            "lift_max_mm": float(geometry.lift[made].max()),
+            "corners_cut": int(geometry.corners.cut[made].sum()),
+            "lifted_over_hubs": int(geometry.over_hubs[made].sum()),
+            "bearing_min_mm": None if bearing is None else float(bearing[made].min()),
             "not_put_on": sum(bool(part.assembly) for part in parts),
             **sums(parts),
         }

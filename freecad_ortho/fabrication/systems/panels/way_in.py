@@ -54,17 +54,23 @@ def _along_the_best_way(normal: FloatArray, inward: FloatArray, thickness: float
 def judged(
     parts: Sequence[Part], closes: FloatArray, gap: float
 ) -> tuple[tuple[Part, ...], list[str]]:
-    """Panels with what keeps them from being put in, and a message where something does."""
+    """Panels with what keeps them from being put in, and a message where something does.
+
+    Args:
+        parts: the panels.
+        closes: by how much the sides of each close in on the way in, mm.
+        gap: between neighbours, mm.
+    """
     stuck = np.flatnonzero(closes > gap + _EXACT).tolist()
     if not stuck:
         return tuple(parts), []
     result = list(parts)
-    for face in stuck:
+    for panel in stuck:
         words = (
-            f"cannot be put in last, its bevelled sides close in by {closes[face]:.3g} mm on the "
+            f"cannot be put in last, its bevelled sides close in by {closes[panel]:.3g} mm on the "
             f"way and the gap is {gap:g} mm"
         )
-        result[face] = replace(parts[face], assembly=words)
+        result[panel] = replace(parts[panel], assembly=words)
     first = result[stuck[0]]
     return tuple(result), [
         f"panels: {len(stuck)} of {len(parts)} cannot be put in between their neighbours, "

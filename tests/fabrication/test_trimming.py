@@ -1,0 +1,225 @@
+"""Nets that overhang the border of their surface: what is cut there, and what is left out."""
+
+import numpy as np
+import pytest
+import shapely
+
+from freecad_ortho.fabrication import Panels, build
+from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.plate_bodies import triangles_in
+from freecad_ortho.fabrication.site import Selection, Site
+from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
+from tests.fabrication.conftest import grid_faces
+
+EDGE = 1000.0
+ROWS, COLUMNS = 9, 8
+
+
+@pytest.fixture(scope="module")
+def sheet():
+    """A plane net of squares of 1 m, 7 by 8."""
+    x, y = np.meshgrid(np.arange(COLUMNS), np.arange(ROWS))
+    points = np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
+    return QuadMesh(EDGE * points, grid_faces(ROWS, COLUMNS))
+
+
+def flat(points):
+    """A closed polyline in the plane of the sheet."""
+    return np.column_stack([np.asarray(points, dtype=float), np.zeros(len(points))])
+
+
+def circle(x, y, radius, count=120):
+    angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    return flat(np.array([x, y]) + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1))
+
+
+def kept(mesh, *border):
+    """What is within a border, as one shape in the plane."""
+    site = Site.of(mesh, Selection(), border)
+    corners = mesh.vertices[mesh.faces][..., :2]
+    found = [shapely.Polygon(corners[face]) for face in np.flatnonzero(site.trimming.whole)]
+    for face in site.trimming.regions:
+        for region in site.trimming.flat_regions(face, corners[face]):
+            found.append(region.intersection(shapely.Polygon(corners[face])))
+    whole = shapely.unary_union(found)
+    # No place is kept twice.
+    assert whole.area == pytest.approx(sum(part.area for part in found), rel=1e-9)
+    return whole
+
+
+SLANTED = flat([(900, 1300), (6100, 700), (6400, 6900), (1200, 7300)])
+ALONG_EDGES = flat([(1000, 1000), (6000, 1000), (6000, 7000), (1000, 7000)])
+THROUGH_VERTICES = flat([(3000, 1000), (6000, 4000), (3000, 7000), (1000, 5000), (1000, 3000)])
+# Its tooth enters and leaves the face at x = 3000 to 4000, y = 6000 to 7000 through one side.
+TOOTH = flat([(600, 600), (6400, 600), (6400, 6700), (3700, 6700), (3500, 5600), (3300, 6700)])
+
+
+@pytest.mark.parametrize(
+    "border",
+    [
+        [SLANTED],
+        [SLANTED[::-1]],
+        [circle(3500, 4000, 3300)],
+        [circle(3500, 4000, 3300), circle(3600, 4100, 1234.5)],
+        [circle(3500, 4000, 3300), circle(3450, 3520, 300)],
+        [ALONG_EDGES],
+        [ALONG_EDGES + 1e-4],
+        [THROUGH_VERTICES],
+        [TOOTH],
+    ],
+    ids=[
+        "slanted",
+        "the other way round",
+        "curved",
+        "an opening",
+        "an opening in one face",
+        "along edges",
+        "nearly along edges",
+        "through vertices",
+        "twice through a face",
+    ],
+)
+def test_what_is_within_the_border_is_kept_and_nothing_else(sheet, border):
+    outer, *openings = (shapely.Polygon(line[:, :2]) for line in border)
+    wanted = outer.difference(shapely.unary_union(openings))
+    assert kept(sheet, *border).symmetric_difference(wanted).area <= 1e-5 * wanted.area
+
+
+def test_where_the_net_ends_before_the_border_it_stays_as_it_is(sheet):
+    beyond = shapely.Polygon([(-500, 1500), (7500, 1500), (7500, 6500), (-500, 6500)])
+    border = flat(np.array(beyond.exterior.coords)[:-1])
+    wanted = beyond.intersection(shapely.box(0, 0, 7000, 8000))
+    assert kept(sheet, border).symmetric_difference(wanted).area <= 1e-6 * wanted.area
+    messages = build(sheet, [Panels(12, 8)], border=[border]).report()["messages"]
+    assert any("the net ends before it along 1" in words for words in messages)
+
+
+def test_a_border_along_the_end_of_the_net_leaves_all_of_it(sheet):
+    end = flat([(0, 0), (7000, 0), (7000, 8000), (0, 8000)])
+    assert kept(sheet, end).area == pytest.approx(56e6)
+
+
+def on_roof(roof, along, across):
+    """A closed curve on the roof: rows and columns as fractions of its 6 by 9 faces."""
+    angle = np.linspace(0, 2 * np.pi, 240, endpoint=False)
+    row = 3 + along * np.sin(angle)
+    column = 4.5 + across * np.cos(angle)
+    points = roof.vertices.reshape(7, 10, 3)
+    i, j = row.astype(int), column.astype(int)
+    s, t = (row - i)[:, None], (column - j)[:, None]
+    return (
+        (1 - s) * (1 - t) * points[i, j]
+        + s * (1 - t) * points[i + 1, j]
+        + s * t * points[i + 1, j + 1]
+        + (1 - s) * t * points[i, j + 1]
+    )
+
+
+@pytest.fixture(scope="module")
+def border(roof):
+    """An outer border on the roof and an opening in it."""
+    return [on_roof(roof, 2.6, 4.1), on_roof(roof, 0.8, 1.3)]
+
+
+@pytest.mark.parametrize("edge", ["square", "bevel"])
+def test_trimmed_panels_are_whole_parts(roof, border, edge):
+    structure = build(roof, [Panels(20, 15, edge=edge)], border=border)
+    cut = [part for part in structure.parts if len(part.pattern.outline) != 4]
+    assert 20 < len(cut) < len(structure.parts)
+    for part in structure.parts:
+        solid = part.solid()
+        assert solid.isValid(), part.name
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-9)
+        outline = shapely.Polygon(part.pattern.outline)
+        assert outline.is_valid
+        assert part.area == pytest.approx(outline.area)
+        assert outline.contains(shapely.Point(part.pattern.label))
+        radius = outline.boundary.distance(shapely.Point(part.pattern.label))
+        assert part.pattern.label_size * len(part.name) <= 2.2 * radius
+        for mark in part.pattern.marks:
+            assert outline.buffer(1e-6).covers(shapely.MultiPoint(mark.points))
+        if edge == "square":
+            assert part.volume == pytest.approx(part.area * 20)
+    assert check_clashes(structure.parts).clashes == ()
+
+
+def test_trimmed_panels_reach_the_border(roof, border):
+    """Between panels the border is at most half of the gap away from a side."""
+    structure = build(roof, [Panels(1, 2, "above")], border=border)
+    rings = [part.points[: len(part.pattern.outline)] for part in structure.parts]
+    start = np.concatenate(rings)
+    steps = np.concatenate([np.roll(ring, -1, axis=0) - ring for ring in rings])
+    for point in np.concatenate(border):
+        arms = point - start
+        share = np.clip((arms * steps).sum(axis=1) / (steps**2).sum(axis=1), 0, 1)
+        assert np.linalg.norm(arms - share[:, None] * steps, axis=1).min() <= 1.5
+
+
+def test_neighbours_of_what_is_outside_are_not_named(roof, border):
+    structure = build(roof, [Panels(20, 15)], border=border)
+    names = {part.name for part in structure.parts}
+    told = {mark.text for part in structure.parts for mark in part.pattern.marks if mark.text}
+    assert told <= names
+    assert len(names) < len(roof.faces)
+
+
+def test_pieces_of_one_face_have_names_of_their_own(sheet):
+    structure = build(sheet, [Panels(12, 8)], border=[TOOTH])
+    face = 6 * (COLUMNS - 1) + 3
+    pieces = [part for part in structure.parts if part.face == face]
+    assert [part.name for part in pieces] == [f"P{face:04d}", f"P{face:04d}b"]
+    assert pieces[0].width >= pieces[1].width
+
+
+def test_an_opening_in_one_face_is_cut_out_of_its_panel(sheet):
+    border = [circle(3500, 4000, 3300), circle(3450, 3520, 300)]
+    structure = build(sheet, [Panels(12, 8)], border=border)
+    part = next(part for part in structure.parts if part.face == 3 * (COLUMNS - 1) + 3)
+    assert len(part.pattern.cutouts) == 1
+    area = 992.0**2 - np.pi * 300**2
+    assert part.area == pytest.approx(area, rel=1e-3)
+    assert part.solid().isValid()
+    assert part.solid().Volume() == pytest.approx(part.volume, rel=1e-9)
+    assert part.volume == pytest.approx(12 * part.area)
+    assert check_clashes(structure.parts).clashes == ()
+
+
+def test_narrow_pieces_are_left_out_and_said(sheet):
+    border = [ALONG_EDGES + [[0, 0, 0], [50, 0, 0], [50, 0, 0], [0, 0, 0]]]
+    structure = build(sheet, [Panels(12, 8)], border=border)
+    assert len(structure.parts) == 30
+    report = structure.report()
+    assert report["panels"]["left_out"] == [f"P{row * 7 + 6:04d}" for row in range(1, 7)]
+    assert any("narrower than 60 mm: P0013, P0020" in words for words in report["messages"])
+    all_of_it = build(sheet, [Panels(12, 8, least_width=20)], border=border)
+    assert len(all_of_it.parts) == 36
+    assert all_of_it.report()["panels"]["left_out"] == []
+
+
+def test_without_a_border_nothing_is_said_of_it(sheet):
+    report = build(sheet, [Panels(12, 8)]).report()
+    assert not {"trimmed", "left_out"} & report["panels"].keys()
+    assert len(build(sheet, [Panels(12, 8)]).parts) == len(sheet.faces)
+
+
+def test_systems_that_know_no_border_say_so(sheet):
+    from freecad_ortho.fabrication import Patches
+
+    messages = build(sheet, [Patches(2)], border=[SLANTED]).report()["messages"]
+    assert "patches: they run on over the border, which does not cut them" in messages
+
+
+@pytest.mark.parametrize("moved", [[0, 0, 5000.0], [60000.0, 0, 0]])
+def test_a_border_of_something_else_is_refused(sheet, moved):
+    with pytest.raises(InputError, match=r"border: it is .* mm from the net near face"):
+        build(sheet, [Panels(12, 8)], border=[SLANTED + moved])
+
+
+def test_ears_fill_a_polygon_with_recesses():
+    angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    star = np.stack([np.cos(angle), np.sin(angle)], axis=1) * (1 + 0.6 * np.sin(5 * angle))[:, None]
+    triangles = [shapely.Polygon(star[corners]) for corners in triangles_in(star)]
+    assert len(triangles) == 38
+    assert all(shapely.is_ccw(triangle.exterior) for triangle in triangles)
+    assert sum(triangle.area for triangle in triangles) == pytest.approx(shapely.Polygon(star).area)
