@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 # Toolbar -> names of its commands, in their order; a name is "Ortho_" and the class's name.
 TOOLBARS = {
     "Design": ("ImportNet", "MultiNet", "NewNet", "ChangeNet"),
-    "Optimise": ("Optimise", "EditNet", "FlipNet"),
+    "Optimise": ("Optimise", "OptimiseAgain", "EditNet", "FlipNet"),
     "Analyse": ("Display", "Check", "SavePicture"),
     "Fabricate": (
         "Beams",
@@ -59,7 +59,8 @@ def for_selection() -> list[str]:
 
     if not context.selected_nets_and_structures():
         return []
-    offered = ("EditNet", "Optimise", "FlipNet", "Display", "Check", "Beams", "Lamellas", "Panels")
+    offered = ("EditNet", "Optimise", "OptimiseAgain", "FlipNet", "Display", "Check")
+    offered += ("Beams", "Lamellas", "Panels")
     offered += ("UpdateStructures", "FlatPatterns", "ExportFabrication", "Bake")
     found = [f"Ortho_{name}" for name in offered]
     return [name for name in found if FreeCADGui.isCommandActive(name)]

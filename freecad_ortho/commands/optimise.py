@@ -1,11 +1,16 @@
-"""The commands Optimise, Edit net and Flip net."""
+"""The commands Optimise, Optimise again, Edit net and Flip net."""
 
 from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import FreeCAD
 import FreeCADGui
 
-from freecad_ortho.commands.command import NetCommand
+from freecad_ortho.commands.command import Command, NetCommand
+from freecad_ortho.documents.again import outdated_nets, require_same_vertices
+from freecad_ortho.objects.net import is_net
 from freecad_ortho.window import context, messages
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -24,10 +29,63 @@ class Optimise(NetCommand):
 
     def Activated(self) -> None:
         """Open the task panel."""
-        from freecad_ortho.panels.optimise_panel import OptimisePanel
-
         with messages.errors_shown():
-            FreeCADGui.Control.showDialog(OptimisePanel(context.current_net()))
+            _show_panel(context.current_net())
+
+
+class OptimiseAgain(Command):
+    """Optimise what its source has left behind, as before."""
+
+    icon = "optimise_again"
+    text = QT_TRANSLATE_NOOP("Ortho_OptimiseAgain", "Optimise again")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_OptimiseAgain",
+        "Optimise the selected nets, or all, as before where their sources have changed since",
+    )
+
+    def IsActive(self) -> bool:
+        """Where a net is outdated."""
+        return super().IsActive() and bool(_outdated())
+
+    def Activated(self) -> None:
+        """Open the task panel, which begins, ends and closes by itself, for one after the other."""
+        _go_on(FreeCAD.ActiveDocument.Name, [net.Name for net in _selected()], ())
+
+
+def _outdated() -> list[FreeCAD.DocumentObject]:
+    """The outdated nets that are selected, without a selection all of the document."""
+    if FreeCAD.ActiveDocument is None:
+        return []
+    return outdated_nets(FreeCAD.ActiveDocument, _selected())
+
+
+def _selected() -> list[FreeCAD.DocumentObject]:
+    return [item for item in FreeCADGui.Selection.getSelection() if is_net(item)]
+
+
+def _go_on(name: str, chosen: Sequence[str], done: Sequence[str]) -> None:
+    """Optimise the next outdated net, with what comes after it to follow.
+
+    Args:
+        name: of the document.
+        chosen: names of the nets that are meant, none for all.
+        done: names of those that have had their turn.
+    """
+    if name not in FreeCAD.listDocuments():
+        return
+    for net in outdated_nets(FreeCAD.getDocument(name)):
+        if net.Name in done or (chosen and net.Name not in chosen):
+            continue
+        with messages.errors_shown():
+            require_same_vertices(net)
+            _show_panel(net, partial(_go_on, name, chosen, (*done, net.Name)))
+        return
+
+
+def _show_panel(net: FreeCAD.DocumentObject, then: Callable[[], None] | None = None) -> None:
+    from freecad_ortho.panels.optimise_panel import OptimisePanel
+
+    FreeCADGui.Control.showDialog(OptimisePanel(net, then))
 
 
 class EditNet(NetCommand):

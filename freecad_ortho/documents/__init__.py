@@ -8,6 +8,7 @@ as it was.
 import FreeCAD
 
 from freecad_ortho.calls import list_keywords
+from freecad_ortho.documents.again import optimise_again
 from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.drawing_pages import add_drawing_page, add_drawing_pages
@@ -89,6 +90,7 @@ __all__ = [
     "net_along_curvature",
     "net_from_faces",
     "open_example",
+    "optimise_again",
     "optimise_net",
     "quads_from_mesh",
     "save_picture",

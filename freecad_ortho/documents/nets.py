@@ -165,11 +165,16 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
         InputError: settings that do not fit the mesh; the Net is unchanged.
     """
     require_net(target)
+    with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Optimise")):
+        return optimise_within(target, **settings)
+
+
+def optimise_within(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettings]) -> Outcome:
+    """Do what :func:`optimise_net` does, within a transaction of the caller's."""
     mesh = source_net.starting_mesh(target)
     ready = _ready.pop(_key(target, settings, mesh.vertices), None)
     kept, passed = net_settings.divided(settings)
-    title = FreeCAD.Qt.translate("Ortho", "Optimise")
-    with transaction(target.Document, title), _as_before_on_failure(target):
+    with _as_before_on_failure(target):
         if source_net.is_outdated(target):
             source_net.remake(target)
         _store(target, kept)
@@ -313,9 +318,14 @@ def _as_before_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
 
 
 def _keep(target: FreeCAD.DocumentObject, outcome: Outcome) -> None:
+    store_outcome(target, outcome)
+    target.Document.recompute()
+
+
+def store_outcome(target: FreeCAD.DocumentObject, outcome: Outcome) -> None:
+    """Write an outcome into a Net; what stands on it follows with the next recompute."""
     convert.store_vertices(target, outcome.mesh.vertices)
     target.LastReport = json.dumps(outcome.report.as_dict())
-    target.Document.recompute()
 
 
 def keep_outcome(

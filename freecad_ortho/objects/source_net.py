@@ -54,6 +54,16 @@ _PROPERTIES = (
     ),
     Property(
         "App::PropertyBool",
+        "OptimiseAgain",
+        "Source",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Optimise again at once, as before, when the source of a net that was moved changes",
+        ),
+        flags=OUTPUT,
+    ),
+    Property(
+        "App::PropertyBool",
         "Outdated",
         "Source",
         QT_TRANSLATE_NOOP(
@@ -128,7 +138,7 @@ class SourceNet(Net):
         """Make the net anew; on an error the last one stays.
 
         One whose vertices were moved since stays as well: it is told from what its source would
-        make of it now, and marked.
+        make of it now, and marked, or optimised again.
 
         Raises:
             OrthoError: what is wrong and what to do; FreeCAD shows it and marks the object.
@@ -138,9 +148,15 @@ class SourceNet(Net):
                 remake(feature)
             elif _has_source(feature):
                 _compare(feature)
+                if feature.Outdated and feature.OptimiseAgain:
+                    answers.ask("optimise again", feature)
         except OrthoError as error:
             # The report view shows where an exception came from; the inner frames help nobody.
             raise type(error)(str(error)) from None
+
+
+# How a net is optimised is known above the objects.
+answers.promise("freecad_ortho.documents.again")
 
 
 def create(
@@ -226,8 +242,10 @@ def _compare(feature: FreeCAD.DocumentObject) -> None:
         return
     report = json.loads(feature.LastReport or "{}") | {"outdated": feature.Outdated}
     feature.LastReport = json.dumps(report)
-    if feature.Outdated:
-        outdated.watch()
+    if not feature.Outdated:
+        return
+    outdated.watch()
+    if not feature.OptimiseAgain:
         words = FreeCAD.Qt.translate(
             "Ortho", "{} stays as it is, though its source has changed: optimise it again"
         )

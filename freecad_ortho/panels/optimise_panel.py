@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import FreeCAD
@@ -24,9 +25,12 @@ from freecad_ortho.panels.watch import NetWatch, cover, uncover
 from freecad_ortho.resources import icon
 from freecad_ortho.window import context, messages
 from solver import start_optimisation
-from solver.report import Report
+from solver.report import CONVERGED, Report
 
 translate = FreeCAD.Qt.translate
+
+# Milliseconds for which a panel that starts by itself is seen before.
+_SEEN = 300
 
 
 class OptimisePanel:
@@ -34,11 +38,17 @@ class OptimisePanel:
 
     The document is not touched before OK: while the solver runs only the picture moves.
 
+    Args:
+        net: the Net.
+        then: begin at once, take the result if it is the net that is aimed at, close, and call
+            this; else the panel waits for OK, as any other.
+
     Attributes:
         run: the run that was started last, None before and after Undo.
     """
 
-    def __init__(self, net: FreeCAD.DocumentObject) -> None:
+    def __init__(self, net: FreeCAD.DocumentObject, then: Callable[[], None] | None = None) -> None:
+        self._then = then
         self._document = net.Document.Name
         self._mesh = convert.quad_mesh(net)
         self._settings: dict[str, Any] = {}
@@ -48,6 +58,8 @@ class OptimisePanel:
         self._watch = NetWatch(net, self._leave, self._changed)
         # Others may close the panel too, without asking.
         self.form.destroyed.connect(lambda *_: self._end())
+        if then is not None:
+            QtCore.QTimer.singleShot(_SEEN, self._begin)
 
     @property
     def net(self) -> FreeCAD.DocumentObject | None:
@@ -65,6 +77,7 @@ class OptimisePanel:
 
     def stop(self) -> None:
         """Make no further step; what has been reached stays on the screen."""
+        self._then = None
         if self.run is not None and self.run.running:
             self._say(translate("Ortho", "Stopped. OK keeps this state, Start goes on."))
             # The step under way may be the last one, and then it has more to say.
@@ -111,7 +124,7 @@ class OptimisePanel:
         if self.run is not None:
             self.run.stop()
         self._end()
-        if self.net is not None and self.run is not None and self.run.steps:
+        if self.net is not None and self._has_result():
             with messages.errors_shown():
                 self._commit()
         elif self.net is not None:
@@ -182,11 +195,34 @@ class OptimisePanel:
             self.net.ViewObject.Proxy.show_vertices(outcome.mesh.vertices)
             report = outcome.report
             self._say("\n".join([report.message, *_how_far(report), *report.remarks]))
+            if self._then is not None and report.status == CONVERGED:
+                QtCore.QTimer.singleShot(0, self._finish)
         else:
             self._say(error)
         self._show_state()
         # On a small screen the panel shows fewer lines than what was asked for takes.
         bring_into_sight(self.plot, self.message)
+
+    def _has_result(self) -> bool:
+        """Tell whether there is something to keep: of an outdated net an exact start, too."""
+        if self.run is None:
+            return False
+        renewed = source_net.is_outdated(self.net) and self.run.optimisation.finished
+        return bool(self.run.steps or renewed)
+
+    def _begin(self) -> None:
+        """Start once the panel is seen: FreeCAD shows it a while after it was asked for it."""
+        if self._then is not None and not self.form.isVisible():
+            QtCore.QTimer.singleShot(_SEEN, self._begin)
+        elif self._then is not None:
+            self.start()
+
+    def _finish(self) -> None:
+        """Take the result of a run that nobody has to judge, and go on."""
+        then, self._then = self._then, None
+        if then is not None:
+            self.accept()
+            QtCore.QTimer.singleShot(0, then)
 
     def _commit(self) -> None:
         settings = dict(self._settings)
@@ -221,6 +257,7 @@ class OptimisePanel:
         FreeCADGui.Control.closeDialog()
 
     def _end(self) -> None:
+        self._then = None
         if self.run is not None:
             self.run.drop()
         self.constraints.end()

@@ -60,6 +60,12 @@ class Sequence:
         steps = self.dice.randint(1, 4)
         self.allowed_to_fail(partial(api.optimise_net, net=kind, max_steps=steps), net)
 
+    def optimise_again(self):
+        outdated = [net for net in self.nets() if getattr(net, "Outdated", False)]
+        if not outdated:
+            return False
+        self.allowed_to_fail(api.optimise_again, self.dice.choice(outdated))
+
     def drag_net(self):
         net = self.any_net()
         if net is None or self.dice.random() < 0.5:
