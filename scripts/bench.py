@@ -15,6 +15,7 @@ import platform
 import resource
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,8 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from freecad_ortho import api  # noqa: E402
-from freecad_ortho.fabrication import Beams, Panels, stage_seconds  # noqa: E402
+from freecad_ortho.fabrication import Beams, Lamellas, Panels, build, stage_seconds  # noqa: E402
+from freecad_ortho.fabrication.systems.system import System  # noqa: E402
 from solver import QuadMesh, optimise  # noqa: E402
 from solver.linear.backends import BACKENDS  # noqa: E402
 
@@ -32,6 +34,14 @@ SHARED = ROOT.parent / "shared" / "meshes"
 MESHES = ("demo roof", "heart", "conical1", "botanic-garden-bubble-0", "complete01")
 GRIDS = {"wavy grid 1k": 32, "wavy grid 1.2k": 34, "wavy grid 10k": 100, "wavy grid 100k": 317}
 STRUCTURES = ("demo roof", "conical1", "wavy grid 1.2k")
+LATTICES = ("knet1", "helical-minimal")
+LAMELLAS = {
+    "stock of 6 m": {"stock": 6000.0},
+    "stock of 6 m, two layers": {"stock": 6000.0, "layers": 2},
+    "lying, two layers": {"position": "lying", "layers": 2},
+    "smooth": {"smooth": True},
+    "stock of 2 m": {"stock": 2000.0},
+}
 PARTS = ("solver", "fabrication")
 
 
@@ -116,35 +126,37 @@ def table(backend: str, cases: list[str]) -> str:
 
 
 def measure_fabrication(case: str) -> dict[str, object] | None:
-    """Build and write beams and panels on an optimised mesh; the fastest of three runs counts."""
+    """Build and write structures on an optimised mesh; the fastest of three runs counts."""
     mesh = mesh_of(case)
     if mesh is None:
         return None
-    mesh = optimise(mesh, "principal").mesh
+    mesh = optimise(mesh, "asymptotic" if case in LATTICES else "principal").mesh
     mesh = mesh.scaled(1000 / mesh.mean_edge)
     both = Beams(200, 12), Panels(12, 10)
-    runs = [
-        {"system": system, "parts": parts, **min(times, key=lambda run: run["total"])}
-        for system, parts, chosen in (
-            ("beams", len(mesh.connectivity.edges), both[:1]),
-            ("beams+panels", len(mesh.connectivity.edges) + len(mesh.faces), both),
-        )
-        for times in [[stage_seconds(mesh, chosen) for _ in range(3)]]
-    ]
+    structures: dict[str, Sequence[System]] = {"beams": both[:1], "beams+panels": both}
+    if case in LATTICES:
+        structures = {f"lamellas, {words}": [Lamellas(**v)] for words, v in LAMELLAS.items()}
+    runs = []
+    for system, chosen in structures.items():
+        times = [stage_seconds(mesh, chosen) for _ in range(1 if case in LATTICES else 3)]
+        parts = len(build(mesh, chosen).parts)
+        runs.append({"system": system, "parts": parts, **min(times, key=lambda run: run["total"])})
+        print(system, runs[-1], file=sys.stderr)
     return {"mesh": case, "runs": runs}
 
 
 FABRICATION_HEAD = (
-    "| mesh | system | parts | build s | solids s | STEP s | DXF s | tables s | total s | ratio |\n"
-    "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
+    "| mesh | system | parts | build s | checks s | solids s | STEP s | DXF s | tables s "
+    "| total s | ratio |\n"
+    "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
 )
 
 
 def fabrication_rows(result: dict[str, Any]) -> list[str]:
     """Lines of the table for one mesh."""
     line = (
-        "| {mesh} | {system} | {parts:,} | {build:.2f} | {solids:.2f} | {step:.2f} | {dxf:.2f} "
-        "| {tables:.2f} | {total:.2f} | {ratio:.2f} |"
+        "| {mesh} | {system} | {parts:,} | {build:.2f} | {checks:.2f} | {solids:.2f} | {step:.2f} "
+        "| {dxf:.2f} | {tables:.2f} | {total:.2f} | {ratio:.2f} |"
     )
     return [
         line.format(mesh=result["mesh"], ratio=run["total"] / run["step"], **run)
@@ -155,7 +167,7 @@ def fabrication_rows(result: dict[str, Any]) -> list[str]:
 def fabrication_table() -> str:
     """Measure all structures in processes of their own and return the table."""
     lines = [FABRICATION_HEAD]
-    for case in STRUCTURES:
+    for case in (*STRUCTURES, *LATTICES):
         for text in fabrication_rows(result) if (result := answer("--fabricate", case)) else []:
             lines.append(text)
             print(text, file=sys.stderr)

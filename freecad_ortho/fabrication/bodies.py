@@ -46,6 +46,11 @@ class Body(ABC):
     quick: ClassVar[bool] = False
 
     @property
+    def in_cells(self) -> bool:
+        """Whether its filling are cells that share sides only, bent sides within their corners."""
+        return False
+
+    @property
     @abstractmethod
     def points(self) -> FloatArray:
         """(N, 3) points whose box holds the body."""

@@ -13,18 +13,20 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import BOX_CORNERS, BOX_SIDES, Loops
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 # Points this near to a plane, mm, lie on it: a hundredth of what the CAD kernel takes for a point.
 _ON_PLANE = 1e-9
 # Corners further above a side, mm, make a piece that is not convex, or a side that is not plane.
 _CONVEX = 1e-7
+_BATCH = 4096
 
 _Point = tuple[float, float, float]
 
@@ -35,6 +37,7 @@ class Piece:
 
     Attributes:
         corners: (P, 3) mm.
+        box: (2, 3) their least and largest coordinates.
         loops: corner numbers around each side, counter-clockwise seen from outside.
         normals: (A, 3) unit normals of the sides; zero for a side without area.
         levels: (A,) how far the corners reach along these, mm.
@@ -42,6 +45,7 @@ class Piece:
     """
 
     corners: FloatArray
+    box: FloatArray
     loops: Loops
     normals: FloatArray
     levels: FloatArray
@@ -59,40 +63,117 @@ def convex_pieces(bodies: Sequence[tuple[FloatArray, Loops]]) -> list[Piece]:
         normals = _side_normals(points, loops)
         heights = np.einsum("nak,npk->nap", normals, points)
         levels = heights.max(axis=2)
+        boxes = np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
         own = [levels[:, a] - heights[:, a, list(loop)].min(axis=1) for a, loop in enumerate(loops)]
         convex = np.max(own, axis=0) <= _CONVEX
         for row, number in enumerate(numbers):
             corners, _ = bodies[number]
-            made[number] = Piece(corners, loops, normals[row], levels[row], bool(convex[row]))
+            made[number] = Piece(
+                corners, boxes[row], loops, normals[row], levels[row], bool(convex[row])
+            )
     return [made[number] for number in range(len(bodies))]
 
 
-def shared_volume(one: Sequence[Piece], other: Sequence[Piece]) -> float:
+def core(piece: Piece) -> Piece:
+    """What lies below all corners of each side: within whatever these sides bound, bent or not."""
+    if piece.convex:
+        return piece
+    levels = [
+        (piece.corners[list(loop)] @ normal).min()
+        for loop, normal in zip(piece.loops, piece.normals, strict=True)
+    ]
+    return replace(piece, levels=np.array(levels))
+
+
+def shared_volume(
+    one: Sequence[Piece], other: Sequence[Piece], taken: Sequence[Piece] = ()
+) -> float:
     """Volume that two bodies share, mm3, both as pieces that do not overlap one another.
 
-    Where the pieces are more than a body, it is an upper bound.
+    Where the pieces are more than a body, it is an upper bound. What lies in pieces that are
+    ``taken`` off both does not count, twice where these overlap: then it is a lower bound.
     """
-    low = np.array([piece.corners.min(axis=0) for piece in one])
-    high = np.array([piece.corners.max(axis=0) for piece in one])
+    taken_off: dict[int, list[Piece]] = defaultdict(list)
+    for i, hole in _overlapping(one, taken):
+        taken_off[i].append(taken[hole])
     total = 0.0
-    for piece in other:
-        meets = (low < piece.corners.max(axis=0)) & (high > piece.corners.min(axis=0))
-        near = np.flatnonzero(meets.all(axis=1)).tolist()
-        total += sum(_shared(one[number], piece) for number in near)
-    return total
+    for i, j in _overlapping(one, other):
+        base = one[i].corners.mean(axis=0)
+        left = _shared(one[i], other[j], base)
+        if left is not None:
+            total += left.volume()
+            total -= sum(left.within(_planes(hole, base)) for hole in taken_off[i])
+    return max(total, 0.0)
 
 
-def _shared(one: Piece, other: Piece) -> float:
-    base = one.corners.mean(axis=0)
+def volume_bounds(pieces: Sequence[Piece], pairs: IntArray) -> FloatArray:
+    """(N,) upper bound of the volume that each pair of pieces (N, 2) shares, mm3.
+
+    It is zero where a side of either separates them.
+    """
+    kinds: dict[tuple[Loops, Loops], list[int]] = defaultdict(list)
+    for number, (i, j) in enumerate(pairs.tolist()):
+        kinds[pieces[i].loops, pieces[j].loops].append(number)
+    result = np.empty(len(pairs))
+    for numbers in kinds.values():
+        for start in range(0, len(numbers), _BATCH):
+            some = numbers[start : start + _BATCH]
+            one, other = ([pieces[k] for k in pairs[some, column].tolist()] for column in (0, 1))
+            result[some] = _bound(one, other)
+    return result
+
+
+def _overlapping(one: Sequence[Piece], other: Sequence[Piece]) -> list[tuple[int, int]]:
+    """Numbers of pieces of two bodies that neither their boxes nor their sides separate."""
+    if not one or not other:
+        return []
+    first, second = (np.array([piece.box for piece in pieces]) for pieces in (one, other))
+    # Most pieces of long bodies are far from the other body.
+    here, there = (
+        np.flatnonzero(_meets(boxes, (others[:, 0].min(axis=0), others[:, 1].max(axis=0))))
+        for boxes, others in ((first, second), (second, first))
+    )
+    meets = _meets(first[here, None], (second[there, 0], second[there, 1]))
+    rows, columns = np.nonzero(meets)
+    pairs = np.column_stack([here[rows], there[columns]])
+    kept = volume_bounds([*one, *other], pairs + np.array([0, len(one)])) > 0
+    return [(i, j) for i, j in pairs[kept].tolist()]
+
+
+def _meets(boxes: FloatArray, others: tuple[FloatArray, FloatArray]) -> BoolArray:
+    """Whether boxes (..., 2, 3) overlap others, given by their least and largest coordinates."""
+    low, high = others
+    return np.asarray(((boxes[..., 0, :] < high) & (boxes[..., 1, :] > low)).all(axis=-1))
+
+
+def _bound(one: Sequence[Piece], other: Sequence[Piece]) -> FloatArray:
+    """(N,) the bounds for pieces of one shape each."""
+    normals = np.concatenate(
+        [np.array([piece.normals for piece in some]) for some in (one, other)], axis=1
+    )
+    first, second = (np.array([piece.corners for piece in some]) for some in (one, other))
+    boxes = (np.array([piece.box for piece in some]) for some in (one, other))
+    spans = [normals @ np.moveaxis(points, 1, 2) for points in (first, second)]
+    overlap = np.minimum(
+        spans[0].max(axis=2) - spans[1].min(axis=2), spans[1].max(axis=2) - spans[0].min(axis=2)
+    )
+    depth = np.maximum(overlap.min(axis=1), 0.0)
+    (low, high), (other_low, other_high) = (np.moveaxis(box, 1, 0) for box in boxes)
+    box = np.minimum(high, other_high) - np.maximum(low, other_low)
+    return np.asarray(depth * (box**2).sum(axis=1))
+
+
+def _shared(one: Piece, other: Piece, base: FloatArray) -> _Clipped | None:
+    """What two pieces share, seen from a base point; None for nothing."""
     cutting = [_planes(other, base)]
     if one.convex:
         left = _Clipped((one.corners - base).tolist(), one.loops)
     else:
-        box = np.where(BOX_CORNERS, one.corners.max(axis=0), one.corners.min(axis=0))
+        box = np.where(BOX_CORNERS, one.box[1], one.box[0])
         left = _Clipped((box - base).tolist(), BOX_SIDES)
         cutting.append(_planes(one, base))
     planes = (plane for planes in cutting for plane in planes)
-    return left.volume() if all(left.cut(*plane) for plane in planes) else 0.0
+    return left if all(left.cut(*plane) for plane in planes) else None
 
 
 def _planes(piece: Piece, base: FloatArray) -> list[tuple[_Point, float]]:
@@ -104,7 +185,7 @@ def _planes(piece: Piece, base: FloatArray) -> list[tuple[_Point, float]]:
 class _Clipped:
     """A convex polyhedron that half-spaces cut down."""
 
-    def __init__(self, points: Sequence[Sequence[float]], sides: Loops) -> None:
+    def __init__(self, points: Sequence[Sequence[float]], sides: Sequence[Sequence[int]]) -> None:
         self.points: list[_Point] = [(x, y, z) for x, y, z in points]
         self.sides: list[Sequence[int]] = list(sides)
 
@@ -126,6 +207,11 @@ class _Clipped:
         if len(rim) > 2:
             self.sides.append(self._around(sorted(rim), normal))
         return True
+
+    def within(self, planes: Sequence[tuple[_Point, float]]) -> float:
+        """Volume of what lies below planes, mm3."""
+        part = _Clipped(self.points, self.sides)
+        return part.volume() if all(part.cut(*plane) for plane in planes) else 0.0
 
     def _below(
         self, side: Sequence[int], heights: list[float], crossings: dict[tuple[int, int], int]

@@ -5,11 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freecad_ortho.fabrication.bodies import Body, Polyhedron
-from solver.mesh.quadmesh import FloatArray
+import numpy as np
+
+from freecad_ortho.fabrication.bodies import Body, Polyhedron, prism_sides
+from solver.mesh.quadmesh import FloatArray, unit_rows
 
 if TYPE_CHECKING:
     import cadquery
+
+
+# Sides of a prism around a hole, and how much wider it is than the hole: in twisted plates the
+# walls of holes lean a little.
+_SIDES, _WIDER = 8, 1.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +34,20 @@ class Drill:
     direction: FloatArray
     diameter: float
     thickness: float
+
+    def around(self) -> Polyhedron:
+        """A prism that holds the hole and reaches beyond the plate."""
+        first = unit_rows(
+            np.cross(self.direction, np.eye(3)[np.abs(self.direction).argmin()])[None]
+        )[0]
+        second = np.cross(self.direction, first)
+        angles = 2 * np.pi * np.arange(_SIDES) / _SIDES
+        radius = _WIDER * self.diameter / 2 / np.cos(np.pi / _SIDES)
+        ring = self.centre + radius * (
+            np.cos(angles)[:, None] * first + np.sin(angles)[:, None] * second
+        )
+        lift = self.thickness * self.direction
+        return Polyhedron(np.concatenate([ring - lift, ring + lift]), prism_sides(_SIDES))
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +81,10 @@ class DrilledBody(Body):
     def filling(self) -> tuple[Polyhedron, ...]:
         """That of the whole body."""
         return self.whole.filling()
+
+    def holes(self) -> tuple[Polyhedron, ...]:
+        """Prisms that hold the holes and reach beyond the plate."""
+        return tuple(drill.around() for drill in self.drills)
 
     def solid(self) -> cadquery.Solid:
         """Build the closed solid with its holes."""

@@ -38,6 +38,8 @@ class RuledBody(Body):
             other's; (16, 3) with the control points of curved edges after them.
         sheets: further sides, cut from surfaces.
         bores: holes through ``sides``.
+        cells: whether the blocks are the body: they share no more than sides, and straight lines
+            between the corners of each side sweep it.
     """
 
     corners: FloatArray
@@ -46,6 +48,12 @@ class RuledBody(Body):
     blocks: tuple[FloatArray, ...] = ()
     sheets: tuple[Sheet, ...] = ()
     bores: tuple[Bore, ...] = ()
+    cells: bool = False
+
+    @property
+    def in_cells(self) -> bool:
+        """Whether the blocks are."""
+        return self.cells
 
     def pieces(self) -> tuple[Polyhedron, ...]:
         """The blocks."""
@@ -65,8 +73,15 @@ class RuledBody(Body):
         """The blocks, shorter where sides are no planes: so they hold the body more closely."""
         if all(sheet.rails is None for sheet in self.sheets):
             return self.pieces()
-        blocks = tuple(part for block in self.blocks for part in _shorter(block))
-        return replace(self, blocks=blocks).pieces()
+        kinds: dict[int, list[FloatArray]] = {}
+        for block in self.blocks:
+            kinds.setdefault(len(block), []).append(block)
+        blocks = [
+            part
+            for count, some in kinds.items()
+            for part in (_shorter(np.array(some)) if count in (8, *_RING) else some)
+        ]
+        return replace(self, blocks=tuple(blocks)).pieces()
 
     def seen_from(self, origin: FloatArray, frame: FloatArray) -> RuledBody:
         """The same body seen from an ``origin`` (3,), its axes the rows of ``frame`` (3, 3)."""
@@ -176,29 +191,27 @@ class RuledBody(Body):
         return ruled_solid(self)
 
 
-def _shorter(block: FloatArray) -> list[FloatArray]:
-    """Parts of a block of 8 or 16 points along its rails, each with the points of one block."""
-    if len(block) not in (8, *_RING):
-        return [block]
-    ends = block[:8].reshape(2, 4, 3)
-    rails = [ends[:, [0, 1]], ends[:, [3, 2]]]
-    inner = block[8:].reshape(2, 2, -1, 3)
-    # (level, side, P, 3) control points of the four rails.
+def _shorter(blocks: FloatArray) -> FloatArray:
+    """Parts of blocks (B, 8 or 16, 3) along their rails, each with as many points."""
+    ends = blocks[:, :8].reshape(-1, 2, 4, 3)
+    inner = blocks[:, 8:].reshape(len(blocks), 2, 2, -1, 3)
+    # (block, level, side, P, 3) control points of the four rails.
     poles = np.stack(
         [
-            np.concatenate([rail[:, :1], inner[:, k], rail[:, 1:]], axis=1)
-            for k, rail in enumerate(rails)
+            np.concatenate([rail[:, :, :1], inner[:, :, k], rail[:, :, 1:]], axis=2)
+            for k, rail in enumerate([ends[:, :, [0, 1]], ends[:, :, [3, 2]]])
         ],
-        axis=1,
+        axis=2,
     )
-    count = poles.shape[2]
+    count = poles.shape[3]
     found = []
     for start in range(_PARTS):
         places = (start + np.linspace(0, 1, count)) / _PARTS
         part = through(blend(count, places) @ poles)
-        around = np.concatenate([part[:, 0, [0, -1]], part[:, 1, [-1, 0]]], axis=1)
-        found.append(np.concatenate([around.reshape(8, 3), part[:, :, 1:-1].reshape(-1, 3)]))
-    return found
+        around = np.concatenate([part[:, :, 0, [0, -1]], part[:, :, 1, [-1, 0]]], axis=2)
+        handles = part[:, :, :, 1:-1].reshape(len(blocks), -1, 3)
+        found.append(np.concatenate([around.reshape(-1, 8, 3), handles], axis=1))
+    return np.stack(found, axis=1).reshape(-1, *blocks.shape[1:])
 
 
 def _volume_to_surface(rails: FloatArray, places: tuple[tuple[FloatArray, ...], ...]) -> float:

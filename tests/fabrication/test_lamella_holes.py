@@ -1,6 +1,7 @@
 """Lamellas that are slotted, drilled and spliced: closed from corner points, read back, quick."""
 
 import time
+from dataclasses import replace
 
 import cadquery
 import numpy as np
@@ -10,6 +11,7 @@ from scipy.spatial import ConvexHull
 
 from freecad_ortho.fabrication import Lamellas, Selection, build
 from freecad_ortho.fabrication.bezier import bernstein, raised, through
+from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.step import read_step, write_step
 from tests.fabrication.test_lamellas import check_solids, rounded
 from tests.meshes import helicoid
@@ -101,6 +103,64 @@ def test_shorter_blocks_hold_a_plate_more_closely(some):
         assert -1e-9 < close <= loose + 1e-9
         if any(sheet.rails is not None for sheet in getattr(body, "sheets", ())):
             assert close < 0.3 * loose, part.name
+
+
+def test_pieces_of_plates_turn_their_sides_outwards(some):
+    """Turned inwards they would be bounds all the same, but wide ones."""
+    for part in some.parts:
+        for pieces in (part.body.filling(), part.body.pieces()):
+            inwards = sum(min(piece.volume, 0.0) for piece in pieces)
+            assert inwards >= -1e-4 * part.volume, part.name
+
+
+def test_prisms_around_holes_hold_them(some):
+    """Points on the rims of a hole lie within the circle that its prism stands about."""
+    for part in [part for part in some.parts if part.pattern.holes][:1]:
+        drill, prism = part.body.drills[0], part.body.holes()[0]
+        flats = (prism.corners[0] + prism.corners[1]) / 2 - drill.centre
+        within = np.linalg.norm(np.cross(flats, drill.direction))
+        rims = []
+        for edge in part.body.solid().Edges():
+            points = np.array([p.toTuple() for p in edge.positions(np.linspace(0, 1, 9))])
+            radii = np.linalg.norm(np.cross(points - drill.centre, drill.direction), axis=1)
+            deep = np.abs((points - drill.centre) @ drill.direction)
+            if radii.max() < 0.7 * drill.diameter and deep.max() < drill.thickness:
+                rims.append(radii.max())
+        assert rims and max(rims) < within < 0.55 * drill.diameter, part.name
+
+
+def test_twisted_drilled_laths_that_clash_need_no_kernel(monkeypatch):
+    """Two laths that are bolted, the upper one moved into the lower."""
+    settings = {"strip": "twisted", "position": "lying", "layers": 2}
+    parts = build(helicoid(4, 4).scaled(3000.0), [Lamellas(60, 5, **settings)]).parts
+    lower, upper = (
+        next(part for part in parts if (part.family, part.line) == (family, 1)) for family in "uv"
+    )
+    (vertex,) = set(lower.vertices) & set(upper.vertices)
+    across = lower.body.drills[lower.vertices.index(vertex)].direction @ lower.frame
+    ways = [replace(upper, origin=upper.origin + move * across) for move in (-3.0, 3.0)]
+    with monkeypatch.context() as patch:
+        patch.setattr("OCP.BRepAlgoAPI.BRepAlgoAPI_Common", None)
+        checks = [check_clashes([lower, moved]) for moved in ways]
+    assert sorted((check.cut, len(check.clashes)) for check in checks) == [(0, 0), (0, 1)]
+    (moved, clash) = next(
+        (moved, check.clashes[0])
+        for moved, check in zip(ways, checks, strict=True)
+        if check.clashes
+    )
+    common = BRepAlgoAPI_Common(lower.solid().wrapped, moved.solid().wrapped).Shape()
+    assert clash.volume == pytest.approx(cadquery.Shape.cast(common).Volume(), rel=1 / 7)
+
+
+def test_what_only_a_hole_holds_is_no_clash():
+    """A pin in a hole shares nothing, a wider one does: what is unsure goes to the kernel."""
+    structure = build(helicoid(5, 5).scaled(3000.0), [Lamellas(40, 3, hole=6.0, stock=2500.0)])
+    part = next(part for part in structure.parts if part.kind == "splice")
+    for share, cut, clashing in ((0.6, 1, 0), (1.3, 1, 1), (4.0, 0, 1)):
+        drill = replace(part.body.drills[0], diameter=share * part.body.drills[0].diameter)
+        pin = replace(part, name="pin", body=drill.around(), volume=drill.around().volume)
+        check = check_clashes([part, pin])
+        assert (check.cut, len(check.clashes)) == (cut, clashing)
 
 
 def test_bezier_curves_stay_themselves():

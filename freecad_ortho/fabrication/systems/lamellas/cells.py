@@ -110,13 +110,13 @@ def hulls(
             rings = [
                 rails.at(spans[:, k, side], row + k, side)[order]
                 for k in (0, 1)
-                for side, order in ((0, slice(None)), (1, slice(None, None, -1)))
+                for side, order in ((1, slice(None)), (0, slice(None, None, -1)))
             ]
             if rails.spline is not None:
                 rings += [
                     rails.handles(spans[:, k, side], row + k, side)
                     for k in (0, 1)
-                    for side in (0, 1)
+                    for side in (1, 0)
                 ]
             found.append(np.concatenate(rings))
     return tuple(found)

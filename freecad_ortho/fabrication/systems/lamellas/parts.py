@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -121,6 +121,8 @@ def _bodies(
     plated = half_length(settings) - settings.clearance / 2 if lamella.bolts else 0.0
     blocks = hulls(ribbon, slots, smooth, plated)
     whole = span_body(ribbon, slots, (), smooth, name, blocks)
+    # Slots and the ends under splice plates are cut across the lines that sweep the sides.
+    whole = replace(whole, cells=not (slots or smooth or plated))
     return whole, span_body(ribbon, slots, holes, smooth, name) if holes else whole
 
 
