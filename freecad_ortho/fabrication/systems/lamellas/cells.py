@@ -92,17 +92,10 @@ def hulls(
         first, last = grid.places[cell : cell + 2, rows]
         share = width / rails.length(first[0], last[0])
         cuts = [np.full((2, 2), at) for at in ((0, share, 1 - share, 1) if share < 0.4 else (0, 1))]
-        ends = np.stack(
-            [
-                [rails.at(at[[k]], row + k, side)[0] for side in (0, 1)]
-                for at in (first, last)
-                for k in (0, 1)
-            ]
-        ).reshape(2, 2, 2, 3)
         if plated and cell == 0:
-            cuts.append(plated / ((ends[1] - ends[0]) @ rails.along[0]))
+            cuts.append(plated / (_edges(rails, first, last, row) @ rails.along[0]))
         if plated and cell == len(grid.full) - 1:
-            cuts.append(1 - plated / ((ends[1] - ends[0]) @ rails.along[1]))
+            cuts.append(1 - plated / (_edges(rails, first, last, row) @ rails.along[1]))
         cuts = sorted((cut for cut in cuts if 0 <= cut.min() and cut.max() <= 1), key=np.mean)
         for low, high in pairwise(cuts):
             # (end, level, side)
@@ -120,6 +113,15 @@ def hulls(
                 ]
             found.append(np.concatenate(rings))
     return tuple(found)
+
+
+def _edges(rails: Rails, first: FloatArray, last: FloatArray, row: int) -> FloatArray:
+    """(level, side, 3) from one end of a cell to the other along its edges."""
+    start, end = (
+        np.array([[rails.at(at[[k]], row + k, side)[0] for side in (0, 1)] for k in (0, 1)])
+        for at in (first, last)
+    )
+    return np.asarray(end - start)
 
 
 class Rails:
