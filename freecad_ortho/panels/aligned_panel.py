@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from typing import Any
 
 import FreeCAD
 from PySide import QtGui
 
+from freecad_ortho.objects import source_net
 from freecad_ortho.objects.making import Making
+from freecad_ortho.objects.strokes import curves
 from freecad_ortho.panels.aside import Aside
 from freecad_ortho.panels.source_panel import SourcePanel
+from freecad_ortho.panels.stroke_box import StrokeBox
 from freecad_ortho.sources import Made
+from freecad_ortho.view.field_shapes import crosses, singular_points, stroke_lines
 from freecad_ortho.window import messages
 from solver.errors import OrthoError
 
@@ -30,7 +35,11 @@ class AlignedPanel(SourcePanel):
 
     def look(self) -> None:
         """Begin to make the net once the fields have settled."""
-        state = repr((self.values(), self.inputs.strokes))
+        if self.strokes.strokes != list(self.inputs.strokes):
+            self.inputs = replace(self.inputs, strokes=list(self.strokes.strokes))
+            self._show_parts()
+        named = [(feature.Name, part) for feature, part in self.inputs.strokes]
+        state = repr((self.values(), named))
         if state != self._last:
             settling = 0.0 if self._last is None else _SETTLED
             self._last, self._begin_at = state, time.monotonic() + settling
@@ -114,26 +123,46 @@ class AlignedPanel(SourcePanel):
             super().accept()
 
     def _show(self, made: Made) -> None:
-        first = not self._covered
         super()._show(made)
-        if first:
-            self._covered = True
-            super()._cover()
-            if self._edited is None:
-                self._fit()
+        first, self._seen = self._seen is None, made
+        self._show_parts()
+        if first and self._edited is None:
+            self._fit()
+
+    def _show_parts(self) -> None:
+        """Show the net and what its lines follow; while strokes are picked the shapes instead."""
+        seen, picking = self._seen, self.strokes.pick_button.isChecked()
+        shapes = stroke_lines(curves(list(self.inputs.strokes)))
+        if seen is not None:
+            self.preview.show(None if picking else seen.mesh)
+            shapes += crosses(seen.field, seen.mesh.mean_edge) * self.field_box.isChecked()
+            shapes += singular_points(seen.singular)
+        self.preview.show_marks(shapes)
+        for feature in self._shown_before:
+            feature.Visibility = picking or seen is None
 
     def _cover(self) -> None:
         """Nothing is hidden before there is something to be seen in its place."""
 
+    def _changed(self) -> dict[str, Any]:
+        """What is given anew to the net that is edited."""
+        if self._edited is None:
+            return super()._changed()
+        stored = source_net.inputs_of(FreeCAD.getDocument(self._document).getObject(self._edited))
+        same = list(stored.strokes) == list(self.inputs.strokes)
+        return super()._changed() | ({} if same else {"strokes": list(self.inputs.strokes)})
+
     def _show_state(self) -> None:
         self.progress.setVisible(self.aside.busy)
         if self._table is not None:
-            self._table.setEnabled(not self._accepting)
+            for widget in (self._table, self.strokes.widget):
+                widget.setEnabled(not self._accepting)
 
     def _build_form(self, title: str, picture: str, group: str, edited: Any) -> None:
         super()._build_form(title, picture, group, edited)
         self.aside = Aside(self._reached, self._ended)
-        self._waits = self._accepting = self._covered = False
+        self._waits = self._accepting = False
+        self._seen: Made | None = None
         self._error: str | None = None
         self._begin_at = 0.0
         self.bar = QtGui.QProgressBar()
@@ -146,8 +175,22 @@ class AlignedPanel(SourcePanel):
         line.addWidget(self.bar)
         line.addWidget(self.stop_button)
         self.form.layout().insertWidget(3, self.progress)
+        self.strokes = StrokeBox(self.inputs.strokes, lambda on: self._show_parts())
+        self.field_box = QtGui.QCheckBox(translate("Ortho", "Show the field"))
+        self.field_box.setToolTip(
+            translate(
+                "Ortho",
+                "The two directions that lines follow; grey where curvature does not say much",
+            )
+        )
+        self.field_box.toggled.connect(lambda on: self._show_parts())
+        box = QtGui.QGroupBox(translate("Ortho", "Strokes"))
+        QtGui.QVBoxLayout(box).addWidget(self.strokes.widget)
+        self.form.layout().addWidget(box)
+        self.form.layout().addWidget(self.field_box)
         self._show_state()
 
     def _clear(self, *_: Any) -> None:
         self.aside.stop()
+        self.strokes.end()
         super()._clear()

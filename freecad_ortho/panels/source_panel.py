@@ -148,9 +148,7 @@ class SourcePanel:
             QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
 
     def _commit(self) -> None:
-        before = {**self.source.defaults, **self._starting}
-        values = {name: _plain(value) for name, value in self.values().items()}
-        changed = {k: value for k, value in values.items() if value != _plain(before[k])}
+        changed = self._changed()
         document = FreeCAD.getDocument(self._document)
         # What the function hides from here on, Undo shows again.
         for feature in self._shown_before:
@@ -164,6 +162,12 @@ class SourcePanel:
             inputs = {word: list(items) for word, items in given if items}
             inputs |= {} if inputs else {"document": document.Name}
             context.run("add_source", self.source.name, **inputs, **changed)
+
+    def _changed(self) -> dict[str, Any]:
+        """Options that are not as they were."""
+        before = {**self.source.defaults, **self._starting}
+        values = {name: _plain(value) for name, value in self.values().items()}
+        return {k: value for k, value in values.items() if value != _plain(before[k])}
 
     def _close(self, restore: bool = False) -> None:
         self._stop()

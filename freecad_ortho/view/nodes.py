@@ -23,10 +23,14 @@ def unlit() -> coin.SoLightModel:
     return node
 
 
-def nearer() -> coin.SoDepthBuffer:
-    """What follows is seen where it lies in the same surface as something else."""
+def nearer(by: float = _NEARER) -> coin.SoDepthBuffer:
+    """What follows is seen where it lies in the same surface as something else.
+
+    Args:
+        by: part of the depth of the scene.
+    """
     node = coin.SoDepthBuffer()
-    node.range = (0.0, 1.0 - _NEARER)
+    node.range = (0.0, 1.0 - by)
     # What is drawn later in the same place is seen, as without this node.
     node.function = coin.SoDepthBuffer.LEQUAL
     return node

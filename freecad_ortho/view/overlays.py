@@ -44,10 +44,11 @@ class Overlays:
             layer.removeAllChildren()
             if mesh is not None and name in chosen:
                 for shape in shapes(mesh):
-                    layer.addChild(_node(shape))
+                    layer.addChild(shape_node(shape))
 
 
-def _node(shape: Shape) -> coin.SoSeparator:
+def shape_node(shape: Shape) -> coin.SoSeparator:
+    """The Coin node of a shape."""
     if isinstance(shape, Lines):
         return _lines(shape)
     return _points(shape) if isinstance(shape, Points) else _balls(shape)

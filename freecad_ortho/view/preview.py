@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
@@ -9,11 +10,15 @@ import numpy as np
 from pivy import coin
 
 from freecad_ortho.view import colours, nodes
+from freecad_ortho.view.overlay_shapes import Points, Shape
+from freecad_ortho.view.overlays import shape_node
 from solver.mesh.quadmesh import QuadMesh
 
 _FACES = (0.55, 0.74, 0.90)
 _LINES = (0.10, 0.22, 0.36)
 _GROUND = (0.94, 0.80, 0.55)
+# Part of the depth of the scene by which points come before the net.
+_POINTS = 0.01
 
 
 class Preview:
@@ -32,6 +37,8 @@ class Preview:
         self._ground = _Sheet(_GROUND, (0.75, 0.60, 0.35), 0.75)
         for sheet in (self._net, self._ground):
             self.root.addChild(sheet.root)
+        self._marks = coin.SoSeparator()
+        self.root.addChild(self._marks)
         self._scene.addChild(self.root)
 
     def show(self, mesh: QuadMesh | None) -> None:
@@ -41,6 +48,17 @@ class Preview:
     def show_ground(self, mesh: QuadMesh | None) -> None:
         """Show through what the net is drawn on."""
         self._ground.show(mesh)
+
+    def show_marks(self, shapes: Sequence[Shape]) -> None:
+        """Show lines and points on the net, in mm, in place of the last ones."""
+        self._marks.removeAllChildren()
+        for shape in shapes:
+            # A point is as large as it is drawn, and half of it would lie below the net.
+            depth = nodes.nearer(_POINTS) if isinstance(shape, Points) else nodes.nearer()
+            mark = coin.SoSeparator()
+            for node in (nodes.unpickable(), depth, shape_node(shape)):
+                mark.addChild(node)
+            self._marks.addChild(mark)
 
     def remove(self) -> None:
         """Take everything out of the view; doing it again changes nothing."""

@@ -3,6 +3,7 @@
 import math
 
 import FreeCAD
+import numpy as np
 import Part
 
 
@@ -14,6 +15,23 @@ def roof(rise=900.0, size=2000.0):
             for j in range(5)
         ]
         for i in range(5)
+    ]
+    surface = Part.BSplineSurface()
+    surface.interpolate(rows)
+    return surface.toShape()
+
+
+def dome():
+    """A B-spline face over 30 m x 20 m with four umbilics, as of a dome over a rectangle."""
+    across = np.linspace(-0.5, 0.5, 13)
+    rows = [
+        [
+            FreeCAD.Vector(
+                3e4 * u, 2e4 * v, 6e3 * math.cos(0.9 * math.pi * u) * math.cos(0.9 * math.pi * v)
+            )
+            for v in across.tolist()
+        ]
+        for u in across.tolist()
     ]
     surface = Part.BSplineSurface()
     surface.interpolate(rows)

@@ -7,10 +7,10 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
-from ortho_aligned_tools import roof
+from ortho_aligned_tools import dome, roof
 from ortho_suite_cases import PanelCase, WindowCase
 from ortho_suite_tools import press, wait
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from freecad_ortho import api, commands
 from freecad_ortho.objects import making
@@ -169,6 +169,89 @@ class TestStrokes(AlignedCase):
         self.replay()
         self.assertEqual(tools.vertices(self.document.Objects[-1]).tobytes(), points)
         self.assertEqual(self.errors, [])
+
+    def test_edges_are_picked_while_the_panel_is_open(self):
+        panel = self.opened_on("Face1")
+        panel.fields["edge"].value = 1200.0
+        self.until_made(panel)
+        self.assertFalse(self.sheet.Visibility)
+        panel.strokes.pick_button.click()
+        self.assertTrue(self.sheet.Visibility)
+        self.assertEqual(self.previewed_faces(), 0)
+        for name in ("Edge2", "Edge4", "Face1", "Edge2"):
+            FreeCADGui.Selection.addSelection(self.sheet, name)
+            wait(seconds=0.1)
+        self.assertEqual(panel.strokes.strokes, [(self.sheet, "Edge4")])
+        self.assertIn("not 'Face1'", self.said.pop())
+        wait(seconds=0.3)
+        self.until_made(panel)
+        panel.strokes.pick_button.click()
+        self.assertFalse(self.sheet.Visibility)
+        self.assertGreater(self.previewed_faces(), 10)
+        press("Ok")
+        net = self.document.Objects[-1]
+        self.assertEqual(net.Strokes, [(self.sheet, ("Edge4",))])
+        net.ViewObject.Proxy.doubleClicked(net.ViewObject)
+        wait()
+        self.panel.strokes.clear_button.click()
+        press("Ok")
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), LONG))
+        self.assertEqual(net.Strokes, [])
+        self.assertTrue(self.lines[-1].endswith("strokes=[])"), self.lines[-1])
+        self.assertEqual(self.errors, [])
+
+    def previewed_faces(self):
+        return self.panel.preview._net._faces.coordIndex.getNum()
+
+
+class TestField(AlignedCase):
+    def children(self, node):
+        return [node.getChild(k) for k in range(node.getNumChildren())]
+
+    def marks(self):
+        """Numbers of lines and of points that are drawn on the preview, and their colours."""
+        lines, points, colours = 0, 0, set()
+        for mark in self.children(self.panel.preview._marks):
+            for child in self.children(self.children(mark)[-1]):
+                kind = child.getTypeId().getName()
+                if kind == "LineSet":
+                    lines += child.numVertices.getNum()
+                elif kind == "PointSet":
+                    points += child.numPoints.getValue()
+                elif kind == "Material":
+                    colours.add(child.diffuseColor[0].getValue())
+        return lines, points, colours
+
+    def test_crosses_strokes_and_singular_points_are_drawn(self):
+        self.sheet.Shape = dome()
+        self.document.recompute()
+        panel = self.opened_on("Face1")
+        self.until_made(panel)
+        singular = panel.made.singular
+        self.assertEqual(len(singular.places), 4)
+        self.assertEqual(sorted(set(singular.valences.tolist())), [3, 5])
+        words = "irregular: 2 vertices with 3 lines, 2 vertices with 5 lines"
+        self.assertIn(words, panel.message.text())
+        self.assertEqual(self.marks()[:2], (0, 4))
+        plain = self.picture()
+        panel.field_box.click()
+        lines, points, colours = self.marks()
+        faces = len(panel.made.mesh.faces)
+        self.assertTrue(0.6 * faces < lines / 2 < 1.4 * faces, (lines, faces))
+        self.assertEqual(points, 4)
+        self.assertGreater(len(colours), 3)
+        self.assertGreater((plain != self.picture()).any(axis=2).mean(), 0.02)
+        panel.field_box.click()
+        self.assertEqual(self.marks()[:2], (0, 4))
+        press("Cancel")
+        self.assertLess(panel.view.getSceneGraph().findChild(panel.preview.root), 0)
+
+    def picture(self):
+        """Pixels of the view as (height, width, 3) bytes."""
+        path = str(tools.SCRATCH / "field.png")
+        FreeCADGui.activeView().saveImage(path, 900, 600, "White")
+        image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
+        return np.frombuffer(bytes(image.constBits()), np.uint8).reshape(600, 900, 3)
 
 
 class TestAgain(WindowCase):
