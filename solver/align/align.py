@@ -13,11 +13,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from solver.align.border import Border
 from solver.align.cells import Quads, quads
 from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
 from solver.align.field import Field, Guide, smooth_field
-from solver.align.guides import TURNED, net_guide, with_strokes
+from solver.align.guides import TURNED, along_border, net_guide, with_strokes
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
 from solver.align.seamless import FIRM, Map, seamless_map
@@ -30,6 +31,8 @@ from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
 
+# What may become of the border.
+BORDERS = ("trim", "follow")
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
 _REMEDY = "give a shorter edge, or smooth the surface there"
@@ -75,6 +78,7 @@ def aligned(
     net: str = "principal",
     edge: float,
     ratio: float = 1.0,
+    border: str = "trim",
     strokes: Sequence[FloatArray] = (),
     waiting: Callable[[str], object] = lambda stage: None,
 ) -> Aligned:
@@ -87,6 +91,7 @@ def aligned(
             degrees to it).
         edge: wanted edge length.
         ratio: edge length of the other family of lines over that.
+        border: ``trim`` lets the net overhang, ``follow`` bends it to the border.
         strokes: polylines (n, 3) on the surface along which lines of the net run.
         waiting: called with the name of each stage as it begins; what it raises is passed on.
 
@@ -96,6 +101,8 @@ def aligned(
     """
     if net not in TURNED:
         raise InputError(f"net: expected one of {', '.join(TURNED)}, got {net}")
+    if border not in BORDERS:
+        raise InputError(f"border: expected one of {', '.join(BORDERS)}, got {border}")
     if not (np.isfinite(ratio) and 0.05 <= ratio <= 20):
         raise InputError(f"ratio: expected 0.05 to 20, got {ratio:g}")
     waiting("curvature")
@@ -106,8 +113,12 @@ def aligned(
     smooth, work = prepared(surface, edge, min(edge, edge * ratio), remarks)
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
+    followed = None
+    if border == "follow":
+        followed = Border.of(work.mesh, work.inner, edge)
+        guide = along_border(work.mesh, guide, followed, edge)
     guide = with_strokes(work.mesh, guide, strokes, edge)
-    mesh, field = _mapped(work, guide, (edge, edge * ratio), waiting, remarks)
+    mesh, field = _mapped(work, guide, followed, (edge, edge * ratio), waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
     connected = mesh.connectivity
     irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
@@ -141,6 +152,7 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
 def _mapped(
     work: Work,
     guide: Guide,
+    border: Border | None,
     edges: tuple[float, float],
     waiting: Callable[[str], object],
     remarks: list[str],
@@ -156,7 +168,7 @@ def _mapped(
         for firm in FIRM:
             waiting("map")
             made = seamless_map(
-                *(mesh, cut, layout, guide.firmness, edges, work.inner, firm),
+                *(mesh, cut, layout, guide.firmness, edges, work.inner, firm, border),
                 step=lambda: waiting("map"),
             )
             waiting("quads")

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial import cKDTree
 
+from solver.align.border import Border
 from solver.align.field import Guide, curvature_guide
 from solver.align.triangle_mesh import TriangleMesh
 from solver.errors import InputError
@@ -25,6 +26,8 @@ _MOSTLY = 0.8
 # How much more than curvature a stroke counts; in edges, how wide it is, within which distance
 # lines turn to it, and how far from the surface it may be.
 _STROKE, _WIDE, _TURN, _OFF = 30.0, 0.6, 8.0, 1.0
+# The same of the border: lines turn to it over the last rows.
+_BESIDE, _LAST = 0.4, 4.0
 # Places that a stroke is looked at, for each edge of the net.
 _PLACES = 6
 
@@ -90,7 +93,6 @@ def with_strokes(
     """
     if not strokes:
         return guide
-    angles, certainty, stretch = guide.angles.copy(), guide.certainty, guide.stretch
     surface = TriangleSurface(mesh.points, mesh.triangles[: guide.inner])
     for number, stroke in enumerate(strokes, start=1):
         places, along = _walked(stroke, edge / _PLACES, number)
@@ -101,14 +103,50 @@ def with_strokes(
                 f"stroke {number}: it is up to {off:.3g} off the surface, more than an edge; "
                 "draw it on the surface"
             )
-        far, nearest = cKDTree(feet).query(mesh.centres)
-        # Curvature is silent where the lines turn from it to the stroke.
-        less = np.minimum(1.0, far / (_TURN * edge))
-        certainty, stretch = certainty * less**4, stretch * less**2
-        rows: IntArray = np.flatnonzero(far < _WIDE * edge)
-        first, second = ((along[nearest[rows]] * mesh.axes[rows, k]).sum(axis=1) for k in (0, 1))
-        angles[rows] = np.arctan2(second, first)
-        certainty[rows], stretch[rows] = _STROKE, 1.0
+        guide = _run_along(mesh, guide, feet, along, (_WIDE * edge, _TURN * edge))
+    return guide
+
+
+def along_border(mesh: TriangleMesh, guide: Guide, border: Border, edge: float) -> Guide:
+    """Let lines of the net run along the border, and turn to it over the last rows.
+
+    Args:
+        mesh: the surface, with its apron.
+        guide: the directions that hold elsewhere.
+        border: of the surface.
+        edge: wanted edge length.
+    """
+    start, end = (mesh.points[side[border.edges]] for side in mesh.ends)
+    count = int(np.ceil(np.linalg.norm(end - start, axis=1).max() / edge * _PLACES)) + 1
+    part = ((np.arange(count) + 0.5) / count)[:, None, None]
+    places = (start + part * (end - start)).reshape(-1, 3)
+    along = np.tile(border.along, (count, 1))
+    return _run_along(mesh, guide, places, along, (_BESIDE * edge, _LAST * edge))
+
+
+def _run_along(
+    mesh: TriangleMesh,
+    guide: Guide,
+    places: FloatArray,
+    along: FloatArray,
+    reach: tuple[float, float],
+) -> Guide:
+    """Directions (N, 3) at places (N, 3) hold nearer than the first reach.
+
+    Curvature is silent where the lines turn from it to them, the less the further, up to the
+    second.
+    """
+    far, nearest = cKDTree(places).query(mesh.centres)
+    less = np.minimum(1.0, far / reach[1])
+    angles, certainty, stretch = (
+        guide.angles.copy(),
+        guide.certainty * less**4,
+        guide.stretch * less**2,
+    )
+    rows: IntArray = np.flatnonzero(far < reach[0])
+    first, second = ((along[nearest[rows]] * mesh.axes[rows, k]).sum(axis=1) for k in (0, 1))
+    angles[rows] = np.arctan2(second, first)
+    certainty[rows], stretch[rows] = _STROKE, 1.0
     return replace(guide, angles=angles, certainty=certainty, stretch=stretch)
 
 

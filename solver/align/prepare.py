@@ -14,8 +14,9 @@ from solver.align.triangle_mesh import TriangleMesh
 from solver.mesh.quadmesh import FloatArray
 
 # In edges of the net: how far curvature is looked for, and what the surface is carried on by; how
-# far points count for that, and how fine the strips are; the longest edge of a triangle.
-_RADIUS, _APRON, _OUTWARDS, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 6, 0.5
+# far points count for that, also of noisy ones, and how fine the strips are; the longest edge of a
+# triangle.
+_RADIUS, _APRON, _OUTWARDS, _NOISY, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 3.0, 6, 0.5
 # A surface that leaves its smooth fit by more than this part of an edge is rough.
 _ROUGH = 2e-3
 # An opening less than this part of an edge across is a fault of the triangles.
@@ -37,11 +38,9 @@ class Work:
     tensors: FloatArray
 
     @classmethod
-    def of(cls, surface: TriangleMesh, edge: float, shorter: float, degree: int) -> Work:
+    def of(cls, surface: TriangleMesh, edge: float, shorter: float, noisy: bool) -> Work:
         """Carry a smooth surface on, fit its curvature, and refine it."""
-        size = float(np.sqrt(2 * surface.areas.mean()))
-        step = min(max(size, edge / _STRIPS), edge)
-        larger = extended(surface, _APRON * edge, step, _OUTWARDS * edge, degree)
+        larger = carried(surface, _APRON * edge, edge, noisy)
         jets = fitted(larger, np.arange(len(larger.points)), _RADIUS * edge)
         inner = len(surface.triangles)
         mesh, tensors, inner = refined(larger, jets.shape_tensors(), inner, _LONGEST * shorter)
@@ -62,14 +61,13 @@ def prepared(
     Returns:
         the surface without its noise, with the same numbers of points, and what to work on.
     """
-    smooth, rough = _smoothed(mended(surface, edge), edge)
+    smooth, rough = smoothed(mended(surface, edge), edge)
     if rough:
         remarks.append(
             f"the surface is rough, by {rough:.2g} within an edge; the net is on a smooth one "
             "through it"
         )
-    # Of points that have been noisy, one degree less is believed beyond the border.
-    return smooth, Work.of(smooth, edge, shorter, 2 if rough else 3)
+    return smooth, Work.of(smooth, edge, shorter, rough > 0)
 
 
 def openings(surface: TriangleMesh, edge: float, remarks: list[str]) -> list[list[int]]:
@@ -84,7 +82,18 @@ def openings(surface: TriangleMesh, edge: float, remarks: list[str]) -> list[lis
     return kept
 
 
-def _smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:
+def carried(surface: TriangleMesh, width: float, edge: float, noisy: bool) -> TriangleMesh:
+    """Carry a surface on beyond its border by a width, for a net with edges of a length.
+
+    Of points that have been noisy, one degree less is believed, and more of them are asked.
+    """
+    size = float(np.sqrt(2 * surface.areas.mean()))
+    step = min(max(size, edge / _STRIPS), edge)
+    radius = (_NOISY if noisy else _OUTWARDS) * edge
+    return extended(surface, width, step, radius, 2 if noisy else 3)
+
+
+def smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:
     """The surface without its noise, and how much that was, 0 where there is hardly any.
 
     What is rough within an edge has no lines to follow.

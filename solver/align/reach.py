@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from scipy.spatial import cKDTree
 
-from solver.align.apron import extended
+from solver.align.prepare import carried, smoothed
 from solver.align.triangle_mesh import TriangleMesh, one_surface
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
@@ -16,8 +16,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
 
 # In mean edges: what lies beyond the border by more overhangs it, and by more than this lies
-# elsewhere; what is added so that vertices may move; how far points say how the surface goes on.
-_HARDLY, _ELSEWHERE, _SPARE, _RADIUS, _STRIPS = 0.02, 3.0, 1.0, 1.5, 6
+# elsewhere; what is added so that vertices may move.
+_HARDLY, _ELSEWHERE, _SPARE = 0.02, 3.0, 1.0
 # A vertex that is off along the normal by more than this part of its distance is off the surface.
 _ALONG = 0.5
 
@@ -78,7 +78,8 @@ def carried_to(mesh: QuadMesh, ground: TriangleSurface) -> TriangleSurface | Non
     overhang = away & level & at_border
     if not overhang.any() or far[overhang].max() > _ELSEWHERE * edge:
         return None
-    step = min(max(float(np.sqrt(2 * surface.areas.mean())), edge / _STRIPS), edge)
     width = float(far[overhang].max()) + _SPARE * edge
-    larger = extended(surface, width, step, _RADIUS * edge)
-    return TriangleSurface(larger.points, larger.triangles)
+    smooth, rough = smoothed(surface, edge)
+    larger = carried(smooth, width, edge, rough > 0)
+    points = np.concatenate([surface.points, larger.points[len(surface.points) :]])
+    return TriangleSurface(points, larger.triangles)

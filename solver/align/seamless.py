@@ -15,12 +15,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import coo_array, csr_array, eye_array
+from scipy.sparse import coo_array, csr_array, eye_array, hstack, vstack
 from scipy.sparse.linalg import splu
 
+from solver.align.border import Border
 from solver.align.cut import Cut
 from solver.align.seams import Seams
 from solver.align.triangle_mesh import TriangleMesh
+from solver.align.whole_lines import WholeLines
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -35,6 +37,8 @@ _DENSER = 2.0
 _FOLDED = 1e-3
 # Coordinates are rounded to this, so that turns and whole shifts of them are exact.
 GRID = 1 << 20
+# How much more than all else a coordinate of a whole line counts.
+_HEAVY = 1e3
 # Exchanges of whole numbers, at most.
 _EXCHANGES = 100
 
@@ -60,6 +64,7 @@ def seamless_map(
     edges: tuple[float, float],
     inner: int,
     firm: float = FIRM[0],
+    border: Border | None = None,
     step: Callable[[], object] = lambda: None,
 ) -> Map:
     """Solve for the map.
@@ -72,15 +77,17 @@ def seamless_map(
         edges: wanted edge lengths along u and along v.
         inner: how many of the triangles are the surface's own; only these must not fold.
         firm: what direction counts where it is certain, beside spacing.
+        border: of the surface, where that has to lie on whole lines.
         step: called before each solution; what it raises is passed on.
     """
-    system = _Equations.of(mesh, cut, layout, edges)
+    whole = WholeLines.none() if border is None else WholeLines.along(mesh, cut, layout, border)
+    system = _Equations.of(mesh, cut, layout, whole, edges)
     wanted = 2 * mesh.areas / (edges[0] * edges[1])
     neighbours = _neighbours(mesh)
     spacing, direction = np.ones(len(mesh.areas)), 1 + firm * certainty
     step()
     # Lines that draw together and apart come out too far apart in all: ask for shorter edges.
-    plain = _on_grid(layout, system.solved(spacing, direction, None, whole=False))
+    plain = _on_grid(layout, system.solved(spacing, direction, None, whole=False), None)
     covered = _doubled_areas(plain)[:inner].sum() / GRID**2
     scale = float(np.clip(np.sqrt(wanted[:inner].sum() / max(covered, 1e-300)), 1.0, _DENSER))
     system = replace(system, right=scale * system.right)
@@ -89,7 +96,7 @@ def seamless_map(
         step()
         unknowns = system.solved(spacing, direction, wholes)
         wholes = unknowns[2 * layout.reals :]
-        corners = _on_grid(layout, unknowns)
+        corners = _on_grid(layout, unknowns, whole)
         signed = _doubled_areas(corners) / GRID**2
         bad = signed < _FOLDED * wanted
         if not bad[:inner].any():
@@ -105,8 +112,10 @@ def _doubled_areas(corners: IntArray) -> FloatArray:
     return (one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]).astype(float)
 
 
-def _on_grid(layout: Seams, unknowns: FloatArray) -> IntArray:
-    rounded = np.round(unknowns * GRID)
+def _on_grid(layout: Seams, unknowns: FloatArray, whole: WholeLines | None) -> IntArray:
+    rounded = np.round(unknowns[: layout.matrix.shape[1]] * GRID)
+    if whole is not None:
+        whole.snapped(layout.matrix, layout.reals, rounded, GRID)
     found: IntArray = np.round(layout.matrix @ rounded).astype(np.int64)
     return found.reshape(-1, 2)[layout.copies]
 
@@ -129,20 +138,27 @@ class _Equations:
     """What the map is asked for: four rows a triangle, spacing and direction of u and of v.
 
     Attributes:
-        matrix: (4 T, unknowns), without weights.
+        matrix: (4 T, unknowns), without weights; unknown last are the values of whole lines.
         right: (4 T,).
         areas: (T,).
-        layout: the unknowns.
+        layout: the other unknowns.
+        held: (N, unknowns) what has to be zero, as far as a heavy weight brings it there.
     """
 
     matrix: csr_array
     right: FloatArray
     areas: FloatArray
     layout: Seams
+    held: csr_array
 
     @classmethod
     def of(
-        cls, mesh: TriangleMesh, cut: Cut, layout: Seams, edges: tuple[float, float]
+        cls,
+        mesh: TriangleMesh,
+        cut: Cut,
+        layout: Seams,
+        whole: WholeLines,
+        edges: tuple[float, float],
     ) -> _Equations:
         gradients, count = mesh.gradients(), len(mesh.triangles)
         along = np.stack([np.cos(cut.angles), np.sin(cut.angles)], axis=1)
@@ -165,7 +181,18 @@ class _Equations:
         matrix = coo_array(
             (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape
         ).tocsr()
-        return cls(csr_array(matrix @ layout.matrix), np.concatenate(right), mesh.areas, layout)
+        blank = csr_array((4 * count, whole.count))
+        values_of = coo_array(
+            (np.full(len(whole.runs), -1.0), (np.arange(len(whole.runs)), whole.runs)),
+            shape=(len(whole.runs), whole.count),
+        )
+        return cls(
+            csr_array(hstack([matrix @ layout.matrix, blank])),
+            np.concatenate(right),
+            mesh.areas,
+            layout,
+            csr_array(hstack([layout.matrix[whole.rows], values_of])),
+        )
 
     def solved(
         self,
@@ -181,10 +208,14 @@ class _Equations:
         weight *= np.sqrt(np.tile(self.areas, 4))
         matrix = self.matrix.multiply(weight[:, None]).tocsc()
         right = weight * self.right
+        if self.held.shape[0]:
+            heavy = _HEAVY * float(np.sqrt(matrix.power(2).sum(axis=0).mean()))
+            matrix = vstack([matrix, heavy * self.held]).tocsc()
+            right = np.concatenate([right, np.zeros(self.held.shape[0])])
         reals = 2 * self.layout.reals
         free, last = matrix[:, :reals], matrix[:, reals:].toarray()
         normal = (free.T @ free).tocsc()
-        if not self.layout.places:
+        if not self.layout.places and not self.held.shape[0]:
             # Nothing says where the map lies: the first vertex stays.
             shift = np.zeros(reals)
             shift[:2] = normal.diagonal().mean()
@@ -195,7 +226,7 @@ class _Equations:
             diag_pivot_thresh=0.0,
             options={"SymmetricMode": True},
         )
-        if not self.layout.wholes:
+        if not last.shape[1]:
             found: FloatArray = factors.solve(free.T @ right)
             return found
         mixed = free.T @ last

@@ -1,0 +1,61 @@
+"""A border that has to lie on whole lines of a map."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from solver.align.border import Border
+from solver.align.cut import Cut
+from solver.align.field import QUARTER
+from solver.align.seams import Seams
+from solver.align.triangle_mesh import TriangleMesh, components, following
+from solver.mesh.connectivity import IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class WholeLines:
+    """Coordinates that are alike along runs of edges, and whole.
+
+    Attributes:
+        rows: (N,) rows of the layout's matrix: the coordinates.
+        runs: (N,) number of the run that each belongs to.
+        count: of runs; the value of each is a whole number.
+    """
+
+    rows: IntArray
+    runs: IntArray
+    count: int
+
+    @classmethod
+    def none(cls) -> WholeLines:
+        """No edge has to."""
+        empty = np.zeros(0, dtype=np.int64)
+        return cls(empty, empty, 0)
+
+    @classmethod
+    def along(cls, mesh: TriangleMesh, cut: Cut, layout: Seams, border: Border) -> WholeLines:
+        """Runs of a border.
+
+        Along an edge that runs with u it is v that stays the same.
+        """
+        half = mesh.edges[border.edges, 0]
+        triangle = half // 3
+        first, second = ((border.along * mesh.axes[triangle, k]).sum(axis=1) for k in (0, 1))
+        turned = np.arctan2(second, first) - cut.angles[triangle]
+        with_u = np.round(turned / QUARTER).astype(np.int64) % 2 == 0
+        copies = layout.copies.ravel()
+        one, two = (2 * copies[corner] + with_u for corner in (half, following(half)))
+        used, numbers = np.unique(np.concatenate([one, two]), return_inverse=True)
+        runs = components(len(used), *np.split(numbers, 2))
+        return cls(used, runs, int(runs.max()) + 1)
+
+    def snapped(self, matrix: csr_array, reals: int, unknowns: np.ndarray, grid: int) -> None:
+        """Bring unknowns that are nearly whole multiples of ``grid`` to these, in place."""
+        if not len(self.rows):
+            return
+        some = matrix[self.rows].tocoo()
+        columns = np.unique(some.col[some.col < 2 * reals])
+        unknowns[columns] = np.round(unknowns[columns] / grid) * grid
