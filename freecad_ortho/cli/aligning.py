@@ -35,7 +35,8 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.description = (
         "Quads along the lines that an exact net has on a surface: curvature lines for principal "
         "and developable, lines at 45 degrees to them for asymptotic and cmc. The net overhangs "
-        "the border by up to a face; optimise it with --close-to the same surface."
+        "the border by up to a face, unless it follows it; optimise it with --close-to the same "
+        "surface."
     )
     parser.add_argument("input", metavar="SURFACE.stl|obj|ply|off|glb|step")
     values.add_up(parser)

@@ -10,7 +10,7 @@ import numpy as np
 
 from freecad_ortho.sources.source import Made, Source
 from freecad_ortho.words import counted
-from solver.align.align import Aligned, aligned
+from solver.align.align import BORDERS, Aligned, aligned
 from solver.align.guides import TURNED
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
@@ -33,6 +33,9 @@ OPTIONS = (
            tuple(TURNED)),
     Option("edge", 0.0, "length", "Wanted edge length", absent="for about 600 faces"),
     Option("ratio", 1.0, "number", "How many times as long edges of the other family of lines are"),
+    Option("border", "trim", "choice",
+           "At the border the net overhangs the surface, to be trimmed, or bends to follow it",
+           BORDERS, stored="AtBorder", title="At the border"),
 )  # fmt: skip
 
 
@@ -42,10 +45,11 @@ def _on_faces(
     net: str,
     edge: float,
     ratio: float,
+    border: str,
     waiting: Callable[[str], object],
     strokes: Sequence[FloatArray] = (),
 ) -> Made:
-    made = aligned_on(surfaces, net, edge, ratio, strokes, waiting)
+    made = aligned_on(surfaces, net, edge, ratio, border, strokes, waiting)
     return Made(made.mesh, (*_irregular(made), *made.remarks), made.field, made.singular)
 
 
@@ -64,6 +68,7 @@ def aligned_on(
     net: str,
     edge: float,
     ratio: float,
+    border: str = "trim",
     strokes: Sequence[FloatArray] = (),
     waiting: Callable[[str], object] = lambda stage: None,
 ) -> Aligned:
@@ -74,6 +79,7 @@ def aligned_on(
         net: what the net is to become, of :data:`solver.align.guides.TURNED`.
         edge: wanted edge length in mm, 0 for about 600 faces.
         ratio: edge length of the other family of lines over that.
+        border: ``trim`` lets the net overhang, ``follow`` bends it to the border.
         strokes: polylines (n, 3) on the faces, in mm, along which lines of the net run.
         waiting: called with the name of each stage, some of them several times; what it raises is
             passed on.
@@ -93,6 +99,7 @@ def aligned_on(
         net=net,
         edge=edge,
         ratio=ratio,
+        border=border,
         strokes=strokes,
         waiting=waiting,
     )

@@ -2,7 +2,7 @@
 
 Curvature is fitted to the triangles, a smooth field of directions follows it, a map of the surface
 to the plane follows the field, and quads are read from the map. The net overhangs the border by up
-to a face, since lines of curvature seldom run along it.
+to a face, since lines of curvature seldom run along it; or it is bent to the border.
 """
 
 from __future__ import annotations
@@ -45,9 +45,10 @@ class Aligned:
     """A net on a surface, not yet exact.
 
     Attributes:
-        mesh: the quads; they overhang the border.
+        mesh: the quads.
         irregular: (K,) inner vertices that have not four faces.
-        border: polylines (N, 3) of the surface's border, closed, without their start at the end.
+        border: polylines (N, 3) of the surface's border, which the net overhangs, closed, without
+            their start at the end; none where it follows the border.
         field: the directions that its lines follow.
         singular: where these cannot be continued.
         remarks: what is to be said about it, in plain words.
@@ -125,7 +126,7 @@ def aligned(
     return Aligned(
         mesh,
         irregular,
-        tuple(smooth.points[loop] for loop in loops),
+        tuple(smooth.points[loop] for loop in loops if followed is None),
         Crosses.of(work.mesh, field, guide),
         Singular.of(work.mesh, field, guide),
         tuple(remarks),
