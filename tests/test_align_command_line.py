@@ -41,6 +41,16 @@ def test_a_net_with_its_border_and_report(surface_file, tmp_path, capsys):
     assert measures.orthogonality(mesh).mean() < 1e-2
 
 
+def test_a_net_that_follows_the_border_needs_no_trimming(surface_file, tmp_path, capsys):
+    out = tmp_path / "net.json"
+    words = ["--edge", "2.5", "--border", "follow", "-o", str(out)]
+    assert main(["align", str(surface_file), *words]) == 0
+    assert "0 irregular vertices" in capsys.readouterr().out
+    assert not json.loads(out.read_text()).get("border")
+    mesh, surface = read_mesh(out), read_mesh(surface_file).vertices
+    assert mesh.vertices.min(axis=0)[:2] == pytest.approx(surface.min(axis=0)[:2])
+
+
 def test_lengths_have_units_and_a_net_may_be_coarse(surface_file, tmp_path, capsys):
     out = tmp_path / "net.obj"
     assert main(["align", str(surface_file), "--edge", "2500mm", "-o", str(out)]) == 0

@@ -85,9 +85,9 @@ def test_parts_are_trimmed_along_the_border_of_the_net(net, tmp_path, capsys):
     path, curve = net
     settings = ["--system", "panels", "--thickness", "4", "--gap", "2", "--least-width", "5"]
     counts = []
-    for more in ([], ["--untrimmed"], ["--border", str(path)], ["--border", "curve"]):
+    for more in ([], ["--untrimmed"], ["--trim-along", str(path)], ["--trim-along", "curve"]):
         if more[-1:] == ["curve"]:
-            more = ["--border", str(tmp_path / "curve.xyz")]
+            more = ["--trim-along", str(tmp_path / "curve.xyz")]
             np.savetxt(tmp_path / "curve.xyz", 0.95 * curve + 0.05 * curve.mean(axis=0))
         out = tmp_path / f"files{len(counts)}"
         assert main(["fabricate", str(path), *settings, *more, "-o", str(out)]) == 0
@@ -102,11 +102,11 @@ def test_parts_are_trimmed_along_the_border_of_the_net(net, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--border", "NET.obj"], "expected 3 numbers"),
-        (["--border", "plain.json"], "plain.json: has no border"),
-        (["--border", "curve.xyz", "--untrimmed"], "not allowed with"),
-        (["--border", "far.xyz"], "from the net near face"),
-        (["--border", "two.xyz"], "three points or more"),
+        (["--trim-along", "NET.obj"], "expected 3 numbers"),
+        (["--trim-along", "plain.json"], "plain.json: has no border"),
+        (["--trim-along", "curve.xyz", "--untrimmed"], "not allowed with"),
+        (["--trim-along", "far.xyz"], "from the net near face"),
+        (["--trim-along", "two.xyz"], "three points or more"),
     ],
 )
 def test_what_is_no_border_is_refused_in_one_line(net, tmp_path, options, words, capsys):

@@ -59,7 +59,7 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
             arguments.add(group, option, before, _defaults(users), length="MM")
     trim = parser.add_mutually_exclusive_group()
     trim.add_argument(
-        "--border",
+        "--trim-along",
         action="append",
         metavar="FILE",
         help="points of a closed curve along which parts are trimmed, in the net's unit, or a "
@@ -168,10 +168,10 @@ def _border(options: argparse.Namespace, loaded: api.LoadedMesh) -> list[FloatAr
     """
     if options.untrimmed:
         return []
-    if options.border is None:
+    if options.trim_along is None:
         return list(loaded.border)
     lines: list[FloatArray] = []
-    for path in options.border:
+    for path in options.trim_along:
         if not keeps_border(path):
             lines.append(upright(read_points(path), options.up))
             continue

@@ -169,15 +169,15 @@ def net_from_faces(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
 def net_along_curvature(faces: Any, strokes: Any = (), **options: Value) -> FreeCAD.DocumentObject:
     """Add a net on CAD faces along their lines of curvature, or at 45 degrees to them.
 
-    The net overhangs the border of the faces by up to a face; ``close_to`` keeps it near them when
-    it is optimised.
+    The net overhangs the border of the faces by up to a face, or follows it; ``close_to`` keeps it
+    near them when it is optimised.
 
     Args:
         faces: a shape (all its faces), ``(shape, "Face1")``, or a list of these.
         strokes: what lines of the net run along, whatever curvature says there: ``(shape,
             "Edge1")``, a wire or a sketch, or a list of these.
         options: ``net`` (``principal``, ``developable``, ``asymptotic`` or ``cmc``),
-            ``edge="1.2 m"``, ``ratio``.
+            ``edge="1.2 m"``, ``ratio``, ``border`` (``trim`` or ``follow``).
 
     Raises:
         InputError: no faces, faces that have no such net, or a stroke that is off the faces; the

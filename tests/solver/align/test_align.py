@@ -8,8 +8,9 @@ import pytest
 from solver import Constraints, InputError, optimise
 from solver.align.align import aligned
 from solver.align.reach import reaching
+from solver.align.triangle_mesh import one_surface
 from solver.analysis import form, measures
-from solver.mesh.closest import TriangleSurface
+from solver.mesh.closest import Polyline, TriangleSurface
 from tests.design_surfaces import (
     barrel,
     cap,
@@ -181,6 +182,40 @@ def test_lines_run_along_a_stroke():
         aligned(points, faces, edge=EDGE, strokes=[stroke[:1]])
 
 
+def with_an_opening(points, faces):
+    """A jagged half-round opening at the border."""
+    return without(points, faces, lambda at: np.hypot(at[:, 0] - 13, at[:, 1] - 1) < 3.5)
+
+
+@pytest.mark.parametrize("change", [lambda *surface: surface, with_an_opening])
+def test_a_net_may_follow_the_border(change):
+    points, faces = change(*triangles(saddle))
+    made = aligned(points, faces, edge=EDGE, border="follow")
+    assert made.border == ()
+    surface = one_surface(points, faces)
+    (loop,) = surface.loops()
+    rim = Polyline(surface.points[[*loop, loop[0]]])
+    mesh = made.mesh
+    border = mesh.vertices[mesh.connectivity.boundary_vertices]
+    assert np.linalg.norm(border - rim.closest(border)[0], axis=1).max() < 1e-5
+    # The corners of the surface are corners of the net.
+    corners = points[[0, 36, 60 * 37, 60 * 37 + 36]] if len(points) == 61 * 37 else points[[0, 36]]
+    near = np.linalg.norm(border[:, None] - corners, axis=2).min(axis=0)
+    assert near.max() < 1e-5
+    assert not measures.flipped(mesh).any()
+    assert measures.edge_ratio(mesh) > 0.4
+    # Further in its lines are those of curvature.
+    deep = rim_distance(mesh, rim) > 4 * EDGE
+    assert deep.sum() > 20
+    assert measures.orthogonality(mesh)[deep].max() < 0.06
+
+
+def rim_distance(mesh, rim):
+    """(F,) distance of faces from a polyline."""
+    centres = mesh.vertices[mesh.faces].mean(axis=1)
+    return np.linalg.norm(centres - rim.closest(centres)[0], axis=1)
+
+
 def test_rows_may_be_longer_than_they_are_wide():
     points, faces = triangles(barrel)
     made = aligned(points, faces, edge=1.2, ratio=2.0)
@@ -248,6 +283,7 @@ def test_noise_is_smoothed_and_said():
         (dict(edge=-1.0), "positive length"),
         (dict(edge=float("nan")), "positive length"),
         (dict(edge=1.0, ratio=0.0), "ratio"),
+        (dict(edge=1.0, border="cut"), "border: expected one of trim, follow"),
         (dict(edge=1.0, net="cubic"), "expected one of principal"),
         (dict(edge=1.0, net="asymptotic"), "bends both ways"),
     ],

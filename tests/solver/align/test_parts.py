@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from solver.align.apron import extended
+from solver.align.border import Border
 from solver.align.cells import quads
 from solver.align.cut import cut_open
 from solver.align.field import Field, curvature_guide, smooth_field, turns
@@ -70,6 +71,24 @@ def test_strips_of_an_opening_do_not_meet():
     inwards = larger.points[len(mesh.points) :]
     inside = np.hypot(inwards[:, 0] - 6, inwards[:, 1] - 4) < 1
     assert np.hypot(inwards[inside, 0] - 6, inwards[inside, 1] - 4).min() > 0.05
+
+
+def test_how_a_border_runs():
+    points, faces = triangles(plane, 25, 17)
+    # A tooth of one cell: at the place where y is 0, x about 6.
+    jagged = without(points, faces, lambda at: (np.abs(at[:, 0] - 6) < 0.4) & (at[:, 1] < 0.5))
+    surface = one_surface(*jagged)
+    inner = len(surface.triangles)
+    mesh = extended(surface, 1.0, 0.5, 1.5)
+    border = Border.of(mesh, inner, 4.0)
+    assert len(border.edges) == len(surface.rim)
+    start, end = (mesh.points[side[border.edges]] for side in mesh.ends)
+    middle = (start + end) / 2
+    across = np.abs(border.along[:, 0]) < 0.5
+    # Two sides run across, up to their corners; the tooth runs on with the side that it is in.
+    assert np.array_equal(across, (middle[:, 0] < 1e-6) | (middle[:, 0] > 12 - 1e-6))
+    straight = (middle[:, 1] > 8 - 1e-6) | across
+    assert np.abs(border.along[straight]).max(axis=1).min() > 1 - 1e-9
 
 
 def test_fans_that_meet_in_a_vertex_are_parted():
