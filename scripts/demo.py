@@ -1,4 +1,4 @@
-"""The steps behind demo.sh: optimise, fabricate, FreeCAD model, picture, closing table.
+"""The steps behind demo.sh: net and parts, FreeCAD model, picture, closing table.
 
 Called by demo.sh, which has checked the options and installed what is needed.
 """
@@ -31,7 +31,12 @@ from solver.mesh.quadmesh import QuadMesh
 
 ROOT = Path(__file__).resolve().parents[1]
 FREECAD_SECONDS = 900
-FILES = (*FABRICATION_FILES, "model.FCStd", "preview.png", "principal.obj")
+SURFACE = ROOT / "examples" / "data" / "demo_roof.step"
+FILES = (*FABRICATION_FILES, "model.FCStd", "preview.png", "net.obj")
+# What a design surface leads to besides.
+BUILT = (*FILES, "net.json", "aligned.json", "aligned.obj")
+# A net on the demo's own roof, and the unit of that.
+EDGE, UNIT = "1.2", "m"
 
 
 class DemoError(Exception):
@@ -44,10 +49,19 @@ class DemoError(Exception):
 
 @dataclass(frozen=True)
 class Job:
-    """What the user wants built, lengths in mm."""
+    """What the user wants built, lengths in mm.
 
-    mesh: Path
-    unit: str
+    Attributes:
+        source: file of a quad mesh, or of a design surface.
+        is_surface: whether it is the latter.
+        unit: of its coordinates; of a surface None for what its file says.
+        edge: what ``--edge`` of the net on a surface is.
+    """
+
+    source: Path
+    is_surface: bool
+    unit: str | None
+    edge: str
     height: float
     thickness: float
     panel_thickness: float
@@ -59,24 +73,25 @@ def main() -> int:
     started = time.monotonic()
     options = read_options()
     try:
-        job, drawn = plan(options)
+        job = plan_surface(options) if options.mesh is None else plan_mesh(options)
+        names = BUILT if job.is_surface else FILES
         with staged_folder(options.out) as folder:
-            say("principal mesh ...")
-            optimised = optimise(job, folder)
-            say("beams and panels ...")
-            fabricated = fabricate(job, folder)
-            principal = load(folder / "principal.obj")[0].scaled(MILLIMETRES[job.unit])
+            optimised = (build if job.is_surface else optimise_and_fabricate)(job, folder)
+            start = folder / "aligned.obj" if job.is_surface else job.source
+            net, unit = load(folder / "net.obj")
+            millimetre = MILLIMETRES[unit or "mm"]
+            drawn, net = load(start)[0].scaled(millimetre), net.scaled(millimetre)
             say("FreeCAD model and picture ...")
-            pictures = build_model(job, folder)
+            pictures = build_model(job, folder, unit or "mm")
+            off = optimised["off_surface"]["max"] * millimetre
+            begin = demo_picture.Begin(drawn, off if job.is_surface else None)
             exact = optimised["status"] == "converged"
-            demo_picture.compose(folder / "preview.png", pictures, drawn, principal, exact)
+            demo_picture.compose(folder / "preview.png", pictures, begin, net, exact)
             for path in pictures.values():
                 path.unlink()
-            report = {"optimise": optimised, "fabricate": fabricated}
-            (folder / "report.json").write_text(json.dumps(report, indent=2) + "\n", "utf-8")
             with (folder / "parts.csv").open(encoding="utf-8", newline="") as stream:
                 parts = list(csv.DictReader(stream))
-            missing = [name for name in FILES if not (folder / name).exists()]
+            missing = [name for name in names if not (folder / name).exists()]
             if missing:
                 raise DemoError(f"not written: {', '.join(missing)}; please report this")
     except (DemoError, OrthoError) as error:
@@ -86,7 +101,7 @@ def main() -> int:
         say("demo.sh: stopped; nothing was written")
         return 130
     seconds = time.monotonic() - started
-    print(demo_table.table(drawn, principal, optimised, parts, options.out, FILES, seconds))
+    print(demo_table.table(begin, net, optimised, parts, f"{options.out}", names, seconds))
     return 0
 
 
@@ -94,7 +109,9 @@ def read_options() -> argparse.Namespace:
     """Read what demo.sh hands over."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("out", type=Path)
-    parser.add_argument("--mesh", type=Path, default=ROOT / "examples" / "data" / "demo_roof.obj")
+    parser.add_argument("--surface", type=Path)
+    parser.add_argument("--mesh", type=Path)
+    parser.add_argument("--edge")
     parser.add_argument("--unit", choices=MILLIMETRES)
     parser.add_argument("--height", type=float)
     parser.add_argument("--thickness", type=float)
@@ -102,8 +119,17 @@ def read_options() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def plan(options: argparse.Namespace) -> tuple[Job, QuadMesh]:
-    """Settle unit and dimensions; return them with the mesh as drawn, in mm."""
+def plan_surface(options: argparse.Namespace) -> Job:
+    """Settle a design surface, unit and dimensions."""
+    own = options.surface is not None
+    unit = options.unit or (None if own else UNIT)
+    source = options.surface.resolve() if own else SURFACE
+    edge = options.edge or ("" if own else EDGE)
+    return job_of(options, source, True, unit, edge, 1.0)
+
+
+def plan_mesh(options: argparse.Namespace) -> Job:
+    """Settle a quad mesh, unit and dimensions."""
     mesh, named = load(options.mesh)
     unit = options.unit or named
     if unit not in MILLIMETRES:
@@ -112,20 +138,32 @@ def plan(options: argparse.Namespace) -> tuple[Job, QuadMesh]:
             f"unit: taken as {unit}, which makes the mean edge "
             f"{mesh.mean_edge * MILLIMETRES[unit]:,.0f} mm; give --unit for another"
         )
-    drawn = mesh.scaled(MILLIMETRES[unit])
     # Ordinary building quads get the usual plates; small or huge ones plates in proportion.
-    edge = drawn.mean_edge
+    edge = mesh.mean_edge * MILLIMETRES[unit]
     factor = 1.0 if 500 <= edge <= 3000 else edge / 1000
+    job = job_of(options, options.mesh.resolve(), False, unit, "", factor)
+    if factor != 1.0:
+        say(
+            f"plates for a mean edge of {edge:,.3g} mm: {job.height:g} x {job.thickness:g} mm, "
+            f"panels {job.panel_thickness:g} mm, gap {job.gap:g}"
+        )
+    return job
+
+
+def job_of(
+    options: argparse.Namespace,
+    source: Path,
+    is_surface: bool,
+    unit: str | None,
+    edge: str,
+    factor: float,
+) -> Job:
+    """The job, with plates that are ``factor`` times the usual ones where nothing is said."""
     height = options.height or two_digits(200 * factor)
     thickness = options.thickness or two_digits(20 * factor)
     sheet = options.panel_thickness or two_digits(3 * factor)
     gap = two_digits(8 * factor)
-    if factor != 1.0:
-        say(
-            f"plates for a mean edge of {edge:,.3g} mm: {height:g} x {thickness:g} mm, panels "
-            f"{sheet:g} mm, gap {gap:g}"
-        )
-    return Job(options.mesh.resolve(), unit, height, thickness, sheet, gap), drawn
+    return Job(source, is_surface, unit, edge, height, thickness, sheet, gap)
 
 
 def load(path: Path) -> tuple[QuadMesh, str | None]:
@@ -147,26 +185,46 @@ def two_digits(value: float) -> float:
     return float(f"{value:.2g}")
 
 
-def optimise(job: Job, folder: Path) -> dict[str, Any]:
-    """Write principal.obj; a mesh that did not converge is used all the same, and said."""
-    report = folder / "report.json"
-    arguments = ["--net", "principal", "-o", str(folder / "principal.obj")]
-    arguments += ["--report", str(report), "--unit", job.unit]
-    code = command_line("optimise", str(job.mesh), *arguments, accept=(0, 1))
-    result: dict[str, Any] = json.loads(report.read_text("utf-8"))
+def build(job: Job, folder: Path) -> dict[str, Any]:
+    """Go the whole way from a design surface; the numbers of the exact net on it."""
+    edge = ["--edge", job.edge] if job.edge else []
+    unit = ["--unit", job.unit] if job.unit else []
+    arguments = [*unit, *edge, "--net", "principal", *parts_of(job)]
+    command_line("build", str(job.source), *arguments, "-o", str(folder))
+    report = json.loads((folder / "report.json").read_text("utf-8"))
+    numbers: dict[str, Any] = report["build"]["stages"]["optimise"]["numbers"]
+    return numbers
+
+
+def optimise_and_fabricate(job: Job, folder: Path) -> dict[str, Any]:
+    """Make a quad mesh exact, and parts of it; the numbers of the net.
+
+    A mesh that did not converge is used all the same, and said.
+    """
+    say("principal mesh ...")
+    report, net = folder / "report.json", str(folder / "net.obj")
+    arguments = ["--net", "principal", "-o", net, "--report", str(report), "--unit", str(job.unit)]
+    code = command_line("optimise", str(job.source), *arguments, accept=(0, 1))
+    optimised: dict[str, Any] = json.loads(report.read_text("utf-8"))
     if code == 1:
         say("going on with the best mesh found; see the twist of the beams")
-    return result
+    say("beams and panels ...")
+    command_line("fabricate", net, *parts_of(job), "-o", str(folder))
+    both = {"optimise": optimised, "fabricate": json.loads(report.read_text("utf-8"))}
+    report.write_text(json.dumps(both, indent=2) + "\n", "utf-8")
+    return optimised
 
 
-def fabricate(job: Job, folder: Path) -> dict[str, Any]:
-    """Write structure.step, flat.dxf and parts.csv."""
-    arguments = ["--system", "beams+panels", "--height", f"{job.height:g}"]
-    arguments += ["--thickness", f"{job.thickness:g}", "--gap", f"{job.gap:g}", "-o", str(folder)]
-    arguments += ["--panel-thickness", f"{job.panel_thickness:g}"]
-    command_line("fabricate", str(folder / "principal.obj"), *arguments)
-    result: dict[str, Any] = json.loads((folder / "report.json").read_text("utf-8"))
-    return result
+def parts_of(job: Job) -> list[str]:
+    """Arguments that say what is built."""
+    sizes = {
+        "height": job.height,
+        "thickness": job.thickness,
+        "gap": job.gap,
+        "panel-thickness": job.panel_thickness,
+    }
+    said = [word for name, size in sizes.items() for word in (f"--{name}", f"{size:g}")]
+    return ["--system", "beams+panels", *said]
 
 
 def command_line(*arguments: str, accept: tuple[int, ...] = (0,)) -> int:
@@ -179,16 +237,17 @@ def command_line(*arguments: str, accept: tuple[int, ...] = (0,)) -> int:
     return code
 
 
-def build_model(job: Job, folder: Path) -> dict[str, Path]:
+def build_model(job: Job, folder: Path, unit: str) -> dict[str, Path]:
     """Write model.FCStd in FreeCAD and return the pictures it made, by what they show."""
     pictures = {name: folder / f"picture-{name}.png" for name in ("before", "after")}
     with tempfile.TemporaryDirectory(prefix="ortho-demo-") as home:
         result = Path(home) / "result.txt"
         order = {
             "paths": [str(ROOT), str(ROOT / "scripts"), *packages()],
-            "drawn": str(job.mesh),
-            "principal": str(folder / "principal.obj"),
-            "unit": job.unit,
+            "source": str(job.source),
+            "is_surface": job.is_surface,
+            "net": str(folder / "net.obj"),
+            "unit": unit,
             "height": job.height,
             "thickness": job.thickness,
             "panel_thickness": job.panel_thickness,

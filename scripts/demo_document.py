@@ -7,11 +7,15 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
+import Mesh
 import numpy as np
 import Part
 from pivy import coin
 
 from freecad_ortho import api, convert
+from freecad_ortho.step_faces import is_step
+from freecad_ortho.triangles import read_triangles
+from freecad_ortho.units import millimetres_per
 from freecad_ortho.view.colour_scale import ColourScale
 from solver.analysis.fields import field
 from solver.errors import OrthoError
@@ -31,9 +35,8 @@ CLAD = 0.6
 def build(order: dict[str, Any]) -> dict[str, Any]:
     """Make the document's objects and save it."""
     document = FreeCAD.newDocument("Demo")
-    drawn = api.import_net(order["drawn"], document, unit=order["unit"])
-    drawn.Label = "As drawn"
-    net = api.import_net(order["principal"], document, unit=order["unit"])
+    drawn, drawn_points = as_drawn(order, document)
+    net = api.import_net(order["net"], document, unit=order["unit"])
     net.Label = "Principal mesh"
     beams = api.add_beams(net, height=order["height"], thickness=order["thickness"])
     panels = api.add_panels(net, order["panel_thickness"], gap=order["gap"], beams=beams)
@@ -41,9 +44,30 @@ def build(order: dict[str, Any]) -> dict[str, Any]:
     for feature in (drawn, net):
         feature.ViewObject.Visibility = False
     view = FreeCADGui.getDocument(document.Name).ActiveView
-    aim(view, np.concatenate([convert.array(feature.Vertices) for feature in (drawn, net)]))
+    aim(view, np.concatenate([drawn_points, convert.array(net.Vertices)]))
     document.saveAs(order["model"])
     return {"view": view, "drawn": drawn, "net": net, "beams": beams, "panels": panels}
+
+
+def as_drawn(
+    order: dict[str, Any], document: FreeCAD.Document
+) -> tuple[FreeCAD.DocumentObject, FloatArray]:
+    """What the demo began with, as an object, and points (N, 3) all over it, in mm."""
+    path, unit = order["source"], order["unit"]
+    if not order["is_surface"]:
+        mesh = api.import_net(path, document, unit=unit)
+        mesh.Label = "As drawn"
+        return mesh, convert.array(mesh.Vertices)
+    points, triangles, _ = read_triangles(path)
+    if is_step(path):
+        surface = document.addObject("Part::Feature", "Surface")
+        surface.Shape = Part.read(path)
+    else:
+        points = points * millimetres_per(unit)
+        surface = document.addObject("Mesh::Feature", "Surface")
+        surface.Mesh = Mesh.Mesh(points[triangles].reshape(-1, 3).tolist())
+    surface.Label = "Design surface"
+    return surface, points
 
 
 def aim(view: Any, points: FloatArray) -> None:
@@ -88,13 +112,14 @@ def picture(view: Any, path: str) -> None:
 
 
 def picture_before(model: dict[str, Any], path: str, decades: tuple[int, int]) -> None:
-    """Show the mesh as drawn, coloured by planarity."""
+    """Show the surface, or the mesh coloured by planarity, as it was drawn."""
     drawn = model["drawn"]
     for name in ("beams", "panels"):
         model[name].ViewObject.Visibility = False
-    drawn.ColourMap = "Planarity"
-    drawn.ViewObject.LowestDecade, drawn.ViewObject.HighestDecade = decades
-    drawn.ViewObject.Legend = drawn.ViewObject.Upside = False
+    if hasattr(drawn, "ColourMap"):
+        drawn.ColourMap = "Planarity"
+        drawn.ViewObject.LowestDecade, drawn.ViewObject.HighestDecade = decades
+        drawn.ViewObject.Legend = drawn.ViewObject.Upside = False
     drawn.ViewObject.LineWidth = 3.0
     drawn.ViewObject.Visibility = True
     picture(model["view"], path)

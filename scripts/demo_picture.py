@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 import matplotlib
 import numpy as np
@@ -24,8 +25,20 @@ GREY = (110, 118, 128)
 LOWEST_DECADE, HIGHEST_DECADE = -8, -1
 
 
+class Begin(NamedTuple):
+    """What the demo began with.
+
+    Attributes:
+        mesh: the mesh as it was drawn, or as it was aligned on a design surface; mm.
+        off_surface: how far the exact net is off that surface, mm; None where there is none.
+    """
+
+    mesh: QuadMesh
+    off_surface: float | None
+
+
 def compose(
-    target: Path, pictures: dict[str, Path], drawn: QuadMesh, principal: QuadMesh, exact: bool
+    target: Path, pictures: dict[str, Path], begin: Begin, net: QuadMesh, exact: bool
 ) -> None:
     """Write the preview.
 
@@ -33,8 +46,8 @@ def compose(
         target: PNG to write.
         pictures: rendered views, white background: ``after`` fills the sheet, ``before`` is the
             inset.
-        drawn: the mesh as it came.
-        principal: the optimised mesh.
+        begin: what it began with.
+        net: the optimised mesh.
         exact: whether that one is a principal mesh to machine precision.
     """
     sheet = Image.new("RGB", SIZE, "white")
@@ -42,10 +55,13 @@ def compose(
     sheet.paste(main, ((SIZE[0] - MAIN[0]) // 2, SIZE[1] - MAIN[1]))
     draw = ImageDraw.Draw(sheet)
     place_inset(sheet, draw, pictures["before"])
-    count = len(principal.faces)
+    count = len(net.faces)
     title = f"{count} flat panels on torsion-free beams" if exact else f"{count} panels on beams"
     draw.text((MARGIN, MARGIN), title, font=font(34, bold=True), fill=INK)
-    lines = [f"{name}: {worst(mesh)}" for name, mesh in (("as drawn", drawn), ("built", principal))]
+    named = "as drawn" if begin.off_surface is None else "along curvature"
+    lines = [f"{name}: {worst(mesh)}" for name, mesh in ((named, begin.mesh), ("built", net))]
+    if begin.off_surface is not None:
+        lines.append(f"off the design surface by {begin.off_surface:.0f} mm at most")
     draw.text((MARGIN, MARGIN + 52), "\n".join(lines), font=font(20), fill=GREY, spacing=8)
     scale(sheet, draw)
     sheet.save(target, optimize=True)

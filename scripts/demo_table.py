@@ -3,29 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
+from demo_picture import Begin
 
 from solver.analysis import measures
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 
 def table(
-    drawn: QuadMesh,
-    principal: QuadMesh,
+    begin: Begin,
+    net: QuadMesh,
     optimised: dict[str, Any],
     parts: Sequence[dict[str, str]],
-    out: Path,
+    out: str,
     files: Sequence[str],
     seconds: float,
 ) -> str:
     """Put the demo's result into ten lines.
 
     Args:
-        drawn: the mesh as it came, in mm.
-        principal: the optimised mesh, in mm.
+        begin: what it began with, in mm.
+        net: the exact net, in mm.
         optimised: the report of the optimisation.
         parts: rows of parts.csv.
         out: folder that holds the files.
@@ -35,11 +35,16 @@ def table(
     beams = [row for row in parts if row["kind"] == "beam"]
     panels = [row for row in parts if row["kind"] == "panel"]
     heights = numbers(beams, "height_mm")
-    moved = np.linalg.norm(principal.vertices - drawn.vertices, axis=1)
+    drawn = begin.mesh
+    moved = np.linalg.norm(net.vertices - drawn.vertices, axis=1)
+    way = f"{optimised['status']} in {optimised['iterations']} steps, {optimised['seconds']:.1f} s"
+    near = f"mean {moved.mean():,.0f} mm, most {moved.max():,.0f} mm"
+    if begin.off_surface is not None:
+        near = f"{begin.off_surface:,.0f} mm off the surface at most"
     size = " x ".join(f"{side / 1000:.3g}" for side in np.ptp(drawn.vertices, axis=0))
-    orthogonality = [float(measures.orthogonality(mesh).max()) for mesh in (drawn, principal)]
-    planarity = [float(measures.planarity(mesh).max()) for mesh in (drawn, principal)]
-    warp = [float(measures.diagonal_distances(mesh).max()) for mesh in (drawn, principal)]
+    orthogonality = [float(measures.orthogonality(mesh).max()) for mesh in (drawn, net)]
+    planarity = [float(measures.planarity(mesh).max()) for mesh in (drawn, net)]
+    warp = [float(measures.diagonal_distances(mesh).max()) for mesh in (drawn, net)]
     rows = [
         ("mesh", f"{len(drawn.faces)} quads, {len(drawn.vertices)} vertices, {size} m"),
         ("orthogonality", f"worst face {arrow(orthogonality)} (unequal diagonals, 0 is exact)"),
@@ -47,11 +52,7 @@ def table(
             "planarity",
             f"worst face {arrow(planarity)}, out of plane {warp[0]:.3g} mm -> {warp[1]:.2g} mm",
         ),
-        (
-            "moved",
-            f"mean {moved.mean():,.0f} mm, most {moved.max():,.0f} mm; {optimised['status']} "
-            f"in {optimised['iterations']} steps, {optimised['seconds']:.1f} s",
-        ),
+        ("moved" if begin.off_surface is None else "form", f"{near}; {way}"),
         (
             "beams",
             f"{len(beams)} plates, {numbers(beams, 'length_mm').sum() / 1000:,.0f} m in all, "

@@ -10,8 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from freecad_ortho.step_faces import triangles_from_step
+from solver import read_mesh
+from solver.analysis.form import off_surface
+from solver.mesh.closest import TriangleSurface
+
 ROOT = Path(__file__).resolve().parents[2]
-BEAMS, PANELS = 1004, 480
+SURFACE, MESH = (ROOT / "examples" / "data" / f"demo_roof.{kind}" for kind in ("step", "obj"))
 FILES = {
     "structure.step",
     "flat.dxf",
@@ -23,8 +28,9 @@ FILES = {
     "report.html",
     "model.FCStd",
     "preview.png",
-    "principal.obj",
+    "net.obj",
 }
+BUILT = FILES | {"net.json", "aligned.json", "aligned.obj"}
 
 
 def demo(*arguments, cwd=ROOT):
@@ -40,7 +46,7 @@ def demo(*arguments, cwd=ROOT):
 def test_help(tmp_path):
     result = demo("--help", cwd=tmp_path)
     assert result.returncode == 0
-    assert all(name in result.stdout for name in FILES)
+    assert all(name in result.stdout for name in BUILT)
     assert not list(tmp_path.iterdir())
 
 
@@ -51,6 +57,9 @@ def test_help(tmp_path):
         (["--mesh"], "--mesh needs a value"),
         (["--mesh", "nowhere.obj"], "no readable file 'nowhere.obj'"),
         (["--mesh", "."], "no readable file '.'"),
+        (["--surface", "nowhere.step"], "--surface: no readable file 'nowhere.step'"),
+        (["--surface", SURFACE, "--mesh", MESH], "--surface and --mesh: give one of them"),
+        (["--mesh", MESH, "--edge", "2"], "--edge: a mesh has its edges already"),
         (["--unit", "km"], "expected mm, cm, m, in or ft, got 'km'"),
         (["--height", "0"], "expected millimetres above 0, got '0'"),
         (["--height", "-200"], "expected millimetres above 0, got '-200'"),
@@ -119,18 +128,36 @@ def parts(run):
         return list(csv.DictReader(stream))
 
 
+@pytest.fixture(scope="module")
+def net(run):
+    return read_mesh(run[0] / "net.json")
+
+
 @pytest.mark.slow
 def test_writes_every_file_and_nothing_else(run):
-    assert {path.name for path in run[0].iterdir()} == FILES
+    assert {path.name for path in run[0].iterdir()} == BUILT
 
 
 @pytest.mark.slow
-def test_ends_with_ten_lines(run):
+def test_the_net_lies_on_the_surface_and_parts_at_its_umbilics(net):
+    assert 440 < len(net.faces) < 500
+    around = net.connectivity
+    irregular = ~around.regular & ~around.boundary_vertices
+    assert irregular.sum() == 2
+    points, triangles = triangles_from_step(SURFACE)
+    inner = ~around.boundary_vertices[net.faces].any(axis=1)
+    far = off_surface(net.scaled(1000.0), TriangleSurface(points, triangles))[inner]
+    assert far.max() < 40.0
+
+
+@pytest.mark.slow
+def test_ends_with_ten_lines(run, net):
     table = run[1].stdout.strip().splitlines()
     assert len(table) == 10
-    assert "480 quads" in table[0]
-    assert f"{BEAMS} plates" in table[4]
-    assert f"{PANELS} plates" in table[7] and table[7].endswith(" 3 mm thick")
+    assert f"{len(net.faces)} quads" in table[0]
+    assert float(re.search(r"(\d+) mm off the surface", table[3])[1]) < 40
+    assert f"{len(net.connectivity.edges):,} plates".replace(",", "") in table[4]
+    assert f"{len(net.faces)} plates" in table[7] and table[7].endswith(" 3 mm thick")
     assert float(re.search(r"([\d.]+) t of steel", table[8])[1]) < 60
     twist = float(re.search(r"worst (\S+) degrees", table[5])[1])
     assert twist < 1e-5
@@ -139,20 +166,21 @@ def test_ends_with_ten_lines(run):
 
 
 @pytest.mark.slow
-def test_report(run):
-    report = json.loads((run[0] / "report.json").read_text())
-    assert set(report) == {"optimise", "fabricate"}
-    optimised = report["optimise"]
+def test_report(run, net):
+    stages = json.loads((run[0] / "report.json").read_text())["build"]["stages"]
+    assert list(stages) == ["align", "optimise", "fabricate"]
+    optimised = stages["optimise"]["numbers"]
     assert optimised["status"] == "converged"
-    assert (optimised["vertices"], optimised["faces"]) == (525, 480)
+    assert (optimised["vertices"], optimised["faces"]) == (len(net.vertices), len(net.faces))
     assert all(residual["max"] <= 1e-10 for residual in optimised["residuals"].values())
     assert optimised["moved"]["mean"] <= 1.0
 
 
 @pytest.mark.slow
-def test_parts_list(parts):
+def test_parts_list(parts, net):
     names = [row["name"] for row in parts]
-    assert names == [f"B{k:04d}" for k in range(BEAMS)] + [f"P{k:04d}" for k in range(PANELS)]
+    beams, panels = len(net.connectivity.edges), len(net.faces)
+    assert names == [f"B{k:04d}" for k in range(beams)] + [f"P{k:04d}" for k in range(panels)]
     assert all(float(row["volume_mm3"]) > 0 and float(row["mass_kg"]) > 0 for row in parts)
 
 
@@ -210,7 +238,7 @@ os._exit(0)
 
 
 @pytest.mark.slow
-def test_model_opens(run, tmp_path):
+def test_model_opens(run, net, tmp_path):
     import numpy
 
     script = tmp_path / "check_model.py"
@@ -232,8 +260,8 @@ def test_model_opens(run, tmp_path):
     assert "Traceback" not in result.stdout + result.stderr
     found = re.findall(r"^OBJECT (.*) (\d+) (\d+)$", result.stdout, re.MULTILINE)
     assert found == [
-        ("As drawn", "0", "480"),
-        ("Principal mesh", "0", "480"),
-        ("Beams", str(BEAMS), "0"),
-        ("Panels", str(PANELS), "0"),
+        ("Design surface", "0", "0"),
+        ("Principal mesh", "0", str(len(net.faces))),
+        ("Beams", str(len(net.connectivity.edges)), "0"),
+        ("Panels", str(len(net.faces)), "0"),
     ]
