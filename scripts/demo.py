@@ -86,11 +86,14 @@ def main() -> int:
             off = optimised["off_surface"]["max"] * millimetre
             begin = demo_picture.Begin(drawn, off if job.is_surface else None)
             exact = optimised["status"] == "converged"
-            demo_picture.compose(folder / "preview.png", pictures, begin, net, exact)
-            for path in pictures.values():
-                path.unlink()
             with (folder / "parts.csv").open(encoding="utf-8", newline="") as stream:
                 parts = list(csv.DictReader(stream))
+            panels = sum(row["kind"] == "panel" for row in parts)
+            title = f"{panels} flat panels on torsion-free beams"
+            title = title if exact else f"{panels} panels on beams"
+            demo_picture.compose(folder / "preview.png", pictures, title, begin, net)
+            for path in pictures.values():
+                path.unlink()
             missing = [name for name in names if not (folder / name).exists()]
             if missing:
                 raise DemoError(f"not written: {', '.join(missing)}; please report this")
@@ -190,7 +193,8 @@ def build(job: Job, folder: Path) -> dict[str, Any]:
     edge = ["--edge", job.edge] if job.edge else []
     unit = ["--unit", job.unit] if job.unit else []
     arguments = [*unit, *edge, "--net", "principal", *parts_of(job)]
-    command_line("build", str(job.source), *arguments, "-o", str(folder))
+    # Documents do not trim parts yet: files and model are to be of the same ones.
+    command_line("build", str(job.source), *arguments, "--untrimmed", "-o", str(folder))
     report = json.loads((folder / "report.json").read_text("utf-8"))
     numbers: dict[str, Any] = report["build"]["stages"]["optimise"]["numbers"]
     return numbers
@@ -246,7 +250,7 @@ def build_model(job: Job, folder: Path, unit: str) -> dict[str, Path]:
             "paths": [str(ROOT), str(ROOT / "scripts"), *packages()],
             "source": str(job.source),
             "is_surface": job.is_surface,
-            "net": str(folder / "net.obj"),
+            "net": str(folder / ("net.json" if job.is_surface else "net.obj")),
             "unit": unit,
             "height": job.height,
             "thickness": job.thickness,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -132,19 +133,23 @@ def picture_after(model: dict[str, Any], path: str, decades: tuple[int, int]) ->
     middles = mesh.vertices[mesh.faces].mean(axis=1)
     right = np.cross([0.0, 0.0, 1.0], CAMERA)
     across = middles @ right
-    clad = np.flatnonzero(across <= np.quantile(across, CLAD))
-    solids = model["panels"].Shape.Solids
+    clad = across <= np.quantile(across, CLAD)
+    # A panel is called after its face; at the border of a surface there may be none, or two.
+    panels = model["panels"]
+    faces = [int(re.sub(r"\D", "", name)) for name in panels.PartNames]
+    pairs = zip(faces, panels.Shape.Solids, strict=True)
+    shown_ones = [(face, solid) for face, solid in pairs if clad[face]]
     shades = ColourScale.of_decades(*decades).colours(field(mesh, "Planarity"))
-    shown = model["panels"].Document.addObject("Part::Feature", "Shown")
-    shown.Shape = Part.makeCompound([solids[k] for k in clad])
-    # Six faces a panel, one colour each.
+    shown = panels.Document.addObject("Part::Feature", "Shown")
+    shown.Shape = Part.makeCompound([solid for _, solid in shown_ones])
+    # Six faces or more a panel, one colour each.
     shown.ViewObject.DiffuseColor = [
-        (*map(float, shades[k]), 0.0) for k in clad for _ in solids[k].Faces
+        (*map(float, shades[face]), 0.0) for face, solid in shown_ones for _ in solid.Faces
     ]
     shown.ViewObject.LineColor = (0.12, 0.18, 0.32)
     shown.ViewObject.LineWidth = 1.0
     shown.ViewObject.PointSize = 1.0
-    model["panels"].ViewObject.Visibility = False
+    panels.ViewObject.Visibility = False
     model["beams"].ViewObject.Visibility = True
     picture(model["view"], path)
 

@@ -38,7 +38,7 @@ class Begin(NamedTuple):
 
 
 def compose(
-    target: Path, pictures: dict[str, Path], begin: Begin, net: QuadMesh, exact: bool
+    target: Path, pictures: dict[str, Path], title: str, begin: Begin, net: QuadMesh
 ) -> None:
     """Write the preview.
 
@@ -46,17 +46,15 @@ def compose(
         target: PNG to write.
         pictures: rendered views, white background: ``after`` fills the sheet, ``before`` is the
             inset.
+        title: what was built.
         begin: what it began with.
         net: the optimised mesh.
-        exact: whether that one is a principal mesh to machine precision.
     """
     sheet = Image.new("RGB", SIZE, "white")
     main = load(pictures["after"], MAIN)
     sheet.paste(main, ((SIZE[0] - MAIN[0]) // 2, SIZE[1] - MAIN[1]))
     draw = ImageDraw.Draw(sheet)
     place_inset(sheet, draw, pictures["before"])
-    count = len(net.faces)
-    title = f"{count} flat panels on torsion-free beams" if exact else f"{count} panels on beams"
     draw.text((MARGIN, MARGIN), title, font=font(34, bold=True), fill=INK)
     named = "as drawn" if begin.off_surface is None else "along curvature"
     lines = [f"{name}: {worst(mesh)}" for name, mesh in ((named, begin.mesh), ("built", net))]
@@ -91,8 +89,13 @@ def place_inset(sheet: Image.Image, draw: ImageDraw.ImageDraw, path: Path) -> No
 
 def worst(mesh: QuadMesh) -> str:
     """Name the worst face of a mesh by both measures."""
-    planarity, orthogonality = measures.planarity(mesh).max(), measures.orthogonality(mesh).max()
+    planarity, orthogonality = measures.planarity(mesh).max(), worst_orthogonality(mesh)
     return f"worst planarity {planarity:.1e}, worst orthogonality {orthogonality:.1e}"
+
+
+def worst_orthogonality(mesh: QuadMesh) -> float:
+    """That of the worst face away from irregular vertices, where there are no right angles."""
+    return float(measures.orthogonality(mesh)[~mesh.connectivity.singular_faces].max())
 
 
 def scale(sheet: Image.Image, draw: ImageDraw.ImageDraw) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from demo_picture import Begin
+from demo_picture import Begin, worst_orthogonality
 
 from solver.analysis import measures
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -42,7 +42,7 @@ def table(
     if begin.off_surface is not None:
         near = f"{begin.off_surface:,.0f} mm off the surface at most"
     size = " x ".join(f"{side / 1000:.3g}" for side in np.ptp(drawn.vertices, axis=0))
-    orthogonality = [float(measures.orthogonality(mesh).max()) for mesh in (drawn, net)]
+    orthogonality = [worst_orthogonality(mesh) for mesh in (drawn, net)]
     planarity = [float(measures.planarity(mesh).max()) for mesh in (drawn, net)]
     warp = [float(measures.diagonal_distances(mesh).max()) for mesh in (drawn, net)]
     rows = [

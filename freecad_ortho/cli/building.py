@@ -253,10 +253,8 @@ def _millimetres(length: float, unit: str) -> str:
 
 def _fabricate(options: argparse.Namespace, stages: Stages) -> None:
     begin = time.monotonic()
-    settled = {"input": str(stages.folder / _NET), "unit": None, "up": "z"}
-    words = fabricating.fabricated(
-        argparse.Namespace(**{**vars(options), **settled}), Path(options.input).stem, _way(stages)
-    )
+    net = api.read_mesh(stages.folder / _NET)
+    words = fabricating.fabricated(options, net, Path(options.input).stem, _way(stages))
     report = json.loads((stages.folder / REPORT).read_text(encoding="utf-8"))
     stages.enter(FABRICATE, _told(words, options, FABRICATE, begin), report["files"])
     sys.stdout.write(f"{FABRICATE}: {words}\n")

@@ -93,7 +93,8 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Build the structure and write its files."""
-    sys.stdout.write(fabricated(options, Path(options.input).stem) + "\n")
+    words = fabricated(options, reporting.load(options), Path(options.input).stem)
+    sys.stdout.write(f"{words}\n")
     return EXIT_OK
 
 
@@ -111,11 +112,14 @@ def refuse_unfit(options: argparse.Namespace) -> None:
     fabrication.Selection(options.family, _lines(options))
 
 
-def fabricated(options: argparse.Namespace, project: str, way: Way | None = None) -> str:
+def fabricated(
+    options: argparse.Namespace, loaded: api.LoadedMesh, project: str, way: Way | None = None
+) -> str:
     """Build the structure and write its files; a line that says what was made.
 
     Args:
         options: of the command.
+        loaded: the net.
         project: what the readable report is headed by.
         way: what the reports begin with.
 
@@ -123,7 +127,6 @@ def fabricated(options: argparse.Namespace, project: str, way: Way | None = None
         InputError: options that cannot be used.
         OutputError: the folder cannot be written.
     """
-    loaded = reporting.load(options)
     workshop = arguments.given(Workshop.options, options)
     Workshop.of(workshop)
     scale = millimetres_per(loaded.unit)

@@ -20,9 +20,12 @@ _ROWS, _PICTURES = 60, 24
 
 
 def way_to_it(way: Way) -> str:
-    """How the net came to be: a row a stage, with what was asked and what came of it."""
-    rows = [(stage.name, stage.asked, stage.reached) for stage in way.stages]
-    return "<h2>The way to it</h2>" + _table(("stage", "asked", "reached"), rows)
+    """How the net came to be: an item a stage, with what was asked and what came of it."""
+    items = "".join(
+        f"<li><b>{escape(stage.name)}</b> ({escape(stage.asked)}): {escape(stage.reached)}</li>"
+        for stage in way.stages
+    )
+    return f"<h2>The way to it</h2><ol>{items}</ol>"
 
 
 def groups_of_parts(production: Production) -> str:
