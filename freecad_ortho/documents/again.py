@@ -13,7 +13,6 @@ from freecad_ortho.documents.nets import optimise_within, store_outcome
 from freecad_ortho.objects import source_net
 from solver import Outcome, StepRecord, optimise
 from solver.errors import InputError
-from solver.mesh.quadmesh import QuadMesh
 
 # Steps at which the bar is full.
 _STEPS = 200
@@ -65,11 +64,8 @@ def outdated_nets(
 
 
 def require_same_vertices(net: FreeCAD.DocumentObject) -> None:
-    """Raise InputError where settings of an outdated net name vertices by numbers of before."""
-    _require(net, source_net.starting_mesh(net))
-
-
-def _require(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> None:
+    """Raise InputError where settings name vertices that the source of a net makes no more."""
+    mesh = source_net.made_mesh(net)
     if convert.quad_mesh(net).faces.tobytes() == mesh.faces.tobytes():
         return
     named = {
@@ -93,7 +89,7 @@ def _renew(net: FreeCAD.DocumentObject) -> None:
         OrthoError: its settings do not fit any more, or the user has pressed Esc.
     """
     mesh = source_net.starting_mesh(net)
-    _require(net, mesh)
+    require_same_vertices(net)
     with progress(net.Label) as move:
 
         def stepped(record: StepRecord) -> None:

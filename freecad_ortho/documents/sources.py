@@ -10,7 +10,9 @@ from typing import Any
 import FreeCAD
 
 from freecad_ortho import convert
+from freecad_ortho.documents.again import require_same_vertices
 from freecad_ortho.documents.common import document_or_new, progress, require_net, transaction
+from freecad_ortho.documents.nets import optimise_within
 from freecad_ortho.keywords import Value
 from freecad_ortho.objects import cad_faces, places, source_net
 from freecad_ortho.objects import net as net_object
@@ -80,6 +82,8 @@ def change_source(
 ) -> None:
     """Give a net that follows a source other options; vertices that were moved are made anew.
 
+    Those of a net with ``OptimiseAgain`` are optimised again then, as before.
+
     Args:
         net: a net made by :func:`add_source` or its kin.
         nets: other nets that it is made of.
@@ -102,9 +106,15 @@ def change_source(
         with source_net.as_before_on_failure(net):
             source_net.set_values(net, values)
             source_net.set_inputs(net, inputs)
+            again = net.OptimiseAgain and not net.FollowSource
+            if again:
+                require_same_vertices(net)
             source_net.remake(net)
-        net.FollowSource = True
-        net.Document.recompute()
+        if again:
+            optimise_within(net)
+        else:
+            net.FollowSource = True
+            net.Document.recompute()
     _say_remarks(net)
 
 

@@ -219,7 +219,16 @@ def starting_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
     Raises:
         OrthoError: the net is empty, or the source makes no net.
     """
-    return _turned(net, _made(net).mesh) if is_outdated(net) else convert.quad_mesh(net)
+    return made_mesh(net) if is_outdated(net) else convert.quad_mesh(net)
+
+
+def made_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
+    """What the source of a net makes now.
+
+    Raises:
+        OrthoError: it makes no net.
+    """
+    return _turned(net, _made(net).mesh)
 
 
 def _has_source(feature: FreeCAD.DocumentObject) -> bool:

@@ -128,6 +128,12 @@ class TestAgain(DocumentCase):
         self.assertNotEqual(beams.Shape.Volume, volume)
         for item in (net, beams):
             self.assertEqual(item.State, ["Up-to-date"], item.Label)
+        count = len(net.Faces)
+        api.change_source(net, edge=1300.0)
+        self.assertLess(len(net.Faces), 0.8 * count)
+        self.assert_near(net, sheet)
+        self.assertEqual((net.FollowSource, net.Outdated), (False, False))
+        self.assertEqual(beams.State, ["Up-to-date"])
         by_hand = tools.vertices(net)
         sheet.Shape = roof()
         net.OptimiseAgain = False
