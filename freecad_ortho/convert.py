@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import FreeCAD
@@ -52,6 +53,24 @@ def store_mesh(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> None:
     net.Faces = []
     net.Vertices = vectors(mesh.vertices)
     net.Faces = mesh.faces.ravel().tolist()
+
+
+def border(net: FreeCAD.DocumentObject) -> tuple[FloatArray, ...]:
+    """Read the border along which parts on a net are trimmed: closed polylines (N, 3), in mm."""
+    points = array(net.Border)
+    ends = np.cumsum(net.BorderCounts)
+    if len(ends) and ends[-1] != len(points):
+        raise InputError(
+            f"{net.Label}: 'Border' holds {len(points)} points, 'BorderCounts' says {ends[-1]}; "
+            "undo the change, or empty both"
+        )
+    return tuple(np.split(points, ends[:-1])) if len(ends) else ()
+
+
+def store_border(net: FreeCAD.DocumentObject, border: Sequence[FloatArray]) -> None:
+    """Write the border along which parts on a net are trimmed, in mm."""
+    net.Border = vectors(np.concatenate(border)) if border else []
+    net.BorderCounts = [len(line) for line in border]
 
 
 def store_vertices(net: FreeCAD.DocumentObject, vertices: FloatArray) -> None:

@@ -39,6 +39,7 @@ class Sizes(TypedDict, total=False):
     panel_edge: Literal["square", "bevel"]
     at_hubs: Literal["cut", "lift"]
     least_width: Length
+    least_length: Length
     louvre_axis: Literal["u", "v"]
     tilt: float
     width: Length
@@ -64,6 +65,7 @@ class StructureSettings(Sizes, total=False):
 
     beams: Feature
     family: Literal["u", "v", "both"]
+    trimmed: bool
     lines: Sequence[int]
     material: str
     density: float

@@ -46,7 +46,7 @@ _CHANGES = {
 }
 # What a form begins with and a command does only where it is told to.
 _UNTOLD: dict[str, dict[str, Any]] = {"trim": {"rings": 0}, "orient": {"reverse": False}}
-# Changes whose options name places; they leave the surface, and its border behind.
+# Changes whose options name places.
 _PLACED = ("mirror", "transform", "moebius", "inversion")
 # What was an option of transform and is a command now.
 _MOVED = {
@@ -108,8 +108,8 @@ def _changer(
         mesh = loaded.mesh if placed else loaded.near
         made = entry.make(untold | told, loaded.unit, meshes=[mesh]).mesh
         made = loaded.origin.near_mesh(made) if placed else made
-        border = () if placed else loaded.near_border
-        if placed and loaded.border:
+        border = loaded.near_border if entry.stays else ()
+        if loaded.border and not border:
             sys.stderr.write("note: the border of the surface stays behind\n")
         return values.write(options, made, loaded.unit, origin=loaded.origin, border=border)
 

@@ -77,6 +77,7 @@ def import_net(
         mesh = taken.near_mesh(loaded.mesh).scaled(scale)
         net = net_object.create(target, mesh, Path(path).stem)
         net.Origin = convert.vectors(taken.scaled(scale).shift[None])[0]
+        convert.store_border(net, [scale * taken.near(line) for line in loaded.border])
         net.Unit = loaded.unit
         net.SourceFile = os.fspath(path)
         target.recompute()
@@ -120,7 +121,9 @@ def export_net(
     left = LocalOrigin(taken - measured_from(origin, taken)).scaled(1 / millimetres_per(chosen))
     # Divided and not multiplied by a part: what was read in metres is written as it was read.
     metres = mesh.with_vertices(mesh.vertices / millimetres_per(chosen))
-    write_mesh(path, left.back_mesh(metres), chosen)
+    lines = [places.moved(line, places.container(net)) for line in convert.border(net)]
+    border = [left.back(line / millimetres_per(chosen)) for line in lines]
+    write_mesh(path, left.back_mesh(metres), chosen, border)
 
 
 def set_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettings]) -> None:

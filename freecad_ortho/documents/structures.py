@@ -43,6 +43,7 @@ _COMMON: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "beams": ("OnBeams", lambda beams: beams),
     "family": ("Family", str.capitalize),
     "lines": ("Lines", list),
+    "trimmed": ("Trimmed", bool),
     "material": ("Material", str.capitalize),
     "density": ("Density", float),
 }
@@ -55,6 +56,7 @@ def add_structure(
     beams: FreeCAD.DocumentObject | None = None,
     family: str = "both",
     lines: Sequence[int] = (),
+    trimmed: bool = True,
     material: str = "steel",
     density: float = 0.0,
     **sizes: Unpack[Sizes],
@@ -68,6 +70,7 @@ def add_structure(
             end before hubs from then on.
         family: parameter lines that are built on: ``"u"``, ``"v"`` or ``"both"``.
         lines: numbers of these lines; empty for all.
+        trimmed: whether parts are cut along the border of the surface, where the net has one.
         material: of all parts, as on the command line; parts of a build-up, such as
             ``"insulating-glass-8-16-6"``, have its thickness.
         density: kg/m3, 0 for the material's own.
@@ -83,7 +86,8 @@ def add_structure(
     if system not in SYSTEMS:
         raise InputError(f"system: expected one of {', '.join(SYSTEMS)}, got '{system}'")
     common = {"beams": beams, "family": family, "lines": lines, "material": material}
-    properties = _properties(system, {**common, "density": density, **sizes})
+    common |= {"trimmed": trimmed, "density": density}
+    properties = _properties(system, {**common, **sizes})
     title = next(title for title, name in structure_object.TITLES.items() if name == system)
     document = net.Document
     with transaction(document, FreeCAD.Qt.translate("Ortho", title)):

@@ -32,6 +32,7 @@ def add_beams(
     hub_diameter: Length = 100.0,
     clearance: Length = 1.0,
     no_boundary_beams: bool = False,
+    least_length: Length = 100.0,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -51,6 +52,7 @@ def add_beams(
         hub_diameter: of the hubs that beams end before.
         clearance: of slots and hubs.
         no_boundary_beams: leaves the boundary without beams.
+        least_length: shorter beams at the border of the surface are left out.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

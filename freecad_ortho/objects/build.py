@@ -30,7 +30,7 @@ from solver.errors import InputError
 if TYPE_CHECKING:
     import FreeCAD
 
-    from solver.mesh.quadmesh import QuadMesh
+    from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 _REMEDY = "select structures of different systems on the same net"
 
@@ -52,6 +52,7 @@ def structure(features: Sequence[FreeCAD.DocumentObject], placed: bool = False) 
         material=plan.materials,
         limits=plan.limits,
         selection=plan.selection,
+        border=plan.border,
     )
     chosen = _warned(whole.only(*plan.wanted), outdated.notice(features[0]))
     return _placed(chosen, features) if placed else chosen
@@ -92,6 +93,8 @@ def fingerprint(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:
     """
     plan = _plan(features)
     word = sha256(plan.mesh.vertices.tobytes() + plan.mesh.faces.tobytes())
+    for line in plan.border:
+        word.update(line.tobytes())
     # Another version of the workbench may build the same in another way.
     settings = (__version__, plan.systems, plan.materials, plan.limits, plan.selection, plan.wanted)
     word.update(repr((settings, more)).encode())
@@ -108,6 +111,7 @@ class _Plan:
     limits: dict[str, Limits]
     selection: Selection
     wanted: list[str]
+    border: tuple[FloatArray, ...]
 
 
 def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
@@ -129,7 +133,12 @@ def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
         {name: limits_of(by_system[name]) for name in ordered},
         Selection(lines[0].lower(), lines[1] or None),
         [name for name in ordered if name in wanted],
+        convert.border(net) if _agreed(features, "trimming", _is_trimmed) else (),
     )
+
+
+def _is_trimmed(feature: FreeCAD.DocumentObject) -> bool:
+    return bool(feature.Trimmed)
 
 
 def _material(feature: FreeCAD.DocumentObject) -> Material:

@@ -40,6 +40,22 @@ NET_PROPERTIES = (
         flags=HIDDEN,
     ),
     Property(
+        "App::PropertyVectorList",
+        "Border",
+        "Net",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Points of closed curves along which parts are trimmed, in mm"
+        ),
+        flags=HIDDEN,
+    ),
+    Property(
+        "App::PropertyIntegerList",
+        "BorderCounts",
+        "Net",
+        QT_TRANSLATE_NOOP("App::Property", "How many of these points each of the curves has"),
+        flags=HIDDEN,
+    ),
+    Property(
         "App::PropertyBool",
         "Flipped",
         "Net",

@@ -29,7 +29,7 @@ from solver.errors import InputError, OrthoError
 from solver.mesh.mirror import reversed_orientation
 
 if TYPE_CHECKING:
-    from solver.mesh.quadmesh import QuadMesh
+    from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -308,7 +308,8 @@ def _made(feature: FreeCAD.DocumentObject) -> Made:
         return made
     # Faces are sampled where they stand in the document, which may not be where the net is.
     here = places.container(feature).inverse()
-    return replace(made, mesh=places.moved_mesh(made.mesh, here))
+    border = tuple(places.moved(line, here) for line in made.border)
+    return replace(made, mesh=places.moved_mesh(made.mesh, here), border=border)
 
 
 def _shown(making: Making, label: str) -> Made:
@@ -349,9 +350,19 @@ def set_values(feature: FreeCAD.DocumentObject, values: Mapping[str, Any]) -> No
 
 def _store(feature: FreeCAD.DocumentObject, made: Made) -> None:
     convert.store_mesh(feature, _turned(feature, made.mesh))
+    convert.store_border(feature, made.border or _passed_on(feature))
     feature.MadeFrom, feature.Outdated = _word(made.mesh), False
     said = outdated.notice(feature)
     feature.Remarks = [*made.remarks, *([said] if said else [])]
+
+
+def _passed_on(feature: FreeCAD.DocumentObject) -> list[FloatArray]:
+    """The border of the net that a net is made of, where it stays on the same surface."""
+    if not source(feature.MadeBy).stays:
+        return []
+    (net,) = feature.Nets
+    way = places.between(feature, net)
+    return [places.moved(line, way) for line in convert.border(net)]
 
 
 def _formers(feature: FreeCAD.DocumentObject) -> dict[str, Any]:

@@ -68,6 +68,15 @@ _PROPERTIES = (
         "Structure",
         QT_TRANSLATE_NOOP("App::Property", "Numbers of these parameter lines; empty: all"),
     ),
+    Property(
+        "App::PropertyBool",
+        "Trimmed",
+        "Structure",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Cut parts along the border of the surface, where the net has one"
+        ),
+        default=True,
+    ),
     *outdated.updating("Structure"),
     _MATERIAL,
     Property(

@@ -50,7 +50,8 @@ def _on_faces(
     strokes: Sequence[FloatArray] = (),
 ) -> Made:
     made = aligned_on(surfaces, net, edge, ratio, border, strokes, waiting)
-    return Made(made.mesh, (*_irregular(made), *made.remarks), made.field, made.singular)
+    remarks = (*_irregular(made), *made.remarks)
+    return Made(made.mesh, remarks, made.field, made.singular, made.border)
 
 
 def _irregular(made: Aligned) -> list[str]:

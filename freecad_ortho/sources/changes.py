@@ -109,6 +109,7 @@ CHANGES = (
         ),
         _one(_diagonal),
         "net",
+        stays=True,
     ),
     Source(
         "medial mesh",
@@ -116,6 +117,7 @@ CHANGES = (
         (),
         _one(diagonal.medial_mesh),
         "net",
+        stays=True,
     ),
     Source(
         "checkerboard",
@@ -123,6 +125,7 @@ CHANGES = (
         (),
         _one(diagonal.checkerboard),
         "net",
+        stays=True,
     ),
     Source(
         "subdivide",
@@ -134,6 +137,7 @@ CHANGES = (
         ),
         _one(_subdivided),
         "net",
+        stays=True,
     ),
     Source(
         "coarsen",
@@ -147,6 +151,7 @@ CHANGES = (
         ),
         _one(_coarsened),
         "net",
+        stays=True,
     ),
     Source(
         "trim",
@@ -158,6 +163,7 @@ CHANGES = (
         ),
         _one(_trimmed),
         "net",
+        stays=True,
     ),
     Source(
         "mirror",
@@ -180,6 +186,7 @@ CHANGES = (
         ),
         _one(_oriented),
         "net",
+        stays=True,
     ),
     Source(
         "transform",

@@ -24,12 +24,14 @@ class Made:
         remarks: what a user should know about it, one sentence each.
         field: the directions that its lines follow, where it follows any.
         singular: where these cannot be continued.
+        border: closed polylines (N, 3) of the surface's border, which the net overhangs.
     """
 
     mesh: QuadMesh
     remarks: tuple[str, ...] = ()
     field: Crosses | None = None
     singular: Singular | None = None
+    border: tuple[FloatArray, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,8 @@ class Source:
         strokes: it may be given ``strokes``, polylines (n, 3) that its lines run along.
         stages: of a source that takes seconds: ``build`` is given ``waiting``, which it calls with
             the name of each, some several times, and passes on what that raises.
+        stays: a net that is made of one stays on the surface that that one is on, and has the
+            border of that surface.
     """
 
     name: str
@@ -55,6 +59,7 @@ class Source:
     needs: str = ""
     strokes: bool = False
     stages: tuple[str, ...] = ()
+    stays: bool = False
 
     @property
     def defaults(self) -> dict[str, Any]:

@@ -1,5 +1,9 @@
 """Nets along curvature in documents without a window: what they make, follow and refuse."""
 
+import json
+import os
+import tempfile
+
 import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
@@ -64,6 +68,34 @@ class TestAligned(DocumentCase):
         self.assertLess(len(net.Faces), 0.7 * before)
         api.optimise_net(net, net="principal", close_to=net)
         self.assertLessEqual(max(tools.faults(net)), 1e-10)
+
+    def test_structures_are_cut_along_the_border_of_the_face(self):
+        net = api.net_along_curvature(self.sheet, edge=900.0)
+        api.optimise_net(net, net="principal", close_to=net)
+        (line,) = convert.border(net)
+        far = max(self.sheet.Shape.distToShape(Part.Vertex(p))[0] for p in convert.vectors(line))
+        self.assertLess(far, 20)
+        panels = api.add_panels(net, gap=1.0)
+        covered = json.loads(panels.Report)["panels"]["area_mm2"]
+        self.assertLess(abs(covered / self.sheet.Shape.Area - 1), 0.01)
+        self.assertLess(len(panels.PartNames), len(net.Faces) // 4)
+        self.assertTrue(all(solid.isValid() for solid in panels.Shape.Solids))
+        api.change_structure(panels, trimmed=False)
+        self.assertEqual(len(panels.PartNames), len(net.Faces) // 4)
+        panels.Trimmed = True
+        self.document.recompute()
+        self.assertLess(len(panels.PartNames), len(net.Faces) // 4)
+
+    def test_a_border_goes_from_net_to_net_and_through_files(self):
+        net = api.net_along_curvature(self.sheet, edge=900.0)
+        (line,) = convert.border(net)
+        fine = api.change_net(net, "subdivide", levels=1)
+        self.assertEqual(len(convert.border(fine)), 1)
+        self.assertEqual(convert.border(api.change_net(net, "transform", scale=2.0)), ())
+        path = os.path.join(tempfile.mkdtemp(), "net.json")
+        api.export_net(net, path, unit="m")
+        again = api.import_net(path, self.document)
+        self.assertLess(np.abs(convert.border(again)[0] - line).max(), 1e-9)
 
     def test_irregular_vertices_are_counted_by_their_lines(self):
         net = api.net_along_curvature(self.sheet, edge=900.0)

@@ -172,6 +172,23 @@ def _by_edge(net: Connectivity, cells: Sequence[Cell]) -> _Shares:
     return found
 
 
+def spans_of(
+    net: Connectivity, cells: Sequence[Cell]
+) -> dict[int, tuple[tuple[float, float], ...]]:
+    """By edge, the stretches that any of the cells has of it, from the edge's first vertex."""
+    found = {}
+    for edge, shares in _by_edge(net, cells).items():
+        spans: list[tuple[float, float]] = []
+        for start, end in sorted((start, end) for _, start, end in shares):
+            if spans and start <= spans[-1][1] + _SHORT:
+                spans[-1] = spans[-1][0], max(spans[-1][1], end)
+            elif end - start > _SHORT:
+                spans.append((start, end))
+        if spans:
+            found[edge] = tuple(spans)
+    return found
+
+
 def _across_border(cells: Sequence[Cell], by_face: dict[int, list[int]]) -> Iterable[_Link]:
     for numbers in by_face.values():
         for place, one in enumerate(numbers):

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_ortho.fabrication.trimming.cells import cells_of, divided, within
-from freecad_ortho.fabrication.trimming.course import course_of
+from freecad_ortho.fabrication.trimming.cells import cells_of, divided, spans_of, within
+from freecad_ortho.fabrication.trimming.course import Crossing, course_of
 from freecad_ortho.fabrication.trimming.rays import Rays, bilinear
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 if TYPE_CHECKING:
@@ -34,11 +34,15 @@ class Trimming:
         whole: (F,) true for faces that are within it altogether.
         regions: by face, of those that it cuts, polygons in (u, v) that are within it; where they
             reach the face's sides they go on beyond.
+        spans: by edge, what of it is within the border, from its first vertex (0) to the other (1).
+        crossings: by edge, where the border crosses it.
         missed: length of the border that the net does not reach, mm.
     """
 
     whole: BoolArray
     regions: dict[int, tuple[shapely.Polygon, ...]]
+    spans: dict[int, tuple[tuple[float, float], ...]]
+    crossings: dict[int, list[Crossing]]
     missed: float
 
     @classmethod
@@ -70,7 +74,10 @@ class Trimming:
             for face, some in pieces.items()
             if any(inside for _, inside in some)
         }
-        return cls(whole, regions, sum(miss.length for miss in course.beyond))
+        inside = [cell for cell, inside in zip(cells, kept.tolist(), strict=True) if inside]
+        spans = spans_of(mesh.connectivity, inside)
+        missed = sum(miss.length for miss in course.beyond)
+        return cls(whole, regions, spans, course.crossings, missed)
 
     @property
     def made(self) -> BoolArray:
@@ -78,6 +85,22 @@ class Trimming:
         made = self.whole.copy()
         made[list(self.regions)] = True
         return made
+
+    def vertices(self, edges: IntArray) -> BoolArray:
+        """(V,) true for the vertices of edges (E, 2) that are within the border."""
+        within = np.zeros(int(edges.max()) + 1, dtype=bool)
+        for edge, spans in self.spans.items():
+            first, second = edges[edge]
+            within[first] |= spans[0][0] <= 0.0
+            within[second] |= spans[-1][1] >= 1.0
+        return within
+
+    def along(self, edge: int, place: float) -> FloatArray | None:
+        """(3,) direction of the border where it cuts an edge at a place; None where unknown."""
+        near = min(
+            self.crossings.get(edge, ()), key=lambda one: abs(one.place - place), default=None
+        )
+        return None if near is None else near.along
 
     def flat_regions(self, face: int, corners: FloatArray) -> list[shapely.Polygon]:
         """The regions of a face between its corners (4, 2) in a plane, mm; the largest first."""

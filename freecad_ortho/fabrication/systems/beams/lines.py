@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.folded import Chain, Slot
 from freecad_ortho.fabrication.systems.beams.frames import Around
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
@@ -76,7 +77,12 @@ def half_laps(site: Site, around: Around, thickness: float, clearance: float) ->
 
 
 def chain(
-    site: Site, geometry: BeamGeometry, line: ParameterLine, half: float, laps: Crossings | None
+    site: Site,
+    geometry: BeamGeometry,
+    line: ParameterLine,
+    half: float,
+    laps: Crossings | None,
+    border: BorderEnds | None = None,
 ) -> Chain:
     """The plates along a line, in its direction.
 
@@ -104,20 +110,28 @@ def chain(
                 widths = [float(laps.width[one]) if one >= 0 else 0.0 for one in (before, after)]
                 slots[node] = Slot(above, floor, *widths)
         _refuse_slots(site, geometry, edges, leaving, arriving, laps)
+    vertices, offsets = site.mesh.vertices[nodes], site.axes.offsets[nodes]
+    tongues = [0.0, 0.0]
+    if laps is not None:
+        tongues = [float(laps.tongue[leaving[0]]), float(laps.tongue[arriving[-1]])]
+    if border is not None and not line.closed:
+        for end in (0, -1):
+            found = border.end_of(site, int(edges[end]), int(nodes[end]))
+            if found is not None:
+                vertices[end], offsets[end] = found
+                slots[end], tongues[end] = None, 0.0
     slope = geometry.cuts.slope[edges[[0, -1]]]
     first = (slope[0, 0], slope[0, 3]) if ahead[0] else (slope[0, 2], slope[0, 1])
     last = (slope[1, 1], slope[1, 2]) if ahead[-1] else (slope[1, 3], slope[1, 0])
     return Chain(
-        vertices=site.mesh.vertices[nodes],
-        offsets=site.axes.offsets[nodes],
+        vertices=vertices,
+        offsets=offsets,
         frame=frame,
         levels=geometry.levels,
         half=half,
         slots=tuple(slots),
         ends=None if line.closed else (first, last),
-        tongues=(0.0, 0.0)
-        if laps is None
-        else (float(laps.tongue[leaving[0]]), float(laps.tongue[arriving[-1]])),
+        tongues=(tongues[0], tongues[1]),
     )
 
 

@@ -19,6 +19,7 @@ from freecad_ortho.fabrication.pattern import (
 )
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.folded import Chain, FoldedPlate, folded_plate
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
@@ -34,7 +35,11 @@ _LYING = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
 
 
 def edge_beams(
-    site: Site, geometry: BeamGeometry, section: Section, chosen: BoolArray
+    site: Site,
+    geometry: BeamGeometry,
+    section: Section,
+    chosen: BoolArray,
+    border: BorderEnds | None,
 ) -> tuple[Part, ...]:
     """Return the parts of each chosen edge (E,), in the order of the edges."""
     edges = site.mesh.connectivity.edges.tolist()
@@ -48,6 +53,9 @@ def edge_beams(
         for piece in made:
             name = names[edge] + piece.suffix
             ends = [nodes[vertex] for vertex in edges[edge]]
+            if border is not None:
+                at_border = border.cut[edge]
+                ends = ["" if cut else end for end, cut in zip(ends, at_border, strict=True)]
             pattern, origin = _pattern(geometry, piece, edge, name, ends)
             turn = _LYING if piece.role == "flange" else _UPRIGHT
             body = piece.body(edge, origin, turn)
@@ -89,6 +97,7 @@ def line_beams(
     thickness: float,
     lines: tuple[ParameterLine, ...],
     laps: Crossings | None,
+    border: BorderEnds | None,
 ) -> tuple[tuple[Part, ...], list[str]]:
     """Return one folded plate for each line, and what is to be said about putting them together.
 
@@ -97,12 +106,14 @@ def line_beams(
     """
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
     across, nodes = _names_across(site), part_names("N", len(site.mesh.vertices))
-    parts = []
+    parts: list[Part] = []
     ways: dict[str, list[SlotWay]] = {}
     for line in lines:
-        form = chain(site, geometry, line, thickness / 2, laps)
+        form = chain(site, geometry, line, thickness / 2, laps, border)
         plate = folded_plate(form)
         name = line_name(line)
+        if parts and parts[-1].name.startswith(name):
+            name += chr(ord(parts[-1].name[len(name) :] or "a") + 1)
         if laps is not None:
             ways[name] = _ways(site, geometry, line, form, laps.clearance, across)
         if overlaps_itself(plate.outline):
@@ -245,6 +256,8 @@ def _texts(
     centre = (start + end) / 2
     marks = []
     for text, sign in zip(ends, (-1.0, 1.0), strict=True):
+        if not text:
+            continue
         place = np.array([[centre + sign * 0.36 * clear, middle]])
         size = fitted_text_size(text, 0.24 * clear, 0.5 * height, 15.0)
         marks.append(Mark(place, text, size))

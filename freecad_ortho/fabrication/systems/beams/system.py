@@ -8,10 +8,17 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.sizes import (
+    OFFSETS,
+    check_offset,
+    check_size,
+    not_negative,
+    offset_levels,
+)
 from freecad_ortho.fabrication.stock import different_tubes
+from freecad_ortho.fabrication.systems.beams.border import BorderEnds, stub_words
 from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, around_axes, beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import (
     BeamGeometry,
@@ -59,6 +66,7 @@ class Beams(System):
         clearance: between beam and hub, between plates in slots, and beside beams that run through,
             mm.
         boundary_beams: false to leave the edges of the boundary out.
+        least_length: beams that are shorter at the border of the surface are left out, mm.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown choice.
@@ -74,7 +82,9 @@ class Beams(System):
     hub_diameter: float = 100.0
     clearance: float = 1.0
     boundary_beams: bool = True
+    least_length: float = 100.0
 
+    trims: ClassVar[bool] = True
     name: ClassVar[str] = "beams"
     options: ClassVar[tuple[Option, ...]] = (
         Option("height", 200.0, "length", "the beams are this high"),
@@ -98,6 +108,12 @@ class Beams(System):
         Option("hub_diameter", 100.0, "length", "the hubs measure this across their faces"),
         Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
         Option("no_boundary_beams", False, "flag", "no beams are made along the boundary"),
+        Option(
+            "least_length",
+            100.0,
+            "length",
+            "beams that are shorter than this at the border are left out",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -110,6 +126,7 @@ class Beams(System):
             check_size("hub diameter", self.hub_diameter)
         if not 0 <= self.clearance < float("inf"):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
+        not_negative("least length", self.least_length)
         if self.ends == "lapped" and self.section != "plate":
             raise InputError(
                 f"ends: only plates can be lapped, got section {self.section}; take section plate "
@@ -144,18 +161,40 @@ class Beams(System):
         built = np.ones(len(site.mesh.connectivity.edges), dtype=bool)
         if not self.boundary_beams:
             built = ~site.mesh.connectivity.boundary_edges
+        border = BorderEnds.of(site, frames)
+        if border is not None:
+            built &= border.within
         wanted = site.chosen_edges & built
         if not wanted.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
         cuts, folded, laps = self._cuts(site, frames, around, built)
         width = section.overall_width
+        stubs: tuple[str, ...] = ()
+        if border is not None:
+            left = border.lengths(site.mesh.edge_lengths, cuts, width / 2)
+            short = built & border.cut.any(axis=1) & (left < self.least_length)
+            names = part_names("B", len(built))
+            stubs = tuple(names[edge] for edge in np.flatnonzero(short & wanted))
+            built, wanted = built & ~short, wanted & ~short
+            border = replace(border, cut=border.cut & built[:, None])
+            around = around_axes(site.mesh, site.axes, frames.along, built)
+            cuts, folded, laps = self._cuts(site, frames, around, built)
+            cuts = cuts.where(np.stack([built, built], axis=1), square(frames, 0 * frames.slope))
+            frames, cuts = border.applied(frames, cuts, site.mesh.edge_lengths, width / 2)
         geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
-        parts = edge_beams(site, geometry, section, wanted & ~folded)
-        lines = tuple(line for line in site.chosen_lines if (folded & built)[line.edges].all())
-        folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps)
+        parts = edge_beams(site, geometry, section, wanted & ~folded, border)
+        along = folded & built
+        if border is None:
+            lines = tuple(line for line in site.chosen_lines if along[line.edges].all())
+        else:
+            lines = tuple(run for line in site.chosen_lines for run in border.runs(line, along))
+        folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
+        if border is not None:
+            report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
+            doubts += stub_words(stubs, self.least_length)
         return SystemParts(parts, report, (*_messages(report, parts), *doubts), geometry)
 
     @property

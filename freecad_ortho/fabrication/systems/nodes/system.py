@@ -19,6 +19,7 @@ from freecad_ortho.fabrication.systems.beams.frames import (
     around_axes,
     beam_frames,
 )
+from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.system import Beams
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
@@ -63,6 +64,7 @@ class Nodes(System):
     clearance: float = 1.0
     boundary_beams: bool = True
 
+    trims: ClassVar[bool] = True
     name: ClassVar[str] = "nodes"
     options: ClassVar[tuple[Option, ...]] = (
         Option("node", "hub", "choice", "the beams are joined by hubs or sockets", KINDS),
@@ -151,6 +153,12 @@ class Nodes(System):
         built = site.chosen_edges.copy()
         if not self.boundary_beams:
             built &= ~site.mesh.connectivity.boundary_edges
+        within = np.ones(len(site.mesh.vertices), dtype=bool)
+        if site.trimming is not None:
+            beams = site.geometry_of("beams", BeamGeometry)
+            kept = np.isin(np.arange(len(built)), list(site.trimming.spans))
+            built &= kept if beams is None else beams.built
+            within = site.trimming.vertices(site.mesh.connectivity.edges)
         if not built.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
@@ -158,6 +166,7 @@ class Nodes(System):
         parts = tuple(
             self._part(site, names[vertex], vertex, arms, turn)
             for vertex, arms, turn in _stars(frames, around)
+            if within[vertex]
         )
         groups = {
             parts[group[0]].name: [parts[number].name for number in group]
