@@ -15,7 +15,7 @@ from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray
 
 # A border that runs along a beam cuts it no more slanted than this, mm along per mm across.
-_STEEPEST = 4.0
+_STEEPEST = 12.0
 # Signs of ``Cuts.slope`` of a plane whose station rises to the right.
 _SIGNS = np.array([1.0, -1.0, 1.0, -1.0])
 

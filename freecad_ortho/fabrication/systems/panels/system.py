@@ -28,7 +28,11 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 )
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
-from freecad_ortho.fabrication.systems.panels.trimmed import left_out_words, trimming_report
+from freecad_ortho.fabrication.systems.panels.trimmed import (
+    left_out_words,
+    trimming_report,
+    uncarried_words,
+)
 from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.analysis.measures import diagonal_distances
@@ -180,6 +184,10 @@ class Panels(System):
         if site.trimming is not None:
             report |= trimming_report(parts, site.trimming, left_out)
             doubts += left_out_words(left_out, self.least_width)
+            if least is not None:
+                at_border = np.isin(np.arange(len(made)), list(site.trimming.regions))
+                doubts += uncarried_words(least[made & at_border])
+                report["bearing_min_mm"] = float(least[made & ~at_border].min(initial=np.inf))
         messages = (*_messages(report, float(gaps[made].max()), site.material), *doubts)
         if beams is not None and _faces_down(site.mesh):
             messages += (

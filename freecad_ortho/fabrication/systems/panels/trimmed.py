@@ -195,3 +195,14 @@ def left_out_words(left_out: Mapping[str, Trimmed], least_width: float) -> list[
         f"panels: left out at the border what is narrower than {least_width:g} mm: {shown}, "
         f"{area:.2g} m2 in {len(left_out)}; a smaller least width keeps it"
     ]
+
+
+def uncarried_words(bearings: FloatArray) -> list[str]:
+    """A message where panels at the border, by how wide they bear, do not lie on beams enough."""
+    loose = int((bearings <= 0).sum())
+    if not loose:
+        return []
+    return [
+        f"panels: {loose} at the border have fewer than two beams under them; they need something "
+        "along the border that carries them"
+    ]
