@@ -60,12 +60,29 @@ def _unfolded(mesh: TriangleMesh) -> TriangleMesh:
         bad &= ~mesh.on_rim
         if not bad.any():
             break
-        start, end = mesh.half_edges.T
-        sums, counts = np.zeros_like(mesh.points), np.bincount(start, minlength=len(mesh.points))
-        np.add.at(sums, start, mesh.points[end])
-        points = np.where(bad[:, None], sums / counts[:, None], mesh.points)
+        points = np.where(bad[:, None], _middles(mesh), mesh.points)
         mesh = TriangleMesh(points, mesh.triangles)
     return mesh
+
+
+def relaxed(mesh: TriangleMesh, rounds: int) -> TriangleMesh:
+    """Move inner points along the surface to the middle of their neighbours, several times."""
+    for _ in range(rounds):
+        move = _middles(mesh) - mesh.points
+        normals = mesh.vertex_normals
+        move -= (move * normals).sum(axis=1)[:, None] * normals
+        points = np.where(mesh.on_rim[:, None], mesh.points, mesh.points + move)
+        mesh = TriangleMesh(points, mesh.triangles)
+    return mesh
+
+
+def _middles(mesh: TriangleMesh) -> FloatArray:
+    """(V, 3) mean of the neighbours of each point that follow it in a triangle."""
+    start, end = mesh.half_edges.T
+    sums, counts = np.zeros_like(mesh.points), np.bincount(start, minlength=len(mesh.points))
+    np.add.at(sums, start, mesh.points[end])
+    found: FloatArray = sums / counts[:, None]
+    return found
 
 
 def _turned(mesh: TriangleMesh) -> IntArray | None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from solver.align.apron import extended
 from solver.align.jets import face_tensors, fitted
-from solver.align.mend import mended
+from solver.align.mend import mended, relaxed
 from solver.align.refine import refined
 from solver.align.triangle_mesh import TriangleMesh
 from solver.mesh.quadmesh import FloatArray
@@ -21,6 +21,8 @@ _RADIUS, _APRON, _OUTWARDS, _NOISY, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 3.0, 6, 0
 _ROUGH = 2e-3
 # An opening less than this part of an edge across is a fault of the triangles.
 _PINHOLE = 0.25
+# How often points of a rough surface move along it, to the middle of their neighbours.
+_RELAXED = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,4 +106,4 @@ def smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:
     if rough < _ROUGH * edge:
         return surface, 0.0
     points = surface.points + off[:, None] * jets.axes[:, 2]
-    return TriangleMesh(points, surface.triangles), rough
+    return relaxed(TriangleMesh(points, surface.triangles), _RELAXED), rough

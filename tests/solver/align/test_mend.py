@@ -7,7 +7,7 @@ import pytest
 
 from solver.align.align import aligned
 from solver.align.field import curvature_guide, smooth_field
-from solver.align.mend import mended
+from solver.align.mend import mended, relaxed
 from solver.align.triangle_mesh import TriangleMesh, one_surface
 from solver.analysis import measures
 from solver.mesh.closest import TriangleSurface
@@ -42,6 +42,19 @@ def test_a_sliver_goes_and_its_vertices_stay():
     assert better.areas.min() > 0.4
     assert better.areas.sum() == pytest.approx(mesh.areas.sum())
     assert (better.normals[:, 2] > 0.99).all()
+
+
+def test_points_spread_out_along_their_surface():
+    points, faces = triangles(plane, 13, 9)
+    dice = np.random.default_rng(1)
+    mesh = one_surface(points, faces)
+    moved = mesh.points.copy()
+    moved[~mesh.on_rim, :2] += dice.uniform(-0.45, 0.45, (int((~mesh.on_rim).sum()), 2))
+    even = relaxed(TriangleMesh(moved, mesh.triangles), 20)
+    assert np.array_equal(even.points[mesh.on_rim], mesh.points[mesh.on_rim])
+    assert even.points[:, 2] == pytest.approx(0)
+    assert TriangleMesh(moved, mesh.triangles).areas.min() < 0.1
+    assert even.areas.min() > 0.3
 
 
 def test_what_is_folded_over_is_unfolded():
