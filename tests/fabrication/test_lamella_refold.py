@@ -2,12 +2,15 @@
 
 import csv
 from collections import defaultdict
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import Lamellas, build
 from freecad_ortho.fabrication.tables import write_bends
+from freecad_ortho.mesh_files import read_mesh
+from solver.errors import InputError
 from tests.conftest import surface_of_revolution
 from tests.meshes import helicoid, scherk
 
@@ -111,3 +114,10 @@ def test_marks_at_crossings_are_lines_that_are_seen():
         lines = [mark.points for mark in part.pattern.marks if not mark.text]
         lengths = [np.linalg.norm(line[1] - line[0]) for line in lines]
         assert lengths and min(lengths) == pytest.approx(0.3 * 40)
+
+
+def test_bend_lines_that_cross_within_the_width_are_said():
+    """On a net that turns as sharply as this, walking round the pieces found no way back."""
+    net = read_mesh(Path(__file__).parent / "fixtures" / "crossing_bends.json").mesh
+    with pytest.raises(InputError, match="bend lines cross each other within its width"):
+        build(net, [Lamellas(width=70.9)])

@@ -18,6 +18,7 @@ from freecad_ortho.fabrication.ruled import RuledBody
 from freecad_ortho.fabrication.ruled_sides import Bore, Sheet, Side
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from freecad_ortho.fabrication.systems.lamellas.spans import Drilled
+from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
 # Distance from a bend line, mm, below which a corner of the outline lies on it.
@@ -175,6 +176,11 @@ class _Pieces:
             while left:
                 loop = [left.pop()]
                 while (after := following[loop[-1]]) != loop[0]:
+                    if len(loop) > len(following):
+                        raise InputError(
+                            "bent strip: its bend lines cross each other within its width; make "
+                            "the lamella narrower, or optimise the net first"
+                        )
                     loop.append(after)
                 left -= set(loop)
                 loops.append(loop)
