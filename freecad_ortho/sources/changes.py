@@ -105,7 +105,7 @@ CHANGES = (
             Option("which", "first", "choice", "The first holds the first vertex",
                    ("first", "second")),
             Option("border", "drop", "choice", "Zigzag border, or closed by narrow quads",
-                   ("drop", "fill"), former=Former("boundary")),
+                   ("drop", "fill"), former=Former("boundary"), stored="AtBorder"),
         ),
         _one(_diagonal),
         "net",
