@@ -193,8 +193,7 @@ def build(job: Job, folder: Path) -> dict[str, Any]:
     edge = ["--edge", job.edge] if job.edge else []
     unit = ["--unit", job.unit] if job.unit else []
     arguments = [*unit, *edge, "--net", "principal", *parts_of(job)]
-    # The model is made of net.obj, which has no border: its parts are to be those of the files.
-    command_line("build", str(job.source), *arguments, "--untrimmed", "-o", str(folder))
+    command_line("build", str(job.source), *arguments, "-o", str(folder))
     report = json.loads((folder / "report.json").read_text("utf-8"))
     numbers: dict[str, Any] = report["build"]["stages"]["optimise"]["numbers"]
     return numbers
@@ -250,7 +249,8 @@ def build_model(job: Job, folder: Path, unit: str) -> dict[str, Path]:
             "paths": [str(ROOT), str(ROOT / "scripts"), *packages()],
             "source": str(job.source),
             "is_surface": job.is_surface,
-            "net": str(folder / "net.obj"),
+            # Only a .json file keeps the border that parts are trimmed along.
+            "net": str(folder / ("net.json" if job.is_surface else "net.obj")),
             "unit": unit,
             "height": job.height,
             "thickness": job.thickness,
