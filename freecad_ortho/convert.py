@@ -57,19 +57,19 @@ def store_mesh(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> None:
 
 def border(net: FreeCAD.DocumentObject) -> tuple[FloatArray, ...]:
     """Read the border along which parts on a net are trimmed: closed polylines (N, 3), in mm."""
-    points = array(net.Border)
+    points = array(net.BorderPoints)
     ends = np.cumsum(net.BorderCounts)
     if len(ends) and ends[-1] != len(points):
         raise InputError(
-            f"{net.Label}: 'Border' holds {len(points)} points, 'BorderCounts' says {ends[-1]}; "
-            "undo the change, or empty both"
+            f"{net.Label}: 'BorderPoints' holds {len(points)} points, 'BorderCounts' says "
+            f"{ends[-1]}; undo the change, or empty both"
         )
     return tuple(np.split(points, ends[:-1])) if len(ends) else ()
 
 
 def store_border(net: FreeCAD.DocumentObject, border: Sequence[FloatArray]) -> None:
     """Write the border along which parts on a net are trimmed, in mm."""
-    net.Border = vectors(np.concatenate(border)) if border else []
+    net.BorderPoints = vectors(np.concatenate(border)) if border else []
     net.BorderCounts = [len(line) for line in border]
 
 

@@ -41,7 +41,7 @@ NET_PROPERTIES = (
     ),
     Property(
         "App::PropertyVectorList",
-        "Border",
+        "BorderPoints",
         "Net",
         QT_TRANSLATE_NOOP(
             "App::Property", "Points of closed curves along which parts are trimmed, in mm"

@@ -35,7 +35,7 @@ OPTIONS = (
     Option("ratio", 1.0, "number", "How many times as long edges of the other family of lines are"),
     Option("border", "trim", "choice",
            "At the border the net overhangs the surface, to be trimmed, or bends to follow it",
-           BORDERS, stored="AtBorder", title="At the border"),
+           BORDERS, title="At the border"),
 )  # fmt: skip
 
 

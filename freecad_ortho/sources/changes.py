@@ -105,7 +105,7 @@ CHANGES = (
             Option("which", "first", "choice", "The first holds the first vertex",
                    ("first", "second")),
             Option("border", "drop", "choice", "Zigzag border, or closed by narrow quads",
-                   ("drop", "fill"), former=Former("boundary"), stored="AtBorder"),
+                   ("drop", "fill"), former=Former("boundary")),
         ),
         _one(_diagonal),
         "net",
