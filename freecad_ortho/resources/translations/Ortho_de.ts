@@ -30,6 +30,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
+   <translation>Am Rand ragt das Netz über die Fläche hinaus, um beschnitten zu werden, oder biegt sich ihm entlang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
   </message>
@@ -125,6 +130,11 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Cut parts along the border of the surface, where the net has one</source>
+   <translation>Teile entlang des Randes der Fläche schneiden, wo das Netz einen hat</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Density in kg/m3; 0: that of the material</source>
    <translation>Dichte in kg/m3; 0: die des Materials</translation>
   </message>
@@ -147,6 +157,11 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Kanten und Flächen, auf denen Ecken exakt gleiten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Edges, wires and sketches that lines of the net run along</source>
+   <translation>Kanten, Kantenzüge und Skizzen, an denen Linien des Netzes entlanglaufen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -319,6 +334,11 @@
    <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist; 0 ist unbegrenzt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>How many of these points each of the curves has</source>
+   <translation>Wie viele dieser Punkte jede der Kurven hat</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
@@ -392,6 +412,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Layers: one layer has slots where strips cross, two have bolt holes</source>
    <translation>Lagen: eine Lage hat Schlitze, wo Streifen sich kreuzen, zwei haben Schraubenlöcher</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least length: beams that are shorter than this at the border are left out</source>
+   <translation>Mindestlänge: Träger, die am Rand kürzer sind, werden weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least width: pieces of panels at the border that are narrower than this are left out</source>
+   <translation>Mindestbreite: Stücke von Platten am Rand, die schmaler sind, werden weggelassen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -589,6 +619,11 @@
    <translation>Eine Farbe für alle Teile, oder Grün und Rot nach ihrem Befund</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Optimise again at once, as before, when the source of a net that was moved changes</source>
+   <translation>Gleich noch einmal optimieren, wie zuvor, wenn sich die Quelle eines bewegten Netzes ändert</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonal nets: angle between the two directions</source>
    <translation>Orthogonale Netze: Winkel zwischen den beiden Richtungen</translation>
@@ -667,6 +702,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points of a curve in place of it, about the centre</source>
    <translation>Stattdessen Punkte einer Kurve, um die Mitte</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Points of closed curves along which parts are trimmed, in mm</source>
+   <translation>Punkte geschlossener Kurven, an denen Teile beschnitten werden, in mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1308,6 +1348,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border</source>
+   <translation>Am Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
+   <translation>Am Rand ragt das Netz über die Fläche hinaus, um beschnitten zu werden, oder biegt sich ihm entlang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
   </message>
@@ -1485,6 +1535,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clearance</source>
    <translation>Spiel</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <source>Click edges in the 3D view, or wires and sketches in the tree, that lines of the net run along; a second click leaves them out</source>
+   <translation>Klicken Sie Kanten in der 3D-Ansicht oder Kantenzüge und Skizzen im Baum an, an denen Linien des Netzes entlanglaufen; ein zweiter Klick lässt sie weg</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -2177,9 +2232,19 @@
    <translation>Anordnung</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least length</source>
+   <translation>Mindestlänge</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Least rest</source>
    <translation>Kleinster Rest</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least width</source>
+   <translation>Mindestbreite</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2427,7 +2492,7 @@
    <translation>Knotenachsen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>None</source>
    <translation>Keine</translation>
   </message>
@@ -2470,6 +2535,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Optimise</source>
    <translation>Optimieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/again.py" />
+   <source>Optimise again</source>
+   <translation>Noch einmal optimieren</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -2937,6 +3007,11 @@
    <translation>Tafel {}</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Show the field</source>
+   <translation>Richtungsfeld zeigen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Show the net</source>
    <translation>Netz einblenden</translation>
@@ -3022,6 +3097,11 @@
    <translation>Schritt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Step {} of {}: {}</source>
+   <translation>Schritt {} von {}: {}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stock</source>
    <translation>Lagerlänge</translation>
@@ -3032,9 +3112,14 @@
    <translation>Lagerlänge</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>Stop</source>
    <translation>Stopp</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Stopped. A change or OK begins again.</source>
+   <translation>Angehalten. Eine Änderung oder OK beginnt von neuem.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -3090,6 +3175,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Strip</source>
    <translation>Streifen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Strokes</source>
+   <translation>Leitkurven</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -3175,6 +3265,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Das Netz und sein Spiegelbild, die Naht verschmolzen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>The net follows in a moment.</source>
+   <translation>Das Netz folgt gleich.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The net has changed meanwhile. Start begins anew.</source>
    <translation>Das Netz hat sich inzwischen geändert. Start beginnt von vorn.</translation>
@@ -3238,6 +3333,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The source of this net has changed. Start begins anew with what it makes now.</source>
    <translation>Die Quelle dieses Netzes hat sich geändert. Start beginnt neu mit dem, was sie jetzt macht.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>The two directions that lines follow; grey where curvature does not say much</source>
+   <translation>Die beiden Richtungen, denen Linien folgen; grau, wo die Krümmung wenig aussagt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3596,6 +3696,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>beams that are shorter than this at the border are left out</source>
+   <translation>Träger, die am Rand kürzer sind, werden weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>below</source>
    <translation>darunter</translation>
   </message>
@@ -3710,6 +3815,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Eckpunkte</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>curvature</source>
+   <translation>Krümmung</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>cut</source>
    <translation>abschneiden</translation>
@@ -3728,6 +3838,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>diagonal mesh</source>
    <translation>Diagonalnetz</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>directions</source>
+   <translation>Richtungen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3798,6 +3913,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>first</source>
    <translation>erstes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>follow</source>
+   <translation>folgen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3950,6 +4070,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>liegend</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>map</source>
+   <translation>Abwicklung</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>medial mesh</source>
    <translation>Mittelnetz</translation>
@@ -4000,7 +4125,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>längs des Randes entstehen keine Träger</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>none</source>
    <translation>keine</translation>
   </message>
@@ -4106,6 +4231,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>pieces of panels at the border that are narrower than this are left out</source>
+   <translation>Stücke von Platten am Rand, die schmaler sind, werden weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>plain</source>
    <translation>einfarbig</translation>
   </message>
@@ -4148,6 +4278,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>principal: flat panels</source>
    <translation>Hauptlinien: ebene Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>quads</source>
+   <translation>Vierecke</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4263,6 +4398,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>subdivide</source>
    <translation>unterteilen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>surface</source>
+   <translation>Fläche</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4839,8 +4979,13 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <name>Ortho_AlignedNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>A net on the selected CAD faces along the lines that an exact net has there, which overhangs their border</source>
-   <translation>Ein Netz auf den gewählten CAD-Flächen entlang der Linien, die ein genaues Netz dort hat; es ragt über ihren Rand</translation>
+   <source>A net on the selected CAD faces along the lines that an exact net has there, which overhangs their border; edges, wires and sketches that are selected too it runs along</source>
+   <translation>Ein Netz auf den gewählten CAD-Flächen entlang der Linien, die ein genaues Netz dort hat; es ragt über ihren Rand; an Kanten, Kantenzügen und Skizzen, die auch gewählt sind, läuft es entlang</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Aligned net</source>
+   <translation>Ausgerichtetes Netz</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -5211,6 +5356,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/optimise.py" />
    <source>Optimise</source>
    <translation>Optimieren</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_OptimiseAgain</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Optimise again</source>
+   <translation>Noch einmal optimieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Optimise the selected nets, or all, as before where their sources have changed since</source>
+   <translation>Die gewählten Netze, oder alle, wie zuvor optimieren, wo sich ihre Quellen seither geändert haben</translation>
   </message>
  </context>
  <context>

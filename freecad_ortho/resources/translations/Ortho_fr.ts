@@ -30,6 +30,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
+   <translation>Au bord, le réseau dépasse la surface, pour être coupé, ou se plie pour le suivre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
   </message>
@@ -125,6 +130,11 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Cut parts along the border of the surface, where the net has one</source>
+   <translation>Couper les pièces le long du bord de la surface, si le réseau en a un</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Density in kg/m3; 0: that of the material</source>
    <translation>Densité en kg/m3 ; 0 : celle du matériau</translation>
   </message>
@@ -147,6 +157,11 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Arêtes et faces sur lesquelles les sommets glissent exactement</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Edges, wires and sketches that lines of the net run along</source>
+   <translation>Arêtes, fils et esquisses le long desquels courent des lignes du réseau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -319,6 +334,11 @@
    <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée ; 0 : sans limite</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>How many of these points each of the curves has</source>
+   <translation>Combien de ces points a chacune des courbes</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
@@ -392,6 +412,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Layers: one layer has slots where strips cross, two have bolt holes</source>
    <translation>Couches : une couche a des encoches où les bandes se croisent, deux ont des trous de boulons</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least length: beams that are shorter than this at the border are left out</source>
+   <translation>Longueur minimale : les poutres plus courtes au bord sont laissées de côté</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least width: pieces of panels at the border that are narrower than this are left out</source>
+   <translation>Largeur minimale : les morceaux de panneaux plus étroits au bord sont laissés de côté</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -589,6 +619,11 @@
    <translation>Une couleur pour toutes les pièces, ou vert et rouge selon leur verdict</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/source_net.py" />
+   <source>Optimise again at once, as before, when the source of a net that was moved changes</source>
+   <translation>Optimiser aussitôt de nouveau, comme avant, quand la source d'un réseau déplacé change</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonal nets: angle between the two directions</source>
    <translation>Réseaux orthogonaux : angle entre les deux directions</translation>
@@ -667,6 +702,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Points of a curve in place of it, about the centre</source>
    <translation>Points d'une courbe à sa place, autour du centre</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>Points of closed curves along which parts are trimmed, in mm</source>
+   <translation>Points de courbes fermées le long desquelles les pièces sont coupées, en mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1308,6 +1348,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border</source>
+   <translation>Au bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
+   <translation>Au bord, le réseau dépasse la surface, pour être coupé, ou se plie pour le suivre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Axes to extend the net along by mirror images, as x,y</source>
    <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
   </message>
@@ -1485,6 +1535,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clearance</source>
    <translation>Jeu</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <source>Click edges in the 3D view, or wires and sketches in the tree, that lines of the net run along; a second click leaves them out</source>
+   <translation>Cliquez des arêtes dans la vue 3D, ou des fils et esquisses dans l'arbre, le long desquels courent des lignes du réseau ; un second clic les retire</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -2177,9 +2232,19 @@
    <translation>Disposition</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least length</source>
+   <translation>Longueur minimale</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Least rest</source>
    <translation>Chute minimale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Least width</source>
+   <translation>Largeur minimale</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2427,7 +2492,7 @@
    <translation>Axes des nœuds</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>None</source>
    <translation>Aucune</translation>
   </message>
@@ -2470,6 +2535,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Optimise</source>
    <translation>Optimiser</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/again.py" />
+   <source>Optimise again</source>
+   <translation>Optimiser de nouveau</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -2937,6 +3007,11 @@
    <translation>Tôle {}</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Show the field</source>
+   <translation>Montrer le champ</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Show the net</source>
    <translation>Montrer le réseau</translation>
@@ -3022,6 +3097,11 @@
    <translation>Pas</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Step {} of {}: {}</source>
+   <translation>Étape {} sur {} : {}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stock</source>
    <translation>Longueur en stock</translation>
@@ -3032,9 +3112,14 @@
    <translation>Longueur de barre</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/installer.py" />
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>Stop</source>
    <translation>Arrêter</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Stopped. A change or OK begins again.</source>
+   <translation>Arrêté. Un changement ou OK recommence.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -3090,6 +3175,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Strip</source>
    <translation>Bande</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Strokes</source>
+   <translation>Courbes guides</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -3175,6 +3265,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Le réseau et son image miroir, la couture fusionnée</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>The net follows in a moment.</source>
+   <translation>Le réseau suit dans un instant.</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The net has changed meanwhile. Start begins anew.</source>
    <translation>Le réseau a changé entre-temps. Démarrer recommence.</translation>
@@ -3238,6 +3333,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The source of this net has changed. Start begins anew with what it makes now.</source>
    <translation>La source de ce réseau a changé. Démarrer recommence avec ce qu'elle fait à présent.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>The two directions that lines follow; grey where curvature does not say much</source>
+   <translation>Les deux directions que suivent les lignes ; gris où la courbure ne dit pas grand-chose</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -3596,6 +3696,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>beams that are shorter than this at the border are left out</source>
+   <translation>les poutres plus courtes au bord sont laissées de côté</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>below</source>
    <translation>en dessous</translation>
   </message>
@@ -3710,6 +3815,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>coins</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>curvature</source>
+   <translation>courbure</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>cut</source>
    <translation>couper</translation>
@@ -3728,6 +3838,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>diagonal mesh</source>
    <translation>maillage diagonal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>directions</source>
+   <translation>directions</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3798,6 +3913,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>first</source>
    <translation>premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>follow</source>
+   <translation>suivre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3950,6 +4070,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>couché</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>map</source>
+   <translation>carte</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>medial mesh</source>
    <translation>maillage médian</translation>
@@ -4000,7 +4125,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>aucune poutre n'est faite le long du bord</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>none</source>
    <translation>aucun</translation>
   </message>
@@ -4106,6 +4231,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>pieces of panels at the border that are narrower than this are left out</source>
+   <translation>les morceaux de panneaux plus étroits au bord sont laissés de côté</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>plain</source>
    <translation>uni</translation>
   </message>
@@ -4148,6 +4278,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>principal: flat panels</source>
    <translation>principal : panneaux plans</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>quads</source>
+   <translation>quadrilatères</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4263,6 +4398,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>subdivide</source>
    <translation>subdiviser</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>surface</source>
+   <translation>surface</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4839,8 +4979,13 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <name>Ortho_AlignedNet</name>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>A net on the selected CAD faces along the lines that an exact net has there, which overhangs their border</source>
-   <translation>Un réseau sur les faces CAO choisies, le long des lignes qu'un réseau exact y a ; il dépasse leur bord</translation>
+   <source>A net on the selected CAD faces along the lines that an exact net has there, which overhangs their border; edges, wires and sketches that are selected too it runs along</source>
+   <translation>Un réseau sur les faces CAO choisies, le long des lignes qu'un réseau exact y a ; il dépasse leur bord ; il court le long des arêtes, fils et esquisses choisis aussi</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/sources.py" />
+   <source>Aligned net</source>
+   <translation>Réseau aligné</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
@@ -5211,6 +5356,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/optimise.py" />
    <source>Optimise</source>
    <translation>Optimiser</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_OptimiseAgain</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Optimise again</source>
+   <translation>Optimiser de nouveau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/optimise.py" />
+   <source>Optimise the selected nets, or all, as before where their sources have changed since</source>
+   <translation>Optimiser comme avant les réseaux choisis, ou tous, dont les sources ont changé depuis</translation>
   </message>
  </context>
  <context>
