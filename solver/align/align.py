@@ -13,12 +13,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.align.border import Border
 from solver.align.cells import Quads, quads
 from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
+from solver.align.features import Features
 from solver.align.field import Field, Guide, smooth_field
-from solver.align.guides import TURNED, along_border, net_guide, with_strokes
+from solver.align.guides import TURNED, along_features, net_guide, with_strokes
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
 from solver.align.seamless import FIRM, Map, seamless_map
@@ -114,19 +114,19 @@ def aligned(
     smooth, work = prepared(surface, edge, min(edge, edge * ratio), remarks)
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
-    followed = None
+    features = Features.creases(work.mesh, work.inner, edge)
     if border == "follow":
-        followed = Border.of(work.mesh, work.inner, edge)
-        guide = along_border(work.mesh, guide, followed, edge)
+        features = features.and_others(Features.border(work.mesh, work.inner, edge))
+    guide = along_features(work.mesh, guide, features, edge)
     guide = with_strokes(work.mesh, guide, strokes, edge)
-    mesh, field = _mapped(work, guide, followed, (edge, edge * ratio), waiting, remarks)
+    mesh, field = _mapped(work, guide, features, (edge, edge * ratio), waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
     connected = mesh.connectivity
     irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
     return Aligned(
         mesh,
         irregular,
-        tuple(smooth.points[loop] for loop in loops if followed is None),
+        tuple(smooth.points[loop] for loop in loops if border != "follow"),
         Crosses.of(work.mesh, field, guide),
         Singular.of(work.mesh, field, guide),
         tuple(remarks),
@@ -153,7 +153,7 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
 def _mapped(
     work: Work,
     guide: Guide,
-    border: Border | None,
+    features: Features,
     edges: tuple[float, float],
     waiting: Callable[[str], object],
     remarks: list[str],
@@ -169,7 +169,7 @@ def _mapped(
         for firm in FIRM:
             waiting("map")
             made = seamless_map(
-                *(mesh, cut, layout, guide.firmness, edges, work.inner, firm, border),
+                *(mesh, cut, layout, guide.firmness, edges, work.inner, firm, features),
                 step=lambda: waiting("map"),
             )
             waiting("quads")

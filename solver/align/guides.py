@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial import cKDTree
 
-from solver.align.border import Border
+from solver.align.features import Features
 from solver.align.field import Guide, curvature_guide
 from solver.align.triangle_mesh import TriangleMesh
 from solver.errors import InputError
@@ -26,8 +26,8 @@ _MOSTLY = 0.8
 # How much more than curvature a stroke counts; in edges, how wide it is, within which distance
 # lines turn to it, and how far from the surface it may be.
 _STROKE, _WIDE, _TURN, _OFF = 30.0, 0.6, 8.0, 1.0
-# The same of the border: lines turn to it over the last rows.
-_BESIDE, _LAST = 0.4, 4.0
+# In edges, how wide a feature line is.
+_BESIDE = 0.4
 # Places that a stroke is looked at, for each edge of the net.
 _PLACES = 6
 
@@ -107,21 +107,23 @@ def with_strokes(
     return guide
 
 
-def along_border(mesh: TriangleMesh, guide: Guide, border: Border, edge: float) -> Guide:
-    """Let lines of the net run along the border, and turn to it over the last rows.
+def along_features(mesh: TriangleMesh, guide: Guide, features: Features, edge: float) -> Guide:
+    """Let lines of the net run along feature lines, and turn to them within their reach.
 
     Args:
         mesh: the surface, with its apron.
         guide: the directions that hold elsewhere.
-        border: of the surface.
+        features: of the surface.
         edge: wanted edge length.
     """
-    start, end = (mesh.points[side[border.edges]] for side in mesh.ends)
+    if not len(features.edges):
+        return guide
+    start, end = (mesh.points[side[features.edges]] for side in mesh.ends)
     count = int(np.ceil(np.linalg.norm(end - start, axis=1).max() / edge * _PLACES)) + 1
     part = ((np.arange(count) + 0.5) / count)[:, None, None]
     places = (start + part * (end - start)).reshape(-1, 3)
-    along = np.tile(border.along, (count, 1))
-    return _run_along(mesh, guide, places, along, (_BESIDE * edge, _LAST * edge))
+    along, reach = np.tile(features.along, (count, 1)), np.tile(features.reach, count)
+    return _run_along(mesh, guide, places, along, (_BESIDE * edge, reach * edge))
 
 
 def _run_along(
@@ -129,7 +131,7 @@ def _run_along(
     guide: Guide,
     places: FloatArray,
     along: FloatArray,
-    reach: tuple[float, float],
+    reach: tuple[float, float | FloatArray],
 ) -> Guide:
     """Directions (N, 3) at places (N, 3) hold nearer than the first reach.
 
@@ -137,7 +139,7 @@ def _run_along(
     second.
     """
     far, nearest = cKDTree(places).query(mesh.centres)
-    less = np.minimum(1.0, far / reach[1])
+    less = np.minimum(1.0, far / np.broadcast_to(reach[1], len(places))[nearest])
     angles, certainty, stretch = (
         guide.angles.copy(),
         guide.certainty * less**4,

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from solver.align.apron import extended
+from solver.align.features import creased
 from solver.align.jets import face_tensors, fitted
 from solver.align.mend import mended, relaxed
 from solver.align.refine import refined
@@ -19,6 +21,8 @@ from solver.mesh.quadmesh import FloatArray
 _RADIUS, _APRON, _OUTWARDS, _NOISY, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 3.0, 6, 0.5
 # A surface that leaves its smooth fit by more than this part of an edge is rough.
 _ROUGH = 2e-3
+# This near to a crease, in edges, nothing is smoothed.
+_BLUNT = 1.5
 # An opening less than this part of an edge across is a fault of the triangles.
 _PINHOLE = 0.25
 # How often points of a rough surface move along it, to the middle of their neighbours.
@@ -102,6 +106,11 @@ def smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:
     """
     jets = fitted(surface, np.arange(len(surface.points)), _RADIUS * edge)
     off = jets.coefficients[:, 0] * jets.scale
+    sharp = creased(surface, edge)
+    if sharp.any():
+        # A crease is no roughness.
+        ends = np.unique(np.concatenate([side[sharp] for side in surface.ends]))
+        off[cKDTree(surface.points[ends]).query(surface.points)[0] < _BLUNT * edge] = 0.0
     rough = float(np.sqrt((off * off).mean()))
     if rough < _ROUGH * edge:
         return surface, 0.0

@@ -18,8 +18,8 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array, eye_array, hstack, vstack
 from scipy.sparse.linalg import splu
 
-from solver.align.border import Border
 from solver.align.cut import Cut
+from solver.align.features import Features
 from solver.align.seams import Seams
 from solver.align.triangle_mesh import TriangleMesh
 from solver.align.whole_lines import WholeLines
@@ -64,7 +64,7 @@ def seamless_map(
     edges: tuple[float, float],
     inner: int,
     firm: float = FIRM[0],
-    border: Border | None = None,
+    features: Features | None = None,
     step: Callable[[], object] = lambda: None,
 ) -> Map:
     """Solve for the map.
@@ -77,10 +77,10 @@ def seamless_map(
         edges: wanted edge lengths along u and along v.
         inner: how many of the triangles are the surface's own; only these must not fold.
         firm: what direction counts where it is certain, beside spacing.
-        border: of the surface, where that has to lie on whole lines.
+        features: lines that have to lie on whole lines.
         step: called before each solution; what it raises is passed on.
     """
-    whole = WholeLines.none() if border is None else WholeLines.along(mesh, cut, layout, border)
+    whole = WholeLines.none() if features is None else WholeLines.along(mesh, cut, layout, features)
     system = _Equations.of(mesh, cut, layout, whole, edges)
     wanted = 2 * mesh.areas / (edges[0] * edges[1])
     neighbours = _neighbours(mesh)

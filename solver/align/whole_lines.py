@@ -1,4 +1,4 @@
-"""A border that has to lie on whole lines of a map."""
+"""Feature lines that have to lie on whole lines of a map."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import csr_array
 
-from solver.align.border import Border
 from solver.align.cut import Cut
+from solver.align.features import Features
 from solver.align.field import QUARTER
 from solver.align.seams import Seams
 from solver.align.triangle_mesh import TriangleMesh, components, following
@@ -36,14 +36,16 @@ class WholeLines:
         return cls(empty, empty, 0)
 
     @classmethod
-    def along(cls, mesh: TriangleMesh, cut: Cut, layout: Seams, border: Border) -> WholeLines:
-        """Runs of a border.
+    def along(cls, mesh: TriangleMesh, cut: Cut, layout: Seams, features: Features) -> WholeLines:
+        """Runs of feature lines.
 
         Along an edge that runs with u it is v that stays the same.
         """
-        half = mesh.edges[border.edges, 0]
+        if not len(features.edges):
+            return cls.none()
+        half = mesh.edges[features.edges, 0]
         triangle = half // 3
-        first, second = ((border.along * mesh.axes[triangle, k]).sum(axis=1) for k in (0, 1))
+        first, second = ((features.along * mesh.axes[triangle, k]).sum(axis=1) for k in (0, 1))
         turned = np.arctan2(second, first) - cut.angles[triangle]
         with_u = np.round(turned / QUARTER).astype(np.int64) % 2 == 0
         copies = layout.copies.ravel()

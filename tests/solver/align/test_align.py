@@ -7,6 +7,7 @@ import pytest
 
 from solver import Constraints, InputError, optimise
 from solver.align.align import aligned
+from solver.align.features import creased
 from solver.align.reach import reaching
 from solver.align.triangle_mesh import one_surface
 from solver.analysis import form, measures
@@ -16,6 +17,7 @@ from tests.design_surfaces import (
     cap,
     catenoid,
     dome,
+    hall,
     plane,
     saddle,
     triangles,
@@ -214,6 +216,35 @@ def rim_distance(mesh, rim):
     """(F,) distance of faces from a polyline."""
     centres = mesh.vertices[mesh.faces].mean(axis=1)
     return np.linalg.norm(centres - rim.closest(centres)[0], axis=1)
+
+
+@pytest.mark.parametrize("border", ["trim", "follow"])
+def test_creases_are_lines_of_the_net(border):
+    points, faces = triangles(hall, 61, 49)
+    made = aligned(points, faces, edge=EDGE, border=border)
+    mesh = made.mesh
+    assert made.remarks == ()
+    assert not measures.flipped(mesh).any()
+    pairs = mesh.vertices[mesh.connectivity.edges]
+    for valley in (8.0, 16.0):
+        on = (np.abs(pairs[:, :, 1] - valley) < 1e-5).all(axis=1)
+        run = pairs[on][:, :, 0]
+        # One after the other, to both ends of the hall, or to the last vertices before them.
+        short = EDGE if border == "trim" else 1e-5
+        assert np.ptp(run, axis=1).sum() == pytest.approx(np.ptp(run), rel=1e-6)
+        assert run.min() < short
+        assert run.max() > 30 - short
+
+
+def test_a_crease_is_long_and_sharp():
+    points, faces = triangles(hall, 31, 25)
+    mesh = one_surface(points, faces)
+    sharp = creased(mesh, EDGE)
+    start, end = (mesh.points[side[sharp]] for side in mesh.ends)
+    assert set(np.round(start[:, 1], 6)) | set(np.round(end[:, 1], 6)) == {8.0, 16.0}
+    assert len(start) == 2 * 30
+    assert not creased(mesh, 20.0).any()
+    assert not creased(one_surface(*triangles(dome, 21, 15)), EDGE).any()
 
 
 def test_rows_may_be_longer_than_they_are_wide():

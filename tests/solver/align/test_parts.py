@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from solver.align.apron import extended
-from solver.align.border import Border
 from solver.align.cells import quads
 from solver.align.cut import cut_open
+from solver.align.features import Features
 from solver.align.field import Field, curvature_guide, smooth_field, turns
 from solver.align.jets import face_tensors, fitted
 from solver.align.reach import reaching
@@ -80,7 +80,7 @@ def test_how_a_border_runs():
     surface = one_surface(*jagged)
     inner = len(surface.triangles)
     mesh = extended(surface, 1.0, 0.5, 1.5)
-    border = Border.of(mesh, inner, 4.0)
+    border = Features.border(mesh, inner, 4.0)
     assert len(border.edges) == len(surface.rim)
     start, end = (mesh.points[side[border.edges]] for side in mesh.ends)
     middle = (start + end) / 2

@@ -1,4 +1,7 @@
-"""The border of a surface inside of what it is carried on by: its edges and how they run."""
+"""Feature lines of a surface, along which a net has to have lines: creases, and its border.
+
+They are edges of the mesh on which the surface is carried on beyond its border.
+"""
 
 from __future__ import annotations
 
@@ -7,35 +10,59 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.align.triangle_mesh import TriangleMesh
-from solver.mesh.connectivity import IntArray
+from solver.align.triangle_mesh import TriangleMesh, components
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # A border that turns by more has a corner.
 _CORNER = np.radians(50.0)
+# A surface has a crease where it turns by more at an edge, and by more than so many times what it
+# turns by at others.
+_CREASE, _OTHERS = np.radians(25.0), 5.0
+# In edges of the net, the shortest crease.
+_SHORTEST = 2.0
+# In edges of the net, how far from a line the net may still be turning to it.
+_LAST, _BESIDE = 4.0, 1.5
 
 
 @dataclass(frozen=True, eq=False)
-class Border:
-    """Edges of a border.
+class Features:
+    """Edges of feature lines.
 
     Attributes:
         edges: (K,) numbers of inner edges of the mesh.
-        along: (K, 3) unit vectors: how the border runs there. Teeth shorter than the span that was
-            asked for do not count.
+        along: (K, 3) unit vectors: how the line runs there.
+        reach: (K,) how far from it, in edges of the net, the net may still be turning to it.
     """
 
     edges: IntArray
     along: FloatArray
+    reach: FloatArray
 
     @classmethod
-    def of(cls, mesh: TriangleMesh, inner: int, span: float) -> Border:
+    def creases(cls, mesh: TriangleMesh, inner: int, edge: float) -> Features:
+        """The creases between the first ``inner`` triangles, for a net with edges of a length."""
+        sharp = creased(mesh, edge)
+        edges = np.flatnonzero(sharp & (mesh.edges // 3 < inner).all(axis=1))
+        start, end = (mesh.points[side[edges]] for side in mesh.ends)
+        return cls(edges, unit_rows(end - start), np.full(len(edges), _BESIDE))
+
+    def and_others(self, others: Features) -> Features:
+        """Both."""
+        return Features(
+            np.concatenate([self.edges, others.edges]),
+            np.concatenate([self.along, others.along]),
+            np.concatenate([self.reach, others.reach]),
+        )
+
+    @classmethod
+    def border(cls, mesh: TriangleMesh, inner: int, span: float) -> Features:
         """The border between the first ``inner`` triangles and the others.
 
         Args:
             mesh: the surface, with its apron.
             inner: how many of its triangles are the surface's own.
-            span: length over which the border's direction is taken.
+            span: length over which the border's direction is taken; shorter teeth do not count.
         """
         half = mesh.edges // 3
         owned = half < inner
@@ -54,7 +81,27 @@ class Border:
                 row = after[row]
             if loop:
                 along[loop] = _directions(mesh.points[start[loop]], span)
-        return cls(edges, along)
+        return cls(edges, along, np.full(len(edges), _LAST))
+
+
+def creased(mesh: TriangleMesh, edge: float) -> BoolArray:
+    """(E,) which inner edges are creases.
+
+    Args:
+        mesh: the surface.
+        edge: edge length of the net; what is shorter than two of them is a dent.
+    """
+    first, second = (mesh.edges // 3).T
+    cosine = (mesh.normals[first] * mesh.normals[second]).sum(axis=1)
+    turn = np.arccos(np.clip(cosine, -1, 1))
+    sharp = np.flatnonzero(turn > max(_CREASE, _OTHERS * float(np.median(turn))))
+    start, end = (side[sharp] for side in mesh.ends)
+    label = components(len(mesh.points), start, end)[start]
+    lengths = np.linalg.norm(mesh.points[end] - mesh.points[start], axis=1)
+    runs = np.bincount(label, lengths, minlength=len(mesh.points))
+    found = np.zeros(len(turn), dtype=bool)
+    found[sharp] = runs[label] >= _SHORTEST * edge
+    return found
 
 
 def _directions(points: FloatArray, span: float) -> FloatArray:
