@@ -26,8 +26,6 @@ from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 Waiting = Callable[[str], None]
-# What is done one after the other; the first only on CAD faces.
-_STEPS = ("surface", "curvature", "directions", "map", "quads")
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -133,7 +131,7 @@ def _follower(progress: reporting.Progress) -> Waiting:
     def follow(step: str) -> None:
         if step not in said:
             said.add(step)
-            progress(_STEPS.index(step) / len(_STEPS), step)
+            progress(ALIGNED.stages.index(step) / len(ALIGNED.stages), step)
 
     return follow
 
