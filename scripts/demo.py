@@ -193,6 +193,7 @@ def build(job: Job, folder: Path) -> dict[str, Any]:
     edge = ["--edge", job.edge] if job.edge else []
     unit = ["--unit", job.unit] if job.unit else []
     arguments = [*unit, *edge, "--net", "principal", *parts_of(job)]
+    say("net on the surface, exact net, beams and panels ...")
     command_line("build", str(job.source), *arguments, "-o", str(folder))
     report = json.loads((folder / "report.json").read_text("utf-8"))
     numbers: dict[str, Any] = report["build"]["stages"]["optimise"]["numbers"]

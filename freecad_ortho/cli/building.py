@@ -146,9 +146,10 @@ def _stage(
     """Make a stage, or say that it is as before."""
     entry = stages.entry(name)
     if entry is not None:
-        sys.stderr.write(f"{name}: as before, {entry['words']}\n")
+        sys.stdout.write(f"{name}: as before, {entry['words']}\n")
         return
-    sys.stderr.write(f"{name} ...\n")
+    sys.stdout.write(f"{name} ...\n")
+    sys.stdout.flush()
     make()
 
 
