@@ -7,7 +7,7 @@ to a face, since lines of curvature seldom run along it; or it is bent to the bo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,7 +21,7 @@ from solver.align.field import Field, Guide, smooth_field
 from solver.align.guides import TURNED, along_features, net_guide, with_strokes
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
-from solver.align.seamless import FIRM, Map, seamless_map
+from solver.align.seamless import FIRM, seamless_map
 from solver.align.seams import seams
 from solver.align.triangle_mesh import TriangleMesh, one_surface
 from solver.analysis.measures import flipped
@@ -150,6 +150,17 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
         )
 
 
+@dataclass(frozen=True, eq=False)
+class _Attempt:
+    """A net of one map, and how many of its faces are folded; or why there is none."""
+
+    field: Field
+    close: bool
+    mesh: QuadMesh | None = None
+    folded: int = 0
+    refusal: str = ""
+
+
 def _mapped(
     work: Work,
     guide: Guide,
@@ -159,8 +170,32 @@ def _mapped(
     remarks: list[str],
 ) -> tuple[QuadMesh, Field]:
     """The quads of a map along the guide, as closely as lines do not run into each other."""
-    mesh, wrong = work.mesh, None
-    best: tuple[int, QuadMesh, Field] | None = None
+    best: _Attempt | None = None
+    for attempt in _attempts(work, guide, features, edges, waiting):
+        if attempt.mesh is not None and (best is None or attempt.folded < best.folded):
+            best = attempt
+        if best is not None and not best.folded:
+            break
+    if best is None or best.mesh is None:
+        raise InputError(f"map: {attempt.refusal}; {_REMEDY}")
+    if not best.close:
+        remarks.append(
+            "lines that follow curvature closely would run into each other here; these do less so"
+        )
+    if best.folded:
+        remarks.append(f"{best.folded} faces are folded; {_REMEDY}")
+    return best.mesh, best.field
+
+
+def _attempts(
+    work: Work,
+    guide: Guide,
+    features: Features,
+    edges: tuple[float, float],
+    waiting: Callable[[str], object],
+) -> Iterator[_Attempt]:
+    """Nets that follow the guide less and less."""
+    mesh = work.mesh
     for calm in _CALM:
         waiting("directions")
         field = smooth_field(mesh, guide.calmed(calm), edges[0], lambda: waiting("directions"))
@@ -174,29 +209,20 @@ def _mapped(
             )
             waiting("quads")
             found = quads(mesh, cut, made, work.inner)
+            close = (calm, firm) == (_CALM[0], FIRM[0])
             wrong = _crossing(found)
             if wrong is not None:
+                refusal = f"lines run into each other near {_at(wrong)}"
+                yield _Attempt(field, close, refusal=refusal)
                 continue
-            net = _net(mesh, made, found, carried_on(mesh, cut, made, found))
-            folded = int(flipped(net).sum())
-            if best is None or folded < best[0]:
-                best = folded, net, field
-                close = (calm, firm) == (_CALM[0], FIRM[0])
-            if not folded:
-                break
-        if best is not None and not best[0]:
-            break
-    if best is None:
-        assert wrong is not None
-        raise InputError(f"map: lines run into each other near {_at(wrong)}; {_REMEDY}")
-    folded, net, field = best
-    if not close:
-        remarks.append(
-            "lines that follow curvature closely would run into each other here; these do less so"
-        )
-    if folded:
-        remarks.append(f"{folded} faces are folded; {_REMEDY}")
-    return net, field
+            places = carried_on(mesh, cut, made, found)
+            try:
+                net = quad_mesh(places, found.faces.tolist())[0]
+            except InputError as error:
+                where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
+                yield _Attempt(field, close, refusal=f"it folds near {_at(where)} ({error})")
+                continue
+            yield _Attempt(field, close, net, int(flipped(net).sum()))
 
 
 def _crossing(found: Quads) -> FloatArray | None:
@@ -212,15 +238,6 @@ def _crossing(found: Quads) -> FloatArray | None:
         ]
     )
     return found.places[wrong[0]] if len(wrong) else None
-
-
-def _net(mesh: TriangleMesh, made: Map, found: Quads, places: FloatArray) -> QuadMesh:
-    """The quads as a mesh, or where they are none."""
-    try:
-        return quad_mesh(places, found.faces.tolist())[0]
-    except InputError as error:
-        where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
-        raise InputError(f"map: it folds near {_at(where)} ({error}); {_REMEDY}") from None
 
 
 def _at(place: FloatArray) -> str:
