@@ -4007,12 +4007,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>insulating-glass-4-12-4-12-4</source>
-   <translation>Isolierglas 4/12/4/12/4</translation>
+   <translation>Isoglas 4/12/4/12/4</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>insulating-glass-6-16-6</source>
-   <translation>Isolierglas 6/16/6</translation>
+   <translation>Isoglas 6/16/6</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
