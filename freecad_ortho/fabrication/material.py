@@ -18,6 +18,8 @@ _ANNEALED, _STRENGTHENED, _TOUGHENED = 45.0, 70.0, 120.0
 # Least bearing, mm: of glass the edge cover of DIN 18008-2 on lines; of metals and wood for want of
 # a rule what leaves room for a screw's edge or a bead of glue, with tolerances.
 _ON_GLASS, _ON_METAL, _ON_WOOD = 10.0, 5.0, 10.0
+# Yield strengths of structural steels up to 40 mm, MPa: EN 1993-1-1, table 3.1.
+_GRADES = {"S235": 235.0, "S275": 275.0, "S355": 355.0}
 # Insulating units are named after their build-up: glass, cavity, glass ... in mm (EN 1279).
 _UNIT = "insulating-glass"
 _BUILD_UP = re.compile(rf"{_UNIT}((?:-\d{{1,3}}(?:\.\d{{1,2}})?)+)")
@@ -112,6 +114,10 @@ def _glass(name: str, strength: float) -> Material:
     )
 
 
+def _steel(grade: str, strength: float) -> Material:
+    return Material(grade, 7850.0, 210_000.0, strength, _ON_METAL)
+
+
 def insulating_unit(*layers: float) -> Material:
     """An insulating glass unit of annealed panes: pane, cavity, pane ..., mm (EN 1279).
 
@@ -138,6 +144,7 @@ MATERIALS = {
     for material in (
         # S355: EN 1993-1-1, 3.2.6 and table 3.1 up to 40 mm; weight of EN 1991-1-1, table A.4.
         Material("steel", 7850.0, 210_000.0, 355.0, _ON_METAL),
+        *(_steel(grade, strength) for grade, strength in _GRADES.items()),
         # 1.4301: EN 1993-1-4, 2.1.3 and table 2.1, hot rolled plate; density of EN 10088-1.
         Material("stainless", 7900.0, 200_000.0, 210.0, _ON_METAL),
         # EN AW-6060 T66: EN 1999-1-1, 3.2.5 and table 3.2b, extruded, thicker than 3 mm.
@@ -146,6 +153,14 @@ MATERIALS = {
         Material("plywood", 680.0, 10_000.0, 40.0, _ON_WOOD, own_shear_modulus=620.0),
         # C24: EN 338, table 1, means but for the strength.
         Material("timber", 420.0, 11_000.0, 24.0, _ON_WOOD, own_shear_modulus=690.0),
+        # Softwood by EN 338, table 1, glued laminated timber by EN 14080, table 5: means but for
+        # the strength.
+        Material("C24", 420.0, 11_000.0, 24.0, _ON_WOOD, own_shear_modulus=690.0),
+        Material("C30", 460.0, 12_000.0, 30.0, _ON_WOOD, own_shear_modulus=750.0),
+        Material("GL24h", 420.0, 11_500.0, 24.0, _ON_WOOD, own_shear_modulus=650.0),
+        Material("GL28h", 460.0, 12_600.0, 28.0, _ON_WOOD, own_shear_modulus=650.0),
+        Material("GL30h", 480.0, 13_600.0, 30.0, _ON_WOOD, own_shear_modulus=650.0),
+        Material("GL32h", 490.0, 14_200.0, 32.0, _ON_WOOD, own_shear_modulus=650.0),
         # Pultruded, E23: EN 13706-3; density and shear modulus of the Fiberline Design Manual.
         Material("gfrp", 1900.0, 23_000.0, 240.0, _ON_METAL, own_shear_modulus=3_000.0),
         _glass("glass", _ANNEALED),

@@ -41,9 +41,18 @@ def test_shear_moduli_are_those_of_the_standards(name, modulus):
     ("name", "density", "modulus", "strength"),
     [
         ("steel", 7850, 210_000, 355),
+        ("S235", 7850, 210_000, 235),
+        ("S275", 7850, 210_000, 275),
+        ("S355", 7850, 210_000, 355),
         ("stainless", 7900, 200_000, 210),
         ("aluminium", 2700, 70_000, 150),
         ("timber", 420, 11_000, 24),
+        ("C24", 420, 11_000, 24),
+        ("C30", 460, 12_000, 30),
+        ("GL24h", 420, 11_500, 24),
+        ("GL28h", 460, 12_600, 28),
+        ("GL30h", 480, 13_600, 30),
+        ("GL32h", 490, 14_200, 32),
         ("gfrp", 1900, 23_000, 240),
         ("glass", 2500, 70_000, 45),
         ("strengthened-glass", 2500, 70_000, 70),
@@ -51,7 +60,7 @@ def test_shear_moduli_are_those_of_the_standards(name, modulus):
     ],
 )
 def test_strengths_are_those_of_the_standards_and_of_the_manual(name, density, modulus, strength):
-    """EN 1993-1-1 and 1-4, EN 1999-1-1, EN 338, EN 13706-3, EN 572-1, EN 1863-1, EN 12150-1."""
+    """EN 1993-1-1 and 1-4, 1999-1-1, 338, 14080, 13706-3, 572-1, 1863-1, 12150-1."""
     made = material(name)
     assert (made.density, made.youngs_modulus, made.bending_limit) == (density, modulus, strength)
     row = next(line for line in WORKSHOP.splitlines() if line.startswith(f"| {name} "))
