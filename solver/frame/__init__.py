@@ -1,0 +1,1 @@
+"""A frame of straight members in space: response, buckling, large displacements."""

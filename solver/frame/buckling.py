@@ -1,0 +1,91 @@
+"""Linear buckling: by what factor a load may grow until the frame gives way without more."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import eigh
+from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
+
+from solver.errors import OrthoError
+from solver.frame import elements
+from solver.frame.response import Response
+from solver.frame.system import System
+from solver.mesh.quadmesh import FloatArray
+
+# Up to so many unknowns all modes are found at once.
+_FEW = 200
+# Factors that are larger than this mean that nothing buckles.
+_NEVER = 1e9
+
+
+@dataclass(frozen=True, eq=False)
+class Buckling:
+    """Modes of buckling, the least factor first.
+
+    Attributes:
+        factors: (k,) of the load; fewer than were asked for, or none, where no more of it is
+            compressed.
+        shapes: (k, N, 6) movements of the nodes; the largest displacement is one unit of length.
+    """
+
+    factors: FloatArray
+    shapes: FloatArray
+
+
+def buckling(system: System, under: Response, count: int = 5) -> Buckling:
+    """The first modes of buckling under a load.
+
+    Members buckle between their nodes as well where they are divided.
+
+    Args:
+        system: the supported frame.
+        under: its response to the load.
+        count: modes wanted.
+
+    Raises:
+        OrthoError: the modes were not found.
+    """
+    follow = system.joined.follow
+    # With springs the member's own ends bow, not the nodes.
+    geometric = elements.geometric(system.frame, under.ends)
+    geometric = np.swapaxes(follow, 1, 2) @ geometric @ follow
+    loose = -system.assembled(geometric)[system.free][:, system.free].tocsc()
+    size = len(system.free)
+    if size <= _FEW:
+        values, vectors = eigh(loose.toarray(), system.kept.toarray())
+    else:
+        values, vectors = _largest(system, loose, count)
+    order = np.argsort(-values)
+    order = order[values[order] > 1 / _NEVER][:count]
+    shapes = np.zeros((len(order), 6 * len(system.frame.nodes)))
+    shapes[:, system.free] = vectors[:, order].T
+    own = np.array([system.own(shape.reshape(-1, 6)) for shape in shapes])
+    own = own.reshape(-1, len(system.frame.nodes), 6)
+    largest = np.linalg.norm(own[:, :, :3], axis=2).max(axis=1, initial=0.0)
+    return Buckling(1.0 / values[order], own / np.where(largest > 0, largest, 1)[:, None, None])
+
+
+def _largest(system: System, loose: FloatArray, count: int) -> tuple[FloatArray, FloatArray]:
+    """Largest values m of loose v = m K v, one over the factors, and their vectors."""
+    size = len(system.free)
+    inverse = LinearOperator((size, size), matvec=system.solve_once, dtype=np.float64)
+    start = np.random.default_rng(3).standard_normal(size)
+    wanted = min(count, size - 1)
+    try:
+        return eigsh(  # type: ignore[no-any-return]
+            loose,
+            wanted,
+            system.kept,
+            Minv=inverse,
+            which="LA",
+            ncv=min(size, max(40, 4 * wanted)),
+            v0=system.solve_once(start),
+            tol=1e-8,
+        )
+    except ArpackNoConvergence as error:
+        raise OrthoError(
+            "buckling: the modes were not found; ask for fewer, or look for members that are much "
+            "weaker than the others"
+        ) from error
