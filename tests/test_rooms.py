@@ -29,8 +29,8 @@ DEFERRED = {
 # Inside the solver, from the ground up; nothing that a file imports, anywhere in it, is above it.
 LAYERS = (
     "errors", "option", "tuning", "isolated", "mesh", "io", "multinet", "mesh.primitives",
-    "offset", "linear", "statics", "frame", "analysis", "align", "terms", "report", "problem", "nets",
-    "analysis.start", "candidate", "plan",
+    "offset", "linear", "statics", "frame", "analysis", "align", "terms", "report", "problem",
+    "nets", "analysis.start", "candidate", "plan",
     "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "best", "summary",
     "run", "optimise", "session", "solve", "analysis.advisor", "analysis.check",
     "analysis.fields", "formfinding", "unroll",
