@@ -29,11 +29,11 @@ def blend(count: int, t: FloatArray) -> FloatArray:
 
 
 def raised(poles: FloatArray, count: int) -> FloatArray:
-    """(count, D) control points of the same curve as the (P, D) given ones, P at most ``count``."""
-    while len(poles) < count:
-        share = np.arange(1, len(poles))[:, None] / len(poles)
-        inner = share * poles[:-1] + (1 - share) * poles[1:]
-        poles = np.concatenate([poles[:1], inner, poles[-1:]])
+    """(..., count, D) control points of the same curves as (..., P, D), P at most ``count``."""
+    while (size := poles.shape[-2]) < count:
+        share = np.arange(1, size)[:, None] / size
+        inner = share * poles[..., :-1, :] + (1 - share) * poles[..., 1:, :]
+        poles = np.concatenate([poles[..., :1, :], inner, poles[..., -1:, :]], axis=-2)
     return poles
 
 

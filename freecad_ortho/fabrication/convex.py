@@ -41,6 +41,7 @@ class Piece:
         loops: corner numbers around each side, counter-clockwise seen from outside.
         normals: (A, 3) unit normals of the sides; zero for a side without area.
         levels: (A,) how far the corners reach along these, mm.
+        least: (A,) how far each of a side's own corners reaches at least.
         convex: true where the sides are plane and all corners lie below them.
     """
 
@@ -49,6 +50,7 @@ class Piece:
     loops: Loops
     normals: FloatArray
     levels: FloatArray
+    least: FloatArray
     convex: bool
 
 
@@ -64,25 +66,20 @@ def convex_pieces(bodies: Sequence[tuple[FloatArray, Loops]]) -> list[Piece]:
         heights = np.einsum("nak,npk->nap", normals, points)
         levels = heights.max(axis=2)
         boxes = np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
-        own = [levels[:, a] - heights[:, a, list(loop)].min(axis=1) for a, loop in enumerate(loops)]
-        convex = np.max(own, axis=0) <= _CONVEX
+        least = np.stack(
+            [heights[:, a, list(loop)].min(axis=1) for a, loop in enumerate(loops)], axis=1
+        )
+        convex = (levels - least).max(axis=1) <= _CONVEX
         for row, number in enumerate(numbers):
             corners, _ = bodies[number]
-            made[number] = Piece(
-                corners, boxes[row], loops, normals[row], levels[row], bool(convex[row])
-            )
+            sides = normals[row], levels[row], least[row]
+            made[number] = Piece(corners, boxes[row], loops, *sides, bool(convex[row]))
     return [made[number] for number in range(len(bodies))]
 
 
 def core(piece: Piece) -> Piece:
     """What lies below all corners of each side: within whatever these sides bound, bent or not."""
-    if piece.convex:
-        return piece
-    levels = [
-        (piece.corners[list(loop)] @ normal).min()
-        for loop, normal in zip(piece.loops, piece.normals, strict=True)
-    ]
-    return replace(piece, levels=np.array(levels))
+    return piece if piece.convex else replace(piece, levels=piece.least)
 
 
 def shared_volume(

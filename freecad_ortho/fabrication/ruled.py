@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -128,11 +128,14 @@ class RuledBody(Body):
         """Volume by the divergence theorem; quadrature that is exact for these sides."""
         origin = self.corners[0]
         total = self._volume_to_ruled(origin) + self._volume_to_planes(origin)
+        alike: dict[tuple[tuple[int, ...], ...], list[Sheet]] = {}
         for sheet in self.sheets:
             if sheet.rails is None:
                 total += self._volume_to_plane_sheet(sheet, origin)
             else:
-                total += _volume_to_surface(sheet.rails - origin, sheet.places)
+                curves = (len(curve) for loop in sheet.places for curve in loop)
+                alike.setdefault((sheet.rails.shape, tuple(curves)), []).append(sheet)
+        total += sum(_volume_to_surfaces(sheets, origin) for sheets in alike.values())
         bored = (np.linalg.norm(b.end - b.start) * b.diameter**2 for b in self.bores)
         return total - np.pi / 4 * float(sum(bored))
 
@@ -214,28 +217,31 @@ def _shorter(blocks: FloatArray) -> FloatArray:
     return np.stack(found, axis=1).reshape(-1, *blocks.shape[1:])
 
 
-def _volume_to_surface(rails: FloatArray, places: tuple[tuple[FloatArray, ...], ...]) -> float:
-    """Volume of the cone from the origin to what loops cut from a ruled surface.
+def _volume_to_surfaces(sheets: Sequence[Sheet], origin: FloatArray) -> float:
+    """Volume of the cones from a point to what loops cut from ruled surfaces of one shape.
 
     With f the flux through the surface a unit of u and v, Green's theorem makes of its integral the
     one of (integral of f over u) dv around the loops.
     """
-    curves = [curve for loop in places for curve in loop]
-    most = max(len(curve) for curve in curves)
-    count = rails.shape[1]
+    rails = np.array([sheet.rails for sheet in sheets]) - origin
+    curves = [[curve for loop in sheet.places for curve in loop] for sheet in sheets]
+    most = max(len(curve) for curve in curves[0])
+    count = rails.shape[2]
     t, weight = gauss((3 * count * most) // 2 + 1)
     values, slopes = bernstein(most, t)
-    poles = np.array([raised(curve, most) for curve in curves])
+    poles = np.stack([raised(np.array(some), most) for some in zip(*curves, strict=True)], axis=1)
     place, change = values @ poles, slopes @ poles
     u, v = place[..., 0], place[..., 1]
     share, weight_u = gauss((3 * count) // 2)
     bernsteins, derivatives = bernstein(count, (u[..., None] * share).ravel())
     shape = (*u.shape, len(share), 2, 3)
-    at = np.einsum("qp,rpk->qrk", bernsteins, rails).reshape(shape)
-    along = np.einsum("qp,rpk->qrk", derivatives, rails).reshape(shape)
+    at, along = (
+        np.einsum("nqp,nrpk->nqrk", each.reshape(len(sheets), -1, count), rails).reshape(shape)
+        for each in (bernsteins, derivatives)
+    )
     across = at[..., 1, :] - at[..., 0, :]
     both = v[..., None, None]
     point = at[..., 0, :] + both * across
     slope = (1 - both) * along[..., 0, :] + both * along[..., 1, :]
-    flux = np.einsum("csqk,csqk->csq", point, np.cross(slope, across)) @ weight_u
-    return float(np.einsum("cs,cs,cs,s->", flux, u, change[..., 1], weight)) / 3
+    flux = np.einsum("ncsqk,ncsqk->ncsq", point, np.cross(slope, across)) @ weight_u
+    return float(np.einsum("ncs,ncs,ncs,s->", flux, u, change[..., 1], weight)) / 3

@@ -15,8 +15,11 @@ from scipy.interpolate import CubicSpline
 
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
+
+# Ends and sides of a level in their order around a hull.
+_RING = ((0, 1), (1, 1), (1, 0), (0, 0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,10 +89,9 @@ def hulls(
     """
     grid = grid_of(ribbon, slots)
     rails, width = Rails(ribbon, grid.levels, smooth), ribbon.width
-    found = []
+    rows, spans = [], []
     for cell, row in np.argwhere(grid.full).tolist():
-        rows = slice(row, row + 2)
-        first, last = grid.places[cell : cell + 2, rows]
+        first, last = grid.places[cell : cell + 2, row : row + 2]
         share = width / rails.length(first[0], last[0])
         cuts = [np.full((2, 2), at) for at in ((0, share, 1 - share, 1) if share < 0.4 else (0, 1))]
         if plated and cell == 0:
@@ -99,26 +101,33 @@ def hulls(
         cuts = sorted((cut for cut in cuts if 0 <= cut.min() and cut.max() <= 1), key=np.mean)
         for low, high in pairwise(cuts):
             # (end, level, side)
-            spans = first[:, None] + np.stack([low, high]) * (last - first)[:, None]
-            rings = [
-                rails.at(spans[:, k, side], row + k, side)[order]
-                for k in (0, 1)
-                for side, order in ((1, slice(None)), (0, slice(None, None, -1)))
-            ]
-            if rails.spline is not None:
-                rings += [
-                    rails.handles(spans[:, k, side], row + k, side)
-                    for k in (0, 1)
-                    for side in (1, 0)
-                ]
-            found.append(np.concatenate(rings))
-    return tuple(found)
+            spans.append(first[:, None] + np.stack([low, high]) * (last - first)[:, None])
+            rows.append(row)
+    return tuple(_around(rails, np.array(rows), np.array(spans)))
+
+
+def _around(rails: Rails, rows: IntArray, spans: FloatArray) -> FloatArray:
+    """(H, 8 or 16, 3) corners of hulls, and control points of their edges where these are curved.
+
+    Args:
+        rails: of the ribbon.
+        rows: (H,) number of the level at the lower side of each.
+        spans: (H, end, level, side) parameters of its corners.
+    """
+    levels = rows[:, None, None] + np.array([[0], [1]])
+    sides = np.array([0, 1])
+    corners = rails.at(spans, levels[:, None], sides)
+    rings = [corners[:, end, k, side] for k in (0, 1) for end, side in _RING]
+    if rails.spline is not None:
+        handles = rails.handles(spans, levels, sides)
+        rings += [handles[:, end, k, side] for k in (0, 1) for side in (1, 0) for end in (0, 1)]
+    return np.stack(rings, axis=1)
 
 
 def _edges(rails: Rails, first: FloatArray, last: FloatArray, row: int) -> FloatArray:
     """(level, side, 3) from one end of a cell to the other along its edges."""
     start, end = (
-        np.array([[rails.at(at[[k]], row + k, side)[0] for side in (0, 1)] for k in (0, 1)])
+        rails.at(at[:, None], np.array([[row], [row + 1]]), np.array([0, 1]))
         for at in (first, last)
     )
     return np.asarray(end - start)
@@ -140,23 +149,28 @@ class Rails:
         self.lengths = np.concatenate([[0.0], np.cumsum(strip.lengths)])
         self.spline = CubicSpline(self.lengths, self.corners, axis=0) if smooth else None
 
-    def at(self, places: FloatArray, row: int, side: int) -> FloatArray:
-        """(C, 3) points at parameters (C,)."""
+    def at(self, places: FloatArray, rows: IntArray, sides: IntArray) -> FloatArray:
+        """(..., 3) points at parameters of the curves of levels and sides, of shapes that fit."""
+        places, rows, sides = np.broadcast_arrays(places, rows, sides)
         if self.spline is not None:
-            return np.asarray(self.spline(self._along(places))[:, row, side])
+            return _chosen(self.spline(self._along(places)), rows, sides)
         face = np.minimum(places.astype(int), len(self.lengths) - 2)
-        share = (places - face)[:, None]
-        rail = self.corners[:, row, side]
-        return np.asarray((1 - share) * rail[face] + share * rail[face + 1])
+        share = (places - face)[..., None]
+        start, end = (self.corners[station, rows, sides] for station in (face, face + 1))
+        return np.asarray((1 - share) * start + share * end)
 
-    def handles(self, span: FloatArray, row: int, side: int) -> FloatArray:
-        """(2, 3) inner control points of the curve between two parameters of one face."""
+    def handles(self, spans: FloatArray, rows: IntArray, sides: IntArray) -> FloatArray:
+        """(H, 2, ..., 3) inner control points of curves between parameters (H, 2, ...) of a face.
+
+        The levels and sides of the curves have the shape (H, ...).
+        """
         assert self.spline is not None
-        ends = self._along(span)
-        slopes = self.spline(ends, 1)[:, row, side]
-        points = self.spline(ends)[:, row, side]
-        third = (ends[1] - ends[0]) / 3
-        return np.stack([points[0] + third * slopes[0], points[1] - third * slopes[1]])
+        ends = self._along(spans)
+        both = np.broadcast_arrays(ends, rows[:, None], sides)[1:]
+        points, slopes = (_chosen(self.spline(ends, order), *both) for order in (0, 1))
+        third = ((ends[:, 1] - ends[:, 0]) / 3)[..., None]
+        first, last = points[:, 0] + third * slopes[:, 0], points[:, 1] - third * slopes[:, 1]
+        return np.stack([first, last], axis=1)
 
     def poles(self) -> FloatArray:
         """(face, side, level, P, 3) control points of the curves from station to station."""
@@ -175,3 +189,9 @@ class Rails:
 
     def _along(self, places: FloatArray) -> FloatArray:
         return np.asarray(np.interp(places, np.arange(len(self.lengths)), self.lengths))
+
+
+def _chosen(values: FloatArray, rows: IntArray, sides: IntArray) -> FloatArray:
+    """(..., 3) of values (..., level, side, 3)."""
+    places: tuple[IntArray, ...] = np.indices(rows.shape, sparse=True)
+    return np.asarray(values[(*places, rows, sides)])

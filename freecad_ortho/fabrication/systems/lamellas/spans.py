@@ -26,6 +26,8 @@ from solver.mesh.quadmesh import FloatArray
 # Length of the handles of a quarter of a circle, in radii.
 QUARTER = 4 / 3 * np.tan(np.pi / 8)
 _STEPS = 8
+# Newton's method squares what is left, so after a step this small nothing is.
+_SMALL_STEP = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,7 +223,10 @@ class _Solid:
         for _ in range(_STEPS):
             u, v = places[:, :1], places[:, 1:]
             found = (1 - u) * ((1 - v) * a + v * b) + u * ((1 - v) * c + v * d)
-            places = places + self._step(face, places, points - found)
+            step = self._step(face, places, points - found)
+            places = places + step
+            if np.abs(step).max() <= _SMALL_STEP:
+                break
         if places.min() <= 0 or places.max() >= 1:
             raise InputError(
                 f"hole: {hole.diameter:g} mm is wider than an edge or the width of {self.name}; "
