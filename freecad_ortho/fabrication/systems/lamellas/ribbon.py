@@ -44,8 +44,8 @@ class Ribbon:
         """Start (3,) of the edge in the middle, and the directions (3, 3) along, across and up."""
         strip = self.strip
         face = len(strip.lengths) // 2
-        along, up = strip.along[face], strip.across[0][face]
-        return strip.points[face], np.stack([along, up, np.cross(along, up)])
+        along, up, side = strip.along[face], strip.across[0][face], self.sides[face]
+        return strip.points[face], np.stack([along, up, side])
 
     def edge(self, level: float) -> FloatArray:
         """(K, 2) where the rulings reach a level, in the pattern."""
@@ -68,6 +68,11 @@ class Ribbon:
         return np.asarray(0.5 * self.thickness * both / scale[:, None])
 
     @cached_property
+    def sides(self) -> FloatArray:
+        """(K - 1, 3) unit normals of the faces where they begin."""
+        return np.cross(self.strip.along, self.strip.across[0])
+
+    @cached_property
     def flat_across(self) -> FloatArray:
         """(K - 1, 2) unit normals to each edge in the pattern, on the left."""
         steps = unit_rows(np.diff(self.strip.flat_points, axis=0))
@@ -80,12 +85,11 @@ class Ribbon:
             (N, 3) points in the middle of the plate and (N, 3) from there to its upper side.
         """
         strip = self.strip
-        along, up = strip.along[face], strip.across[0][face]
+        along, up, side = strip.along[face], strip.across[0][face], self.sides[face]
         arms = points - strip.flat_points[face]
         across = self.flat_across[face]
         x, y = arms @ np.array([across[1], -across[0]]), arms @ across
         angle = strip.twists[face] * x / strip.lengths[face]
-        side = np.cross(along, up)
         sine, cosine = np.sin(angle)[:, None], np.cos(angle)[:, None]
         place = strip.points[face] + x[:, None] * along + y[:, None] * (cosine * up + sine * side)
         return place, 0.5 * self.thickness * (cosine * side - sine * up)
