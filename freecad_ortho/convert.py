@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 import numpy as np
 
+from freecad_ortho.sources.source import singular
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
@@ -124,6 +125,8 @@ def option_value(option: Option, value: Any) -> Any:
         return placing(value) if isinstance(value, FreeCAD.Placement) else value
     if option.kind == "points":
         return rows(value)
+    if option.kind == "singular":
+        return singular_rows(value)
     if option.kind in ("length", "distance", "angle", "area"):
         read = {"angle": degrees, "area": square_millimetres}.get(option.kind, millimetres)
         if option.several and isinstance(value, (tuple, list)):
@@ -139,6 +142,24 @@ def square_millimetres(value: float | str | FreeCAD.Units.Quantity, name: str) -
         InputError: not an area.
     """
     return _number_of(value, name, FreeCAD.Units.Area, "an area", "2 m^2")
+
+
+def singular_rows(given: Any) -> tuple[tuple[float, ...], ...] | None:
+    """Rows of x, y, z in mm and a number of lines; None where they are to be found.
+
+    Args:
+        given: such rows, or texts of them; ``none``, or ``auto``.
+
+    Raises:
+        InputError: anything else.
+    """
+    lines = [given] if isinstance(given, str) else given
+    lines = [x.replace(",", " ").split() if isinstance(x, str) else x for x in lines]
+    if lines in ([["auto"]], [["none"]]):
+        return None if lines == [["auto"]] else ()
+    found = singular("singularities", lines)
+    pairs = zip(found.places.tolist(), found.valences.tolist(), strict=True)
+    return tuple((*place, lines) for place, lines in pairs)
 
 
 def rows(points: Any) -> FloatArray:

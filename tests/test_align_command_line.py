@@ -80,6 +80,31 @@ def test_a_stroke_comes_from_a_file(surface_file, tmp_path, capsys):
     assert "none.xyz" in capsys.readouterr().err
 
 
+def test_singularities_are_written_edited_and_read(surface_file, tmp_path, capsys):
+    saved, none, moved = (tmp_path / name for name in ("saved.txt", "none.obj", "moved.obj"))
+    options = ["align", str(surface_file), "--edge", "2.5"]
+    given = tmp_path / "given.txt"
+    given.write_text("# x y z, lines\n-6, 3, -0.1, 3\n5 -2 0.2 5\n")
+    words = ["--singularities", str(given), "--save-singularities", str(saved)]
+    report = tmp_path / "report.json"
+    assert main([*options, *words, "--report", str(report), "-o", str(none)]) == 0
+    assert "2 irregular vertices" in capsys.readouterr().out
+    rows = np.loadtxt(saved)
+    assert sorted(rows[:, 3].tolist()) == [3, 5]
+    assert rows[rows[:, 3] == 3, :2] == pytest.approx(np.array([[-6, 3]]), abs=0.8)
+    assert json.loads(report.read_text())["singularities"] == rows.tolist()
+    # What is written is what was there: it gives the same net again.
+    assert main([*options, "--singularities", str(saved), "-o", str(moved)]) == 0
+    assert moved.read_bytes() == none.read_bytes()
+    capsys.readouterr()
+    given.write_text("5 -2 0.2 4\n")
+    assert main([*options, *words, "-o", str(none)]) == 2
+    assert "expected 3, 5 or 6 lines" in capsys.readouterr().err
+    given.write_text("5 -2 0.2\n")
+    assert main([*options, *words, "-o", str(none)]) == 2
+    assert "expected 4 numbers a line" in capsys.readouterr().err
+
+
 def test_faces_of_a_step_file(tmp_path, capsys):
     cadquery = pytest.importorskip("cadquery")
     u, v = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 15), indexing="ij")
@@ -106,6 +131,7 @@ def test_faces_of_a_step_file(tmp_path, capsys):
         (["--edge", "2.5", "--net", "stress"], "stress"),
         (["--edge", "2.5", "--ratio=-1"], "ratio"),
         (["--edge", "inf"], "edge"),
+        (["--edge", "2.5", "--singularities", "nowhere.txt"], "nowhere.txt"),
     ],
 )
 def test_bad_options_are_said_in_a_line(surface_file, tmp_path, capsys, options, words):

@@ -351,7 +351,7 @@ def test_offset_says_what_it_keeps(tmp_path, capsys):
         (["--distance", "0"], "distance: expected a finite number other than 0"),
         (["--distance", "-90000"], "folds the offset mesh at edge"),
         (["--distance", "1", "--kind", "corner"], "--kind: expected parallel, vertex"),
-        (["--distance", "1", "--report", "OUT"], "is to hold both mesh and report"),
+        (["--distance", "1", "--report", "OUT"], "is to hold two files"),
         (["--distance", "1", "--report", "/absent/r.json"], "/absent: does not exist"),
     ],
 )

@@ -15,11 +15,13 @@ from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.mesh_files import DEFAULT_UNIT, upright
 from freecad_ortho.sources.aligning import ALIGNED, aligned_on, edge_for
+from freecad_ortho.sources.source import singular
 from freecad_ortho.step_faces import is_step, step_surfaces
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from freecad_ortho.words import counted
 from solver.align.align import Aligned, aligned
+from solver.align.crosses import Singular
 from solver.io.atomic import write_text
 from solver.io.points import read_points
 from solver.mesh.local_origin import LocalOrigin
@@ -41,6 +43,11 @@ def add(parser: argparse.ArgumentParser) -> None:
     arguments.add(parser, ALIGNED.option("net"))
     add_settings(parser)
     parser.add_argument("--report", metavar="R.json", help="border, singular vertices, remarks")
+    parser.add_argument(
+        "--save-singularities",
+        metavar="FILE",
+        help="write where other than four lines meet, as --singularities reads it",
+    )
     values.add_output(parser)
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
     parser.set_defaults(run=run)
@@ -63,14 +70,18 @@ def add_settings(group: argparse._ActionsContainer) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Align and write."""
-    values.refuse_unwritable(options.output, options.report)
+    values.refuse_unwritable(options.output, options.report, options.save_singularities)
     found = align(options)
     code = values.write(
         options, found.net.mesh, found.unit, found.words, found.origin, found.net.border
     )
+    about = values.origin_of(options, found.origin)
     if options.report:
-        numbers = found.numbers(values.origin_of(options, found.origin))
-        write_text(options.report, json.dumps(numbers, indent=2) + "\n")
+        write_text(options.report, json.dumps(found.numbers(about), indent=2) + "\n")
+    if options.save_singularities:
+        rows = [" ".join(f"{x!r}" for x in row) for row in found.singularities(about)]
+        head = f"# x y z in {found.unit}, lines that meet there\n"
+        write_text(options.save_singularities, head + "".join(f"{row}\n" for row in rows))
     return code
 
 
@@ -100,6 +111,13 @@ class Found:
         border = [back.back(line) for line in self.net.border]
         return back.back_mesh(self.net.mesh), self.unit, border
 
+    def singularities(self, about: LocalOrigin) -> list[list[float]]:
+        """Rows of x, y, z, measured from a point, and how many lines meet there."""
+        singular = self.net.singular
+        places = LocalOrigin(self.origin.shift - about.shift).back(singular.places)
+        pairs = zip(places.tolist(), singular.valences.tolist(), strict=True)
+        return [[*place, lines] for place, lines in pairs]
+
     def numbers(self, about: LocalOrigin) -> dict[str, Any]:
         """The report, with coordinates measured from a point."""
         mesh, unit, border = self.in_file(about)
@@ -108,6 +126,7 @@ class Found:
             "faces": len(mesh.faces),
             "irregular_vertices": self.net.irregular.tolist(),
             "irregular_places": mesh.vertices[self.net.irregular].tolist(),
+            "singularities": self.singularities(about),
             "mean_edge": mesh.mean_edge,
             "border": [line.tolist() for line in border],
             "remarks": list(self.net.remarks),
@@ -141,6 +160,7 @@ def _on_step(options: argparse.Namespace, waiting: Waiting) -> tuple[Aligned, st
     numbers = values.whole_numbers("--faces", options.faces) if options.faces else ()
     told = ALIGNED.defaults | arguments.given(ALIGNED.options, options, "mm", bare=unit)
     scale = 1.0 / millimetres_per(unit)
+    told["singularities"] = _singularities(told, options, lambda places: places / scale)
     strokes = [stroke / scale for stroke in _strokes(options)]
     surfaces = step_surfaces(options.input, numbers)
     made = aligned_on(surfaces, **told, strokes=strokes, waiting=waiting)
@@ -159,8 +179,19 @@ def _on_triangles(
     area = 0.5 * float(np.linalg.norm(np.cross(one, two), axis=1).sum())
     told["edge"] = told["edge"] or edge_for(area, told["ratio"])
     strokes = [origin.near(stroke) for stroke in _strokes(options)]
+    told["singularities"] = _singularities(told, options, origin.near)
     made = aligned(near, triangles, **told, strokes=strokes, waiting=waiting)
     return made, unit, origin
+
+
+def _singularities(
+    told: dict[str, Any], options: argparse.Namespace, placed: Callable[[FloatArray], FloatArray]
+) -> Singular | None:
+    """Where they are asked for; nothing where they are to be found."""
+    if told["singularities"] is None:
+        return None
+    given = singular("--singularities", told["singularities"])
+    return Singular(placed(upright(given.places, options.up)), given.valences)
 
 
 def _strokes(options: argparse.Namespace) -> list[FloatArray]:

@@ -22,7 +22,7 @@ from solver.option import NUMBERS, Option
 _WRITTEN = {
     "length": "L", "distance": "L", "area": "A", "angle": "DEG", "percent": "PERCENT",
     "number": "N", "weight": "W", "direction": "x|y|z|X,Y,Z", "count": "N", "text": "TEXT",
-    "points": "FILE", "mesh": "FILE",
+    "points": "FILE", "singular": "auto|none|FILE", "mesh": "FILE",
 }  # fmt: skip
 _LETTERS = {2: "A,B", 3: "X,Y,Z"}
 _PLACING = {"rotate": "turn by angles about x, then y, then z", "centre": "where it is put"}
@@ -131,6 +131,8 @@ def read(
         return _word(name, text, option.choices)
     if option.kind == "points":
         return read_points(text, (2, 3))
+    if option.kind == "singular":
+        return _singular(text)
     if option.kind not in NUMBERS:
         return text
     several = option.several
@@ -146,6 +148,13 @@ def read(
     else:
         found = values.numbers(name, plain, len(option.default) if several else 1)
     return found if several else found[0]
+
+
+def _singular(text: str) -> tuple[tuple[float, ...], ...] | None:
+    """Rows x, y, z and number of lines; None where they are to be found."""
+    if text in ("auto", "none"):
+        return None if text == "auto" else ()
+    return tuple(map(tuple, read_points(text, (4,), least=0).tolist()))
 
 
 def shown(value: Any) -> str:

@@ -122,19 +122,22 @@ def add_up(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def refuse_unwritable(output: str, report: str | None = None) -> None:
-    """Say before the work, not after it, that a mesh or a report has nowhere to go.
+def refuse_unwritable(output: str, *others: str | None) -> None:
+    """Say before the work, not after it, that a mesh, a report or the like has nowhere to go.
+
+    Args:
+        output: where the mesh goes.
+        others: where other files go; None for those that are not asked for.
 
     Raises:
-        InputError: a path is a folder or a device, or both are one, or the mesh's name says no
+        InputError: a path is a folder or a device, or two are one, or the mesh's name says no
             format.
         OutputError: a folder is missing or cannot be written.
     """
-    if report is not None and os.path.realpath(output) == os.path.realpath(report):
-        raise InputError(f"{report}: is to hold both mesh and report; name two files")
-    for path in (output, report):
-        if path is None:
-            continue
+    paths = [output, *(path for path in others if path is not None)]
+    for number, path in enumerate(paths):
+        if os.path.realpath(path) in map(os.path.realpath, paths[:number]):
+            raise InputError(f"{path}: is to hold two files; name two")
         folder = os.path.dirname(os.path.abspath(path))
         if os.path.isdir(path):
             raise InputError(f"{path}: is a folder; name a file in it")

@@ -25,11 +25,19 @@ _KINDS = {
     "flag": "App::PropertyBool",
     "text": "App::PropertyString",
     "points": "App::PropertyVectorList",
+    "singular": "App::PropertyStringList",
     "placement": "App::PropertyPlacement",
     "mesh": "App::PropertyLinkHidden",
 }
 # What stands in a property where there is no value.
-_ABSENT: dict[str, Any] = {"length": 0.0, "weight": -1.0, "text": "", "choice": "", "mesh": None}
+_ABSENT: dict[str, Any] = {
+    "length": 0.0,
+    "weight": -1.0,
+    "text": "",
+    "choice": "",
+    "mesh": None,
+    "singular": [],
+}
 
 
 def properties(
@@ -66,6 +74,8 @@ def stored(option: Option, value: Any, titled: bool = False) -> dict[str, Any]:
         value = _ABSENT.get(option.kind, 0)
     elif option.kind == "points":
         value = convert.vectors(convert.rows(value))
+    elif option.kind == "singular":
+        value = [" ".join(f"{x!r}" for x in row) for row in value] or ["none"]
     elif option.kind == "placement":
         value = convert.placement(value)
     elif option.kind == "choice" and titled:
@@ -87,6 +97,8 @@ def _plain(option: Option, value: Any) -> Any:
     value = getattr(value, "Value", value)
     if option.kind == "points":
         return convert.array(value)
+    if option.kind == "singular":
+        return convert.singular_rows(list(value) or "auto")
     if option.kind == "placement":
         return convert.placing(value)
     if option.kind == "choice":

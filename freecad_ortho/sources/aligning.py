@@ -11,6 +11,7 @@ import numpy as np
 from freecad_ortho.sources.source import Made, Source
 from freecad_ortho.words import counted
 from solver.align.align import BORDERS, Aligned, aligned
+from solver.align.crosses import Singular
 from solver.align.guides import TURNED
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
@@ -36,6 +37,10 @@ OPTIONS = (
     Option("border", "trim", "choice",
            "At the border the net overhangs the surface, to be trimmed, or bends to follow it",
            BORDERS, title="At the border"),
+    Option("singularities", None, "singular",
+           "Where other than four lines meet: auto for the fewest that the surface needs, none, or "
+           "a file of rows x y z and 3, 5 or 6 lines",
+           absent="auto"),
 )  # fmt: skip
 
 
@@ -46,10 +51,11 @@ def _on_faces(
     edge: float,
     ratio: float,
     border: str,
+    singularities: Singular | None,
     waiting: Callable[[str], object],
     strokes: Sequence[FloatArray] = (),
 ) -> Made:
-    made = aligned_on(surfaces, net, edge, ratio, border, strokes, waiting)
+    made = aligned_on(surfaces, net, edge, ratio, border, strokes, singularities, waiting)
     remarks = (*_irregular(made), *made.remarks)
     return Made(made.mesh, remarks, made.field, made.singular, made.border)
 
@@ -71,6 +77,7 @@ def aligned_on(
     ratio: float,
     border: str = "trim",
     strokes: Sequence[FloatArray] = (),
+    singularities: Singular | None = None,
     waiting: Callable[[str], object] = lambda stage: None,
 ) -> Aligned:
     """A net along lines of CAD faces that meet smoothly; vertices on the faces themselves.
@@ -82,6 +89,8 @@ def aligned_on(
         ratio: edge length of the other family of lines over that.
         border: ``trim`` lets the net overhang, ``follow`` bends it to the border.
         strokes: polylines (n, 3) on the faces, in mm, along which lines of the net run.
+        singularities: where the net has vertices with 3, 5 or 6 faces, in mm; the fewest that it
+            needs by default.
         waiting: called with the name of each stage, some of them several times; what it raises is
             passed on.
 
@@ -102,6 +111,7 @@ def aligned_on(
         ratio=ratio,
         border=border,
         strokes=strokes,
+        singularities=singularities,
         waiting=waiting,
     )
     mesh = _set_onto(made.mesh, surfaces, edge)

@@ -117,12 +117,36 @@ class Source:
             option.check(value, unit)
             if option.kind == "points":
                 values[option.name] = _points(option.name, value)
+            elif option.kind == "singular":
+                values[option.name] = None if value is None else singular(option.name, value)
             elif option.kind == "placement":
                 rotation, origin = (np.asarray(x, dtype=float) for x in value)
                 values[option.name] = (rotation, origin)
         if self.stages:
             inputs["waiting"] = waiting
         return self.build(unit=unit, **values, **inputs)
+
+
+def singular(name: str, rows: Any) -> Singular:
+    """Singular vertices from rows of x, y, z and how many lines meet there.
+
+    Args:
+        name: what they are called in a refusal.
+        rows: any number of them, none too.
+
+    Raises:
+        InputError: rows of anything else.
+    """
+    try:
+        table = np.array([tuple(row) for row in rows], dtype=np.float64).reshape(-1, 4)
+    except (TypeError, ValueError) as error:
+        raise InputError(
+            f"{name}: expected rows of x, y, z and a number of lines, got {str(rows)[:40]}"
+        ) from error
+    lines = table[:, 3]
+    if not (np.isfinite(table).all() and (lines == np.round(lines)).all()):
+        raise InputError(f"{name}: expected finite numbers and whole ones of lines; mend them")
+    return Singular(table[:, :3], lines.astype(np.int64))
 
 
 def _points(name: str, value: Any) -> FloatArray:

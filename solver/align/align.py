@@ -18,6 +18,7 @@ from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
 from solver.align.features import Features
 from solver.align.field import Field, Guide, smooth_field
+from solver.align.given import Wanted, given_field
 from solver.align.guides import TURNED, along_features, net_guide, with_strokes
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
@@ -81,6 +82,7 @@ def aligned(
     ratio: float = 1.0,
     border: str = "trim",
     strokes: Sequence[FloatArray] = (),
+    singularities: Singular | None = None,
     waiting: Callable[[str], object] = lambda stage: None,
 ) -> Aligned:
     """Make a net of quads along a surface's lines of curvature, or at 45 degrees to them.
@@ -94,11 +96,13 @@ def aligned(
         ratio: edge length of the other family of lines over that.
         border: ``trim`` lets the net overhang, ``follow`` bends it to the border.
         strokes: polylines (n, 3) on the surface along which lines of the net run.
+        singularities: where the net has vertices with 3, 5 or 6 faces, and nowhere else; the
+            fewest that it needs by default.
         waiting: called with the name of each stage as it begins; what it raises is passed on.
 
     Raises:
         InputError: no such net, bad lengths, no single open surface, no such lines, no map, or a
-            stroke that is off the surface.
+            stroke or a singularity that is off the surface.
     """
     if net not in TURNED:
         raise InputError(f"net: expected one of {', '.join(TURNED)}, got {net}")
@@ -115,11 +119,16 @@ def aligned(
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
     features = Features.creases(work.mesh, work.inner, edge)
+    bound = np.zeros(len(work.mesh.points), dtype=bool)
     if border == "follow":
-        features = features.and_others(Features.border(work.mesh, work.inner, edge))
+        rim = Features.border(work.mesh, work.inner, edge)
+        features = features.and_others(rim)
+        bound[[side[rim.edges] for side in work.mesh.ends]] = True
     guide = along_features(work.mesh, guide, features, edge)
     guide = with_strokes(work.mesh, guide, strokes, edge)
-    mesh, field = _mapped(work, guide, features, (edge, edge * ratio), waiting, remarks)
+    wanted = None if singularities is None else Wanted.of(work, singularities, edge, bound)
+    asked = _Asked(work, guide, features, (edge, edge * ratio), wanted)
+    mesh, field = _mapped(asked, waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
     connected = mesh.connectivity
     irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
@@ -151,6 +160,33 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
 
 
 @dataclass(frozen=True, eq=False)
+class _Asked:
+    """A surface, and what a net on it is to follow."""
+
+    work: Work
+    guide: Guide
+    features: Features
+    edges: tuple[float, float]
+    singular: Wanted | None
+
+    def automatic(self, calm: float, step: Callable[[], object]) -> Field:
+        """The directions along a part of the guide, singular where they have to be."""
+        return smooth_field(self.work.mesh, self.guide.calmed(calm), self.edges[0], step)
+
+    def field(self, calm: float, automatic: Field) -> Field:
+        """The directions, singular where they are asked to be."""
+        if self.singular is None:
+            return automatic
+        quarters = self.singular.quarters(automatic)
+        mesh, edge = self.work.mesh, self.edges[0]
+        return given_field(mesh, self.guide, calm, edge, automatic, quarters)
+
+    def misfit(self, automatic: Field) -> str:
+        """Why it cannot be singular as it is asked to be."""
+        return "" if self.singular is None else self.singular.misfit(automatic)
+
+
+@dataclass(frozen=True, eq=False)
 class _Attempt:
     """A net of one map, and how many of its faces are folded; or why there is none."""
 
@@ -162,22 +198,19 @@ class _Attempt:
 
 
 def _mapped(
-    work: Work,
-    guide: Guide,
-    features: Features,
-    edges: tuple[float, float],
-    waiting: Callable[[str], object],
-    remarks: list[str],
+    asked: _Asked, waiting: Callable[[str], object], remarks: list[str]
 ) -> tuple[QuadMesh, Field]:
     """The quads of a map along the guide, as closely as lines do not run into each other."""
     best: _Attempt | None = None
-    for attempt in _attempts(work, guide, features, edges, waiting):
+    refusal = ""
+    for attempt in _attempts(asked, waiting):
         if attempt.mesh is not None and (best is None or attempt.folded < best.folded):
             best = attempt
         if best is not None and not best.folded:
             break
+        refusal = refusal or attempt.refusal
     if best is None or best.mesh is None:
-        raise InputError(f"map: {attempt.refusal}; {_REMEDY}")
+        raise InputError(refusal)
     if not best.close:
         remarks.append(
             "lines that follow curvature closely would run into each other here; these do less so"
@@ -187,24 +220,23 @@ def _mapped(
     return best.mesh, best.field
 
 
-def _attempts(
-    work: Work,
-    guide: Guide,
-    features: Features,
-    edges: tuple[float, float],
-    waiting: Callable[[str], object],
-) -> Iterator[_Attempt]:
+def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Attempt]:
     """Nets that follow the guide less and less."""
-    mesh = work.mesh
+    work, mesh, edges = asked.work, asked.work.mesh, asked.edges
     for calm in _CALM:
         waiting("directions")
-        field = smooth_field(mesh, guide.calmed(calm), edges[0], lambda: waiting("directions"))
+        field = asked.automatic(calm, lambda: waiting("directions"))
+        misfit = asked.misfit(field)
+        if misfit:
+            yield _Attempt(field, False, refusal=misfit)
+            continue
+        field = asked.field(calm, field)
         cut = cut_open(mesh, field)
         layout = seams(mesh, cut, field.quarters != 0)
         for firm in FIRM:
             waiting("map")
             made = seamless_map(
-                *(mesh, cut, layout, guide.firmness, edges, work.inner, firm, features),
+                *(mesh, cut, layout, asked.guide.firmness, edges, work.inner, firm, asked.features),
                 step=lambda: waiting("map"),
             )
             waiting("quads")
@@ -212,7 +244,7 @@ def _attempts(
             close = (calm, firm) == (_CALM[0], FIRM[0])
             wrong = _crossing(found)
             if wrong is not None:
-                refusal = f"lines run into each other near {_at(wrong)}"
+                refusal = f"map: lines run into each other near {_at(wrong)}; {_REMEDY}"
                 yield _Attempt(field, close, refusal=refusal)
                 continue
             places = carried_on(mesh, cut, made, found)
@@ -220,7 +252,8 @@ def _attempts(
                 net = quad_mesh(places, found.faces.tolist())[0]
             except InputError as error:
                 where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
-                yield _Attempt(field, close, refusal=f"it folds near {_at(where)} ({error})")
+                refusal = f"map: it folds near {_at(where)} ({error}); {_REMEDY}"
+                yield _Attempt(field, close, refusal=refusal)
                 continue
             yield _Attempt(field, close, net, int(flipped(net).sum()))
 

@@ -9,11 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import breadth_first_order
 
 from solver.align.field import QUARTER, Field, turns
-from solver.align.triangle_mesh import TriangleMesh
+from solver.align.triangle_mesh import TriangleMesh, spanning
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -45,19 +43,10 @@ def cut_open(mesh: TriangleMesh, field: Field) -> Cut:
 
 def _combed(mesh: TriangleMesh, quarters: IntArray) -> tuple[IntArray, BoolArray]:
     """Quarter turns (T,) of the triangles, and which edges (E,) the tree crosses."""
-    one, two = (mesh.edges // 3).T
-    count = len(mesh.triangles)
-    graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count)).tocsr()
-    centres = mesh.centres
-    middle = int(np.argmin(((centres - centres.mean(axis=0)) ** 2).sum(axis=1)))
-    order, before = breadth_first_order(graph + graph.T, middle, directed=False)
-    pairs = {pair: edge for edge, pair in enumerate(zip(one.tolist(), two.tolist(), strict=True))}
-    turned, crossed = np.zeros(count, dtype=np.int64), np.zeros(len(one), dtype=bool)
-    for triangle in order[1:].tolist():
-        back = int(before[triangle])
-        forwards = (back, triangle) in pairs
-        edge = pairs[(back, triangle) if forwards else (triangle, back)]
-        turned[triangle] = turned[back] + (-quarters[edge] if forwards else quarters[edge])
+    turned = np.zeros(len(mesh.triangles), dtype=np.int64)
+    crossed = np.zeros(len(mesh.edges), dtype=bool)
+    for triangle, before, edge, forwards in spanning(mesh):
+        turned[triangle] = turned[before] + (-quarters[edge] if forwards else quarters[edge])
         crossed[edge] = True
     return turned, crossed
 

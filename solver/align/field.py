@@ -183,14 +183,7 @@ def _carried(mesh: TriangleMesh) -> FloatArray:
 
 def _solved(mesh: TriangleMesh, angles: FloatArray, certainty: FloatArray, edge: float) -> Field:
     first, second = (mesh.edges // 3).T
-    start, end = (mesh.points[side] for side in mesh.ends)
-    length = np.linalg.norm(end - start, axis=1)
-    centres = mesh.centres
-    dual = sum(
-        np.linalg.norm(np.cross(centres[side] - start, end - start), axis=1) / length
-        for side in (first, second)
-    )
-    weight, carried = length / dual, np.exp(4j * _carried(mesh))
+    weight, carried = smoothness(mesh), np.exp(4j * _carried(mesh))
     held = np.maximum(certainty, _WHISPER) * mesh.areas / edge**2
     count = len(mesh.triangles)
     rows = np.concatenate([first, second, first, second])
@@ -204,11 +197,24 @@ def _solved(mesh: TriangleMesh, angles: FloatArray, certainty: FloatArray, edge:
         options={"SymmetricMode": True},
     )
     found = np.angle(factors.solve(held * np.exp(4j * angles))) / 4
-    return Field(found, _quarters(mesh, found))
+    return Field(found, quarters_of(mesh, found))
 
 
-def _quarters(mesh: TriangleMesh, angles: FloatArray) -> IntArray:
-    """(V,) by how many quarter turns the field misses itself round each inner vertex."""
+def smoothness(mesh: TriangleMesh) -> FloatArray:
+    """(E,) how much a turn over each inner edge counts: its length over the way across it."""
+    start, end = (mesh.points[side] for side in mesh.ends)
+    length = np.linalg.norm(end - start, axis=1)
+    centres = mesh.centres
+    across = sum(
+        np.linalg.norm(np.cross(centres[side] - start, end - start), axis=1) / length
+        for side in (mesh.edges // 3).T
+    )
+    weight: FloatArray = length / across
+    return weight
+
+
+def quarters_of(mesh: TriangleMesh, angles: FloatArray) -> IntArray:
+    """(V,) by how many quarter turns directions (T,) miss themselves round each inner vertex."""
     left = turns(mesh, angles)[1]
     corners = mesh.points[mesh.triangles]
     missing = np.full(len(mesh.points), 2 * np.pi)

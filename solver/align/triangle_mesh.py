@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import coo_array
@@ -173,6 +175,27 @@ def _parted(points: FloatArray, triangles: IntArray) -> tuple[FloatArray, IntArr
     of_fan = np.empty(fans.max() + 1, dtype=np.int64)
     of_fan[fans] = triangles.ravel()
     return points[of_fan], fans.reshape(-1, 3).astype(np.int64)
+
+
+def spanning(mesh: TriangleMesh) -> Iterator[tuple[int, int, int, bool]]:
+    """A tree of all triangles, from the middle outwards.
+
+    Yields:
+        a triangle, the one from which it is reached, the number of the inner edge between them, and
+        whether that goes from the edge's first triangle to its second.
+    """
+    one, two = (mesh.edges // 3).T
+    count = len(mesh.triangles)
+    graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count)).tocsr()
+    centres = mesh.centres
+    middle = int(np.argmin(((centres - centres.mean(axis=0)) ** 2).sum(axis=1)))
+    order, before = breadth_first_order(graph + graph.T, middle, directed=False)
+    pairs = {pair: edge for edge, pair in enumerate(zip(one.tolist(), two.tolist(), strict=True))}
+    for triangle in order[1:].tolist():
+        back = int(before[triangle])
+        forwards = (back, triangle) in pairs
+        edge = pairs[(back, triangle) if forwards else (triangle, back)]
+        yield triangle, back, edge, forwards
 
 
 def following(half_edges: IntArray) -> IntArray:

@@ -17,15 +17,18 @@ from solver.mesh.quadmesh import FloatArray
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
-def read_points(path: str | os.PathLike[str], columns: tuple[int, ...] = (3,)) -> FloatArray:
+def read_points(
+    path: str | os.PathLike[str], columns: tuple[int, ...] = (3,), least: int = 2
+) -> FloatArray:
     """(n, k) numbers of a text file; ``#`` starts a comment, ``v`` lines of an OBJ file count too.
 
     Args:
         path: the file.
         columns: how many numbers a row may have.
+        least: how many rows there have to be.
 
     Raises:
-        InputError: a row that is not numbers, rows of different length, or fewer than two rows.
+        InputError: a row that is not numbers, rows of different length, or too few of them.
     """
     name, rows = os.fspath(path), []
     only_v = name.lower().endswith(".obj")
@@ -48,8 +51,8 @@ def read_points(path: str | os.PathLike[str], columns: tuple[int, ...] = (3,)) -
                 f"{name}, line {number}: expected {wanted} numbers a line, all alike, got "
                 f"{len(rows[-1])}; mend the line (a comma alone separates: decimals have a point)"
             )
-    if len(rows) < 2:
-        raise InputError(f"{name}: expected at least two points, got {len(rows)}; add points")
+    if len(rows) < least:
+        raise InputError(f"{name}: expected at least {least} points, got {len(rows)}; add points")
     if not np.isfinite(rows).all():
         raise InputError(f"{name}: expected finite numbers, got NaN or infinite ones; mend it")
-    return np.array(rows)
+    return np.array(rows, dtype=np.float64).reshape(len(rows), -1 if rows else columns[0])
