@@ -13,6 +13,7 @@ from freecad_ortho.calls import list_keywords
 from freecad_ortho.fabricating import fabricate, write_fabrication
 from freecad_ortho.mesh_files import LoadedMesh, read_mesh
 from freecad_ortho.stand_in import stand_in
+from freecad_ortho.standing import check_structure, write_structural_check
 from freecad_ortho.step_faces import net_from_step
 from solver import optimise, start_optimisation, write_mesh
 from solver.analysis.check import check
@@ -93,6 +94,7 @@ __all__ = [
     "change_source",
     "change_structure",
     "check",
+    "check_structure",
     "diagonal_meshes",
     "drag_net",
     "dragging",
@@ -127,6 +129,7 @@ __all__ = [
     "weld_nets",
     "write_fabrication",
     "write_mesh",
+    "write_structural_check",
 ]
 
 

@@ -92,6 +92,27 @@ class WorkshopSettings(TypedDict, total=False):
     step_tolerance: Length
 
 
+class DesignSettings(TypedDict, total=False):
+    """Members, supports and loads of a structural check; kN and m, lengths in mm."""
+
+    section: str
+    material: str
+    supports: str
+    joints: str
+    self_weight: bool
+    panels: float
+    snow: float
+    snow_side: str | Sequence[float]
+    wind: str | Sequence[str]
+    load: str | Sequence[str]
+    modes: int
+    pieces: int
+    buckling_length: float
+    deflection: float
+    second_order: bool
+    imperfection: float | None
+
+
 class PassedSettings(TypedDict, total=False):
     """What the solver is told in one call, and the Net of a document does not keep."""
 

@@ -16,6 +16,7 @@ from freecad_ortho.cli import (
     optimising,
     reporting,
     sources,
+    standing,
     values,
 )
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
@@ -67,6 +68,9 @@ def _parser() -> argparse.ArgumentParser:
         commands.add_parser("build", help="a design surface to parts: all stages in one command")
     )
     _add_check(commands.add_parser("check", help="measure a mesh against every net"))
+    stand = commands.add_parser("stand", help="a structural check of the grid shell on a net")
+    _add_input(stand)
+    standing.add(stand)
     sources.add(commands)
     return parser
 

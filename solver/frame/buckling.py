@@ -80,7 +80,7 @@ def _largest(system: System, loose: FloatArray, count: int) -> tuple[FloatArray,
             system.kept,
             Minv=inverse,
             which="LA",
-            ncv=min(size, max(40, 4 * wanted)),
+            ncv=min(size, max(24, 4 * wanted)),
             v0=system.solve_once(start),
             tol=1e-8,
         )

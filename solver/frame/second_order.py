@@ -29,13 +29,11 @@ class SecondOrder:
 
     Attributes:
         response: displacements and forces.
-        factor: part of the load that is carried, 1 for all of it.
-        stable: whether a small push is answered by a small movement.
+        factor: part of the load that is carried, in stable balance, 1 for all of it.
     """
 
     response: Response
     factor: float
-    stable: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +96,7 @@ def second_order(system: System, loads: Loads) -> SecondOrder:
         raise OrthoError(
             "second order: not even 1/64 of the load is carried; the frame is too weak for it"
         )
-    return SecondOrder(moving.response(done), done, moving.stable())
+    return SecondOrder(moving.response(done), done)
 
 
 def followed(system: System, loads: Loads, steps: int, first: float) -> Path:
@@ -201,9 +199,9 @@ class _Moving:
             left = load - inner[free]
             if not np.isfinite(left).all():
                 return False
-            if np.linalg.norm(left) <= _LEFT * size:
-                return self.stable()
             try:
+                if np.linalg.norm(left) <= _LEFT * size:
+                    return _positive(self._factored())
                 self._move(self._factored().solve(left))
             except SingularSystemError:
                 return False
@@ -234,13 +232,6 @@ class _Moving:
             self._move(step)
         return None
 
-    def stable(self) -> bool:
-        """Whether every small movement takes energy: all pivots are positive."""
-        solver = self._factored()
-        if not np.array_equal(solver.perm_r, solver.perm_c):
-            return False
-        return bool((solver.U.diagonal() > 0).all())
-
     def displacements(self) -> FloatArray:
         """(N, 6) in the model's directions."""
         return np.concatenate([self.state[0], self.state[2]], axis=1)
@@ -258,3 +249,10 @@ class _Moving:
             factor * self._spread,
             system.own(reactions.reshape(-1, 6)),
         )
+
+
+def _positive(factors: SuperLU) -> bool:
+    """Whether a symmetric matrix is positive: its pivots, if they were taken in order, are."""
+    if not np.array_equal(factors.perm_r, factors.perm_c):
+        return False
+    return bool((factors.U.diagonal() > 0).all())

@@ -38,7 +38,7 @@ from freecad_ortho.fabrication.report.plots import histogram
 from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.words import counted
 
-_STYLE = f"""
+STYLE = f"""
 body {{ font: 15px/1.45 system-ui, sans-serif; color: {INK}; margin: 2rem auto; max-width: 64rem;
   padding: 0 1rem; }}
 h1 {{ margin-bottom: 0; }} h2 {{ margin-top: 2.2rem; border-bottom: 1px solid #ccd3da; }}
@@ -85,7 +85,7 @@ def report_page(production: Production, project: str = "", way: Way | None = Non
     ]
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
-        f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head>\n'
+        f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style></head>\n'
         f"<body>{chr(10).join(section for section in sections if section)}</body></html>\n"
     )
 

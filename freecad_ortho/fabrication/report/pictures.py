@@ -30,7 +30,7 @@ def structure_view(
         eye: direction towards the viewer.
         words: what the picture shows.
     """
-    frame = _view_frame(eye)
+    frame = view_frame(eye)
     base = parts[0].origin
     hulls: list[tuple[float, FloatArray, str, str]] = []
     for part, verdict in zip(parts, verdicts, strict=True):
@@ -139,7 +139,7 @@ def _hull(points: FloatArray) -> FloatArray:
         return points
 
 
-def _view_frame(eye: tuple[float, float, float]) -> FloatArray:
+def view_frame(eye: tuple[float, float, float]) -> FloatArray:
     """Rows to the right, up and towards the viewer."""
     back = unit_rows(np.array([eye]))[0]
     right = np.cross([0.0, 0.0, 1.0], back)

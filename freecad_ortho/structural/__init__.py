@@ -1,0 +1,1 @@
+"""Whether a grid shell stands: a frame from its net, loads, checks, and what is written of it."""

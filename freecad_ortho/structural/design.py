@@ -1,0 +1,175 @@
+"""What is checked under which loads: settings, each an option that is declared here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any, ClassVar
+
+import numpy as np
+
+from solver.errors import InputError, refuse_unknown
+from solver.mesh.quadmesh import FloatArray
+from solver.option import AXES, Option
+
+_JOINTS = ("rigid", "hinged")
+
+
+@dataclass(frozen=True)
+class Design:
+    """Members, supports and loads of a shell; loads in kN and m.
+
+    The fields are what ``options`` say, and:
+
+    Attributes:
+        wind: texts as ``0.6@x``.
+        load: texts as ``12:0,0,-5``.
+
+    Raises:
+        InputError: a value that cannot be used.
+    """
+
+    section: str = "tube:100x60x5"
+    material: str = ""
+    supports: str = "boundary"
+    joints: str = "rigid"
+    self_weight: bool = True
+    panels: float = 0.0
+    snow: float = 0.0
+    snow_side: str | Sequence[float] = (0.0, 0.0, 0.0)
+    modes: int = 5
+    pieces: int = 2
+    buckling_length: float = 1.0
+    deflection: float = 200.0
+    second_order: bool = False
+    imperfection: float | None = None
+    wind: tuple[str, ...] = ()
+    load: tuple[str, ...] = ()
+
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("section", "tube:100x60x5", "text", "Profile of the members"),
+        Option("material", "", "text", "What the members are made of", absent="the profile's own"),
+        Option(
+            "supports", "boundary", "text",
+            "What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, "
+            ":sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +",
+        ),
+        Option(
+            "joints", "rigid", "text",
+            "Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad",
+        ),
+        Option("self_weight", True, "flag", "Weight of the members is a load"),
+        Option("panels", 0.0, "number", "Weight of panels by their surface, kN/m2"),
+        Option("snow", 0.0, "number", "Snow by the plan, kN/m2"),
+        Option(
+            "snow_side", (0.0, 0.0, 0.0), "direction",
+            "Snow on one half as a case of its own: the half towards a direction", absent="none",
+        ),
+        Option("modes", 5, "count", "Modes of buckling"),
+        Option("pieces", 2, "count", "Pieces of each member for buckling and second order"),
+        Option("buckling_length", 1.0, "number", "Buckling length of members by their length"),
+        Option(
+            "deflection", 200.0, "number",
+            "Largest displacement that passes, as a part of the shorter side in plan: 200 for "
+            "1/200",
+        ),
+        Option("second_order", False, "flag", "Balance in the deformed, imperfect shape"),
+        Option(
+            "imperfection", None, "length", "Size of the imperfection",
+            absent="1/300 of the shorter side in plan",
+        ),
+    )  # fmt: skip
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> Design:
+        """Make a design from values by name.
+
+        Raises:
+            InputError: a name that there is not, or a value that cannot be used.
+        """
+        refuse_unknown("check_structure", values, [one.name for one in fields(cls)])
+        given: dict[str, Any] = dict(values)
+        for name in ("wind", "load"):
+            if isinstance(given.get(name), str):
+                given[name] = (given[name],)
+            given[name] = tuple(given.get(name) or ())
+        return cls(**given)
+
+    def __post_init__(self) -> None:
+        for option in self.options:
+            value = getattr(self, option.name)
+            if not (value is None and option.default is None):
+                option.check(option.plain(value))
+        for name in ("panels", "snow"):
+            if getattr(self, name) < 0:
+                raise InputError(f"{name}: expected 0 kN/m2 or more, got {getattr(self, name):g}")
+        for name in ("modes", "pieces", "buckling_length", "deflection"):
+            if not getattr(self, name) > 0:
+                raise InputError(f"{name}: expected more than 0, got {getattr(self, name):g}")
+        self.winds()
+        self.points()
+        self.joint_spring()
+
+    def winds(self) -> list[tuple[float, FloatArray, str]]:
+        """Pressure, kN/m2, unit direction and name of each wind."""
+        found = []
+        for text in self.wind:
+            size, _, towards = text.partition("@")
+            sign = -1.0 if towards.startswith("-") else 1.0
+            word = towards.strip().lower().removeprefix("-")
+            try:
+                pressure = float(size)
+                direction = np.array(AXES.get(word) or [float(n) for n in towards.split(",")])
+            except ValueError:
+                pressure, direction = np.nan, np.zeros(0)
+            length = float(np.linalg.norm(direction)) if direction.shape == (3,) else 0.0
+            if not np.isfinite(pressure) or not length or not np.isfinite(length):
+                raise InputError(
+                    f"wind: expected a pressure in kN/m2 and where it blows to, as 0.6@x or "
+                    f"0.6@1,1,0, got '{text[:40]}'"
+                )
+            unit = direction / length * (sign if word in AXES else 1.0)
+            found.append((pressure, unit, f"wind {text.strip()}"))
+        names = [name for _, _, name in found]
+        if len(set(names)) < len(names):
+            raise InputError(f"wind: '{self.wind[0]}' is given twice; give each once")
+        return found
+
+    def points(self) -> list[tuple[int, FloatArray]]:
+        """Vertex and force, kN, of each point load."""
+        found = []
+        for text in self.load:
+            vertex, _, numbers = text.partition(":")
+            try:
+                force = np.array([float(number) for number in numbers.split(",")])
+                node = int(vertex)
+            except ValueError:
+                node, force = -1, np.zeros(0)
+            if force.shape != (3,) or not np.isfinite(force).all() or node < 0:
+                raise InputError(
+                    f"load: expected a vertex and a force in kN, as 12:0,0,-5, got '{text[:40]}'"
+                )
+            found.append((node, force))
+        return found
+
+    def joint_spring(self) -> float:
+        """Stiffness about the member's y and z at its ends, Nmm/rad; infinite where rigid."""
+        words: Mapping[str, float] = dict(zip(_JOINTS, (np.inf, 0.0), strict=True))
+        if self.joints in words:
+            return words[self.joints]
+        try:
+            value = float(self.joints)
+        except ValueError:
+            value = -1.0
+        if not 0 <= value < np.inf:
+            raise InputError(
+                f"joints: expected rigid, hinged or a stiffness in kNm/rad, got "
+                f"'{self.joints[:40]}'"
+            )
+        return 1e6 * value
+
+    def chosen_side(self) -> FloatArray | None:
+        """(3,) direction of the half that snow lies on alone, None for none."""
+        option = next(one for one in self.options if one.name == "snow_side")
+        side = np.asarray(option.plain(self.snow_side), dtype=float)
+        return side if side.any() else None

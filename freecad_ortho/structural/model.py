@@ -1,0 +1,187 @@
+"""The frame of a net: members on its edges, their sections turned by the axes, its load cases."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_ortho.fabrication.material import MATERIALS, Material
+from freecad_ortho.fabrication.profiles import Profile, profile
+from freecad_ortho.structural.design import Design
+from freecad_ortho.structural.strength import Rules, rules_for
+from freecad_ortho.structural.supports import supports_of
+from solver.errors import InputError
+from solver.frame.model import Frame, Loads, Stiffness, Supports
+from solver.mesh.lines import ParameterLines
+from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.offset.axes import torsion_free_axes
+
+# Acceleration of gravity, m/s2, as EN 1991-1-1, annex A, has weights.
+_GRAVITY = 9.81
+# kN/m2 in MPa.
+_MPA = 1e-3
+PERMANENT, SNOW, WIND, IMPOSED = "permanent", "snow", "wind", "imposed"
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """Loads that come and go together.
+
+    Attributes:
+        name: as in the tables.
+        kind: permanent, snow, wind or imposed, by which combinations take it.
+        loads: N and mm.
+    """
+
+    name: str
+    kind: str
+    loads: Loads
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """What is checked, in N, mm and MPa.
+
+    Attributes:
+        mesh: the net, mm; its vertices are the nodes, its edges the members.
+        design: what it was made from.
+        profile: of all members.
+        material: of all members.
+        rules: by which they are checked.
+        frame: of members.
+        supports: of the nodes.
+        cases: of loads.
+        families: of each member, ``u``, ``v`` or ``border``; ``inner`` where these do not tell.
+    """
+
+    mesh: QuadMesh
+    design: Design
+    profile: Profile
+    material: Material
+    rules: Rules
+    frame: Frame
+    supports: Supports
+    cases: tuple[Case, ...]
+    families: tuple[str, ...]
+
+    @property
+    def span(self) -> float:
+        """Shorter side of the nodes' box in plan, mm; of the two that are not the least of all."""
+        used = self.mesh.vertices[self.mesh.connectivity.referenced]
+        return float(np.ptp(used[:, :2], axis=0).min()) or float(np.ptp(used, axis=0).max())
+
+    @property
+    def mass(self) -> float:
+        """Of all members by their length from node to node, kg."""
+        return self.material.mass(self.profile.area * float(self.frame.lengths.sum()))
+
+
+def model_of(mesh: QuadMesh, design: Design) -> Model:
+    """Make the frame and the load cases.
+
+    Args:
+        mesh: the net, mm, z upwards.
+        design: members, supports and loads.
+
+    Raises:
+        InputError: what cannot be used, or no load at all.
+    """
+    section = profile(design.section)
+    name = design.material or section.material
+    rules = rules_for(section, name)
+    frame = _frame(mesh, section, MATERIALS[name], design.joint_spring())
+    supports = supports_of(design.supports, mesh.connectivity)
+    cases = tuple(_cases(mesh, frame, design, section, MATERIALS[name]))
+    if not cases:
+        raise InputError("loads: there are none; give snow, wind, panels or a load")
+    border = mesh.connectivity.boundary_edges
+    family = ParameterLines.of(mesh).edge_family
+    words = tuple(
+        "border" if border[k] else ("u", "v", "inner")[family[k]] for k in range(len(border))
+    )
+    return Model(
+        mesh, design, section, MATERIALS[name], rules, frame, supports, cases, words
+    )  # fmt: skip
+
+
+def _frame(mesh: QuadMesh, section: Profile, material: Material, spring: float) -> Frame:
+    members = np.asarray(mesh.connectivity.edges)
+    count = len(members)
+    axes = torsion_free_axes(mesh).directions
+    springs = np.full((count, 12), np.inf)
+    springs[:, [4, 5, 10, 11]] = spring
+    stiffness = Stiffness.same(
+        count,
+        area=section.area,
+        about_y=section.inertia_y,
+        about_z=section.inertia_z,
+        torsion=section.torsion,
+        youngs=material.youngs_modulus,
+        shear=material.shear_modulus,
+        shear_area_y=section.shear_area_y,
+        shear_area_z=section.shear_area_z,
+    )
+    return Frame(mesh.vertices, members, stiffness, axes[members].sum(axis=1), springs)
+
+
+def _cases(
+    mesh: QuadMesh, frame: Frame, design: Design, section: Profile, material: Material
+) -> list[Case]:
+    found = []
+    area = mesh.face_area_vectors
+    # Outwards is upwards, over the whole.
+    area = area if area[:, 2].sum() >= 0 else -area
+    size = np.linalg.norm(area, axis=1)
+    down = np.array([0.0, 0.0, -1.0])
+    if design.self_weight:
+        weight = material.mass(1.0) * section.area * _GRAVITY
+        loads = Loads.none(frame)
+        loads.spread[:] = weight * down
+        found.append(Case("self-weight", PERMANENT, loads))
+    if design.panels:
+        force = design.panels * _MPA * size[:, None] * down
+        found.append(Case("panels", PERMANENT, _on_members(mesh, frame, force)))
+    if design.snow:
+        force = design.snow * _MPA * np.abs(area[:, 2:]) * down
+        found.append(Case("snow", SNOW, _on_members(mesh, frame, force)))
+        side = design.chosen_side()
+        if side is not None:
+            middle = mesh.vertices[mesh.faces].mean(axis=1) @ side
+            half = middle > 0.5 * (middle.min() + middle.max())
+            found.append(
+                Case("snow on one half", SNOW, _on_members(mesh, frame, force * half[:, None]))
+            )
+    for pressure, direction, name in design.winds():
+        normal = area / np.where(size > 0, size, 1.0)[:, None]
+        force = pressure * _MPA * (normal @ direction)[:, None] * area
+        found.append(Case(name, WIND, _on_members(mesh, frame, force)))
+    points = design.points()
+    if points:
+        loads = Loads.none(frame)
+        for vertex, force in points:
+            if not (vertex < len(frame.nodes) and mesh.connectivity.referenced[vertex]):
+                raise InputError(
+                    f"load: there is no vertex {vertex} in the net; it has {len(frame.nodes)}, "
+                    "counted from 0"
+                )
+            loads.nodal[vertex, :3] += 1000.0 * force
+        found.append(Case("point loads", IMPOSED, loads))
+    return found
+
+
+def _on_members(mesh: QuadMesh, frame: Frame, force: FloatArray) -> Loads:
+    """Hand forces on faces (F, 3) to their edges, each the part of the face that is nearest to it.
+
+    Spread evenly along the edge. The parts are the triangles between edges and the face's middle.
+    """
+    corners = mesh.vertices[mesh.faces]
+    middle = corners.mean(axis=1)
+    ahead = np.roll(corners, -1, axis=1)
+    parts = np.linalg.norm(np.cross(corners - middle[:, None], ahead - middle[:, None]), axis=2)
+    parts = parts / np.maximum(parts.sum(axis=1), 1e-300)[:, None]
+    shares = (parts[:, :, None] * force[:, None, :]).reshape(-1, 3)
+    edges = mesh.connectivity.face_edges.reshape(-1)
+    count = len(frame.members)
+    total = np.stack([np.bincount(edges, shares[:, c], count) for c in range(3)], axis=1)
+    return Loads(np.zeros((len(frame.nodes), 6)), total / frame.lengths[:, None])

@@ -1,0 +1,112 @@
+"""Results and model as plain numbers for other programs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_ortho import __version__
+from freecad_ortho.structural.check import StructuralCheck
+from freecad_ortho.structural.combinations import Combination
+from freecad_ortho.structural.model import Model
+from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
+
+
+def check_numbers(check: StructuralCheck) -> dict[str, Any]:
+    """The report: verdict, combinations, assumptions; kN, m and mm as the names say."""
+    model, worst = check.model, int(check.utilisation.argmax())
+    return {
+        "program": f"freecad_ortho {__version__}",
+        "verdict": {"passed": check.passed, "words": check.verdict, "failures": check.failures},
+        "section": model.profile.name,
+        "material": model.material.name,
+        "members": len(model.frame.members),
+        "mass_of_members_kg": model.mass,
+        "utilisation": float(check.utilisation[worst]),
+        "most_used_member": worst,
+        "governing": check.strength[int(check.governing[worst])].combination.name,
+        "buckling_factor": check.factor,
+        "displacement_mm": check.deflection if check.service else None,
+        "displacement_limit_mm": check.deflection_limit,
+        "imbalance": check.balance,
+        "combinations": [
+            {
+                "name": one.combination.name,
+                "utilisation": float(one.utilisation.max()),
+                "displacement_mm": float(one.displacement.max()),
+                "buckling_factors": [] if one.buckling is None else one.buckling.factors.tolist(),
+                "carried_second_order": one.carried,
+            }
+            for one in check.found
+        ],
+        "assumptions": assumptions(check),
+        "warnings": warnings(check),
+        "not_checked": NOT_CHECKED,
+    }
+
+
+def combination_numbers(combinations: list[Combination]) -> dict[str, Any]:
+    """The table of combinations, to be edited and read again."""
+    return {
+        "combinations": [
+            {"name": one.name, "kind": one.kind, "factors": dict(one.factors)}
+            for one in combinations
+        ]
+    }
+
+
+def model_numbers(model: Model) -> dict[str, Any]:
+    """The frame with sections, supports and load cases; N, mm, MPa, z upwards."""
+    frame, profile, material = model.frame, model.profile, model.material
+    springs = [
+        {"node": int(node), "stiffness": model.supports.springs[node].tolist()}
+        for node in range(len(frame.nodes))
+        if model.supports.springs[node].any()
+    ]
+    return {
+        "units": {"force": "N", "length": "mm", "stress": "MPa", "density": "kg/m3"},
+        "nodes": frame.nodes.tolist(),
+        "members": [
+            {"nodes": pair, "z": up, "family": family}
+            for pair, up, family in zip(
+                frame.members.tolist(), frame.axes[:, 2].tolist(), model.families, strict=True
+            )
+        ],
+        "joints": model.design.joints,
+        "section": {
+            "name": profile.name,
+            "area": profile.area,
+            "inertia_y": profile.inertia_y,
+            "inertia_z": profile.inertia_z,
+            "torsion": profile.torsion,
+            "shear_area_y": profile.shear_area_y,
+            "shear_area_z": profile.shear_area_z,
+            "modulus_y": profile.modulus_y,
+            "modulus_z": profile.modulus_z,
+        },
+        "material": {
+            "name": material.name,
+            "youngs_modulus": material.youngs_modulus,
+            "shear_modulus": material.shear_modulus,
+            "density": material.density,
+            "strength": material.bending_limit,
+        },
+        "supports": [
+            {"node": int(node), "fixed": model.supports.fixed[node].tolist()}
+            for node in range(len(frame.nodes))
+            if model.supports.fixed[node].any()
+        ],
+        "spring_supports": springs,
+        "load_cases": [
+            {
+                "name": case.name,
+                "kind": case.kind,
+                "force_by_length_of_members": case.loads.spread.tolist(),
+                "forces_at_nodes": [
+                    {"node": int(node), "force": case.loads.nodal[node].tolist()}
+                    for node in range(len(frame.nodes))
+                    if case.loads.nodal[node].any()
+                ],
+            }
+            for case in model.cases
+        ],
+    }

@@ -1,0 +1,153 @@
+"""The check as one HTML page: verdict, pictures, governing members, assumptions, what is left."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+
+import numpy as np
+
+from freecad_ortho.fabrication.report.page import STYLE
+from freecad_ortho.fabrication.report.pictures import CORNER, PLAN
+from freecad_ortho.structural.check import Found, StructuralCheck
+from freecad_ortho.structural.pictures import frame_picture
+from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
+from solver.mesh.quadmesh import FloatArray
+
+_WIDE = ".frames > * { flex: 1 1 26rem; }"
+# Most members in the list, and how far shapes are drawn, by the shorter side in plan.
+_LISTED, _DRAWN = 15, 0.06
+
+
+def check_page(check: StructuralCheck, project: str = "") -> str:
+    """The page; pictures are part of it, so it works without a network.
+
+    Args:
+        check: what is reported.
+        project: what the page is headed by.
+    """
+    title = escape(f"Structural check: {project}" if project else "Structural check")
+    model = check.model
+    bad = "" if check.passed else " bad"
+    sections = [
+        f"<h1>{title}</h1>",
+        f"<p>{len(model.frame.members)} members {escape(model.profile.name)} of "
+        f"{escape(model.material.name)}, {model.mass / 1000:.2f} t by their length from node to "
+        "node. A design check of a conceptual model, no proof for a permit: an engineer has to "
+        "answer for it.</p>",
+        f'<p class="verdict{bad}">{escape(check.verdict)}</p>',
+        _list("Mind", warnings(check)),
+        _pictures(check),
+        _combinations(check),
+        _governing(check),
+        _list("Assumptions", assumptions(check)),
+        _list("Not checked", NOT_CHECKED),
+        "<p>Imbalance of loads and reactions: "
+        f"{check.balance:.1e} of their sum. N is tension where positive; My bends a member in the "
+        "plane of its section's height, Mz across it.</p>",
+    ]
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
+        f'<meta name="viewport" content="width=device-width"><style>{STYLE}{_WIDE}</style></head>\n'
+        f"<body>{chr(10).join(section for section in sections if section)}</body></html>\n"
+    )
+
+
+def _list(title: str, items: Sequence[str]) -> str:
+    if not items:
+        return ""
+    return f"<h2>{title}</h2><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
+
+
+def _pictures(check: StructuralCheck) -> str:
+    frame = check.model.frame
+    percent = 100 * check.utilisation
+    figures = [
+        _figure(
+            frame_picture(frame, percent, 100.0, "%", eye, f"utilisation, {name}"),
+            f"Utilisation of members, {name}",
+        )
+        for name, eye in (("plan", PLAN), ("from a corner", CORNER))
+    ]
+    moved = max(check.service, key=lambda one: float(one.displacement.max()), default=None)
+    if moved is not None:
+        figures.append(_deflected(check, moved))
+    first = check.first_to_buckle
+    if first is not None and first.buckling is not None:
+        shape = first.buckling.shapes[0][: len(frame.nodes), :3]
+        words = f"First buckling mode, factor {first.factor:.2f} under {first.combination.name}"
+        figures.append(_shape(check, shape, words, ""))
+    return f'<h2>Pictures</h2><div class="row frames">{"".join(figures)}</div>'
+
+
+def _figure(picture: str, words: str) -> str:
+    return f"<figure>{picture}<figcaption>{escape(words)}</figcaption></figure>"
+
+
+def _deflected(check: StructuralCheck, found: Found) -> str:
+    shape = found.response.displacements[:, :3]
+    return _shape(check, shape, f"Deflected shape, {found.combination.name}", "mm")
+
+
+def _shape(check: StructuralCheck, shape: FloatArray, words: str, unit: str) -> str:
+    size = np.linalg.norm(shape, axis=1)
+    largest = float(size.max())
+    drawn = _DRAWN * check.model.span / largest if largest else 0.0
+    values = size[check.model.frame.members].mean(axis=1)
+    picture = frame_picture(
+        check.model.frame, values, largest, unit, CORNER, words, moved=drawn * shape
+    )
+    times = f", drawn {drawn:.3g} times as large" if unit else ""
+    return _figure(picture, f"{words}{times}")
+
+
+def _combinations(check: StructuralCheck) -> str:
+    rows = []
+    for one in check.found:
+        factors = [] if one.buckling is None else one.buckling.factors.tolist()
+        used = 100 * float(one.utilisation.max())
+        strength = one in check.strength
+        rows.append(
+            (
+                one.combination.name,
+                f"{used:.0f} %" if strength else "",
+                ", ".join(f"{factor:.2f}" for factor in factors),
+                "" if one.carried is None else f"{100 * one.carried:.0f} %",
+                f"{float(one.displacement.max()):.1f}",
+            )
+        )
+    head = ("combination", "utilisation", "buckling factors", "carried, 2nd order", "moves, mm")
+    return "<h2>Combinations</h2>" + _table(head, rows)
+
+
+def _governing(check: StructuralCheck) -> str:
+    order = np.argsort(-check.utilisation, kind="stable")[:_LISTED]
+    rows = []
+    for member in order.tolist():
+        by = check.strength[int(check.governing[member])]
+        values = [by.response.forces_at(check.model.frame, part)[member] for part in (0, 0.5, 1)]
+        worst = np.array(values)[np.argmax(np.abs(values), axis=0), np.arange(6)]
+        rows.append(
+            (
+                f"{member} ({check.model.families[member]})",
+                f"{100 * check.utilisation[member]:.0f} %",
+                "section" if by.section[member] >= by.member[member] else "buckling",
+                *(f"{worst[k] / 1e3:.2f}" for k in range(3)),
+                *(f"{worst[k] / 1e6:.3f}" for k in range(3, 6)),
+                by.combination.name,
+            )
+        )
+    head = ("member", "utilisation", "by", "N, kN", "Vy, kN", "Vz, kN", "T, kNm", "My, kNm")
+    note = (
+        "<p>The most used members; forces are the largest of both ends and the middle, first "
+        "order. All are in members.csv and forces.csv.</p>"
+    )
+    return "<h2>Governing members</h2>" + note + _table((*head, "Mz, kNm", "combination"), rows)
+
+
+def _table(head: Iterable[str], rows: Iterable[Sequence[str]]) -> str:
+    names = "".join(f"<th>{escape(name)}</th>" for name in head)
+    body = "".join(
+        f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows
+    )
+    return f"<table><thead><tr>{names}</tr></thead><tbody>{body}</tbody></table>"

@@ -1,0 +1,80 @@
+"""What the check is, what it assumes and what it leaves out, for its reports."""
+
+from __future__ import annotations
+
+from freecad_ortho.structural.check import ENOUGH, StructuralCheck
+from freecad_ortho.words import counted
+
+NOT_CHECKED = (
+    "the nodes and their bolts and welds, the supports and what is below them",
+    "the panels, and whatever they do to stiffen the shell: they are weight and area only",
+    "local buckling of thin walls (class 4 sections), warping torsion, eccentric joints",
+    "erection, fatigue, fire, earthquake, temperature, settlement, accidental loads",
+    "pressure coefficients, gusts and drifted snow by EN 1991: loads act as they are given",
+    "the sag of members between their nodes: displacements are those of nodes",
+    "the weight of nodes",
+)
+
+
+def assumptions(check: StructuralCheck) -> list[str]:
+    """What was taken for granted, a sentence each."""
+    model, design = check.model, check.model.design
+    material = model.material
+    words = [
+        f"Members are straight between vertices, {model.profile.name} of {material.name} "
+        f"(E {material.youngs_modulus:g} MPa, G {material.shear_modulus:.0f} MPa, strength "
+        f"{material.bending_limit:g} MPa), their middle on the net, upright along its axes.",
+        f"Joints are {_joints(design.joints)}; supports: {design.supports}.",
+        f"Sections and members are checked by {model.rules.words}; buckling length "
+        f"{design.buckling_length:g} times the length.",
+        "Loads of faces lie on their edges, each carries the part of the face nearest to it, "
+        "spread evenly.",
+        f"Buckling is linear, with {counted(design.pieces, 'piece')} a member.",
+    ]
+    if check.imperfection is not None:
+        words.append(
+            "Forces are first order, and where the buckling factor is below "
+            f"{ENOUGH:g} in the deformed shape too, with an imperfection of "
+            f"{check.imperfection:.1f} mm like the first buckling mode, to either side."
+        )
+    else:
+        words.append("Forces are first order, in the shape as drawn.")
+    return words
+
+
+def _joints(joints: str) -> str:
+    return joints if joints in ("rigid", "hinged") else f"springs of {joints} kNm/rad"
+
+
+def warnings(check: StructuralCheck) -> list[str]:
+    """What the reader has to know of this model in particular."""
+    model, found = check.model, []
+    thin = _thin(check)
+    if thin:
+        found.append(thin)
+    if not model.design.self_weight:
+        found.append("The weight of the members is left out.")
+    if not model.design.panels:
+        found.append("Panels weigh nothing here; give their weight in kN/m2.")
+    if not any(case.kind != "permanent" for case in model.cases):
+        found.append("There is no snow, no wind and no other load that comes and goes.")
+    return found
+
+
+def _thin(check: StructuralCheck) -> str:
+    """Walls that buckle before they yield: EN 1993-1-1, table 5.2, for sections in compression."""
+    profile, material = check.model.profile, check.model.material
+    if profile.family not in ("tube", "chs") or material.youngs_modulus < 190_000:
+        return ""
+    epsilon = (235 / material.bending_limit) ** 0.5
+    if profile.family == "chs":
+        ratio, limit = profile.height / profile.wall, 90 * epsilon**2
+    else:
+        ratio = max(profile.height, profile.width) / profile.wall - 3
+        limit = 42 * epsilon
+    if ratio <= limit:
+        return ""
+    return (
+        f"{profile.name} is of class 4 in compression (width by wall {ratio:.0f}, limit "
+        f"{limit:.0f}): its walls buckle before they yield, which is not checked."
+    )

@@ -1,0 +1,143 @@
+"""The check as a whole, and its files."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.structural.files import FILES
+from solver.errors import InputError
+from solver.mesh.primitives import primitive
+
+
+@pytest.fixture(scope="module")
+def dome():
+    mesh = primitive("translational", 7, 5)
+    return mesh.with_vertices(2.0 * mesh.vertices)
+
+
+@pytest.fixture(scope="module")
+def checked(dome):
+    return api.check_structure(dome, unit="m", material="S355", snow=1.5, panels=0.4, wind="0.6@x")
+
+
+def test_reactions_carry_the_loads(checked):
+    assert checked.balance < 1e-9
+    for case, found in zip(checked.model.cases, checked.cases, strict=True):
+        total = case.loads.total(checked.model.frame)
+        pushed = found.reactions[:, :3].sum(axis=0)
+        assert np.abs(total + pushed).max() < 1e-9 * np.abs(case.loads.spread).sum() * 1e3
+
+
+def test_a_stout_dome_passes_and_says_so(checked):
+    assert checked.passed and checked.verdict.startswith("Passes this check (first order)")
+    assert 0 < checked.utilisation.max() < 0.2 and checked.factor > 10
+
+
+def test_the_unit_of_the_net_does_not_matter(dome, checked):
+    other = api.check_structure(
+        dome.scaled(1000.0), material="S355", snow=1.5, panels=0.4, wind="0.6@x"
+    )
+    assert other.utilisation == pytest.approx(checked.utilisation, rel=1e-6)
+
+
+def test_far_from_the_origin_it_is_the_same(dome, checked):
+    away = dome.with_vertices(dome.vertices + [3.5e6, 5.4e6, 0.0])
+    other = api.check_structure(away, unit="m", material="S355", snow=1.5, panels=0.4, wind="0.6@x")
+    assert other.utilisation == pytest.approx(checked.utilisation, rel=1e-3)
+
+
+def test_what_is_too_weak_does_not_pass(dome):
+    found = api.check_structure(dome, unit="m", section="plate:3x30", material="S235", snow=20.0)
+    assert not found.passed
+    assert "members are used beyond 100 %" in found.verdict
+    assert "\n" not in found.verdict
+
+
+def test_second_order_is_asked_for_and_done(dome):
+    """A flat shell of flat bars: it buckles at less than ten times its load."""
+    flat = dome.with_vertices(dome.vertices * [1.0, 1.0, 0.1])
+    settings = {"unit": "m", "section": "tube:40x40x3", "material": "S355", "snow": 1.0}
+    first = api.check_structure(flat, **settings)
+    assert 1 < first.factor < 10 and "only balance in the deformed shape" in first.verdict
+    second = api.check_structure(flat, second_order=True, imperfection=20.0, **settings)
+    assert second.imperfection == 20.0
+    assert second.utilisation.max() > 1.1 * first.utilisation.max()
+    assert "deformed shape (second order)" not in second.verdict
+    carried = [one.carried for one in second.strength]
+    assert any(part is not None for part in carried)
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({"joints": "hinged"}, "a mechanism: node.* freely"),
+        ({"supports": "3,4"}, "a mechanism: nodes .* freely"),
+        ({"supports": "boundary:sliding"}, "a mechanism: nodes .* freely"),
+    ],
+)
+def test_a_mechanism_is_one_line(dome, settings, said):
+    with pytest.raises(InputError, match=said) as found:
+        api.check_structure(dome, unit="m", snow=1.0, **settings)
+    assert "\n" not in str(found.value)
+
+
+def test_files_say_what_was_found(checked, tmp_path):
+    written = api.write_structural_check(checked, tmp_path, "dome")
+    assert [path.name for path in written] == [*FILES, "model.inp"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted((*FILES, "model.inp"))
+    with (tmp_path / "members.csv").open(encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == len(checked.model.frame.members)
+    member = int(np.argmax(checked.utilisation))
+    assert float(rows[member]["utilisation"]) == pytest.approx(
+        checked.utilisation[member], abs=1e-4
+    )
+    by = checked.strength[checked.governing[member]]
+    thrust = by.response.forces_at(checked.model.frame, 0.5)[member, 0]
+    assert float(rows[member]["N_kN_middle"]) == pytest.approx(thrust / 1000, abs=1e-4)
+    numbers = json.loads((tmp_path / "check.json").read_text(encoding="utf-8"))
+    assert numbers["verdict"]["passed"] and numbers["not_checked"]
+    model = json.loads((tmp_path / "model.json").read_text(encoding="utf-8"))
+    assert len(model["nodes"]) == 35 and len(model["members"]) == len(rows)
+    assert [case["name"] for case in model["load_cases"]] == [
+        "self-weight", "panels", "snow", "wind 0.6@x"
+    ]  # fmt: skip
+    page = (tmp_path / "check.html").read_text(encoding="utf-8")
+    assert checked.verdict in page and "Not checked" in page and page.count("<svg") == 4
+
+
+def test_the_combinations_that_were_written_are_read_again(dome, checked, tmp_path):
+    api.write_structural_check(checked, tmp_path)
+    again = api.check_structure(
+        dome,
+        unit="m",
+        material="S355",
+        snow=1.5,
+        panels=0.4,
+        wind="0.6@x",
+        combinations=tmp_path / "combinations.json",
+    )
+    assert [one.combination for one in again.found] == [one.combination for one in checked.found]
+    assert again.utilisation == pytest.approx(checked.utilisation, rel=1e-12)
+
+
+def test_the_file_of_calculix_carries_the_whole_load(checked, tmp_path):
+    api.write_structural_check(checked, tmp_path)
+    text = (tmp_path / "model.inp").read_text(encoding="utf-8")
+    steps = text.split("*STEP")[1:]
+    assert len(steps) == len(checked.model.cases)
+    for case, step in zip(checked.model.cases, steps, strict=True):
+        lines = step.split("OP=NEW\n")[1].split("*")[0].strip().splitlines()
+        loads = np.array([[float(word) for word in line.split(",")] for line in lines])
+        total = [loads[loads[:, 1] == k, 2].sum() for k in (1, 2, 3)]
+        assert total == pytest.approx(case.loads.total(checked.model.frame), rel=1e-6, abs=1e-3)
+
+
+def test_a_model_that_calculix_has_not_leaves_no_file_of_it(dome, checked, tmp_path):
+    api.write_structural_check(checked, tmp_path)
+    rolled = api.check_structure(dome, unit="m", section="IPE80", material="S235", snow=1.0)
+    names = [path.name for path in api.write_structural_check(rolled, tmp_path)]
+    assert "model.inp" not in names and not (tmp_path / "model.inp").exists()

@@ -1,0 +1,46 @@
+"""The command stand, as one types it."""
+
+import json
+import time
+
+import pytest
+
+from freecad_ortho.__main__ import main
+from tests.conftest import ROOT
+
+ROOF = str(ROOT / "examples" / "data" / "demo_roof.obj")
+
+
+def test_the_demo_roof_is_checked_and_reported(tmp_path, capsys):
+    folder = tmp_path / "out"
+    command = ["stand", ROOF, "--section", "tube:100x60x5", "--material", "S355"]
+    command += ["--supports", "boundary", "--snow", "1.5", "--wind", "0.6@x", "--self-weight"]
+    start = time.process_time()
+    assert main([*command, "-o", str(folder)]) == 1
+    assert time.process_time() - start < 10
+    said = capsys.readouterr()
+    assert said.out.startswith("Does not pass this check: buckling factor 3.")
+    assert said.out.count("\n") == 1 and "Panels weigh nothing here" in said.err
+    report = json.loads((folder / "check.json").read_text(encoding="utf-8"))
+    assert report["imbalance"] < 1e-9
+    factors = report["combinations"][0]["buckling_factors"]
+    assert len(factors) == 5 and factors == sorted(factors)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--supports", "3,4"], "mechanism"),
+        (["--no-self-weight"], "loads: there are none"),
+        (["--section", "tube:9"], "section"),
+        (["--material", "butter"], "material: there are no rules for members of 'butter'"),
+        (["--snow", "much"], "--snow: expected a finite number"),
+        (["--combinations", "none.json"], "none.json: is no JSON file"),
+    ],
+)
+def test_bad_input_is_one_line_and_writes_nothing(tmp_path, capsys, words, said):
+    folder = tmp_path / "out"
+    assert main(["stand", ROOF, *words, "-o", str(folder)]) == 2
+    error = capsys.readouterr().err.strip().splitlines()[-1]
+    assert error.startswith("error: ") and said in error
+    assert not folder.exists()
