@@ -121,6 +121,7 @@ def aligned(
     features = Features.creases(work.mesh, work.inner, edge)
     bound = np.zeros(len(work.mesh.points), dtype=bool)
     if border == "follow":
+        work = replace(work, covered=work.inner)
         rim = Features.border(work.mesh, work.inner, edge)
         features = features.and_others(rim)
         bound[[side[rim.edges] for side in work.mesh.ends]] = True
@@ -236,11 +237,13 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
         for firm in FIRM:
             waiting("map")
             made = seamless_map(
-                *(mesh, cut, layout, asked.guide.firmness, edges, work.inner, firm, asked.features),
+                *(mesh, cut, layout, asked.guide.firmness, edges, work.covered),
+                firm=firm,
+                features=asked.features,
                 step=lambda: waiting("map"),
             )
             waiting("quads")
-            found = quads(mesh, cut, made, work.inner)
+            found = quads(mesh, cut, made, work.covered)
             close = (calm, firm) == (_CALM[0], FIRM[0])
             wrong = _crossing(found)
             if wrong is not None:

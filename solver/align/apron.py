@@ -27,8 +27,13 @@ _BLOCK = 500
 
 
 def extended(
-    mesh: TriangleMesh, width: float, step: float, radius: float, degree: int = 3
-) -> TriangleMesh:
+    mesh: TriangleMesh,
+    width: float,
+    step: float,
+    radius: float,
+    degree: int = 3,
+    margin: float | None = None,
+) -> tuple[TriangleMesh, int]:
     """Add strips of triangles along the border.
 
     Args:
@@ -37,9 +42,11 @@ def extended(
         step: length of the new triangles, about.
         radius: of the fit that says how it goes on.
         degree: of that fit, 2 where the surface is noisy.
+        margin: width of the first strip, where nothing is in the way; by default ``step``.
 
     Returns:
-        the larger surface; its first triangles and points are those of ``mesh``.
+        the larger surface, whose first triangles and points are those of ``mesh``; those of the
+        first strip follow. And how many triangles both have.
     """
     spokes = _Spokes.of(mesh)
     reach = np.minimum(width, _OF_THE_WAY * _room(mesh, spokes))
@@ -50,9 +57,10 @@ def extended(
     rings = max(2, int(np.ceil(width / step)))
     numbers, points = [spokes.rim[spokes.at]], [mesh.points]
     count, total = len(reach), len(mesh.points)
-    for ring in range(1, rings + 1):
-        part = reach * (ring / rings)
-        points.append(jets.beside(spokes.at, part * first, part * second))
+    near = np.minimum(step if margin is None else margin, reach / 2)
+    for ring in range(rings):
+        out = near + (reach - near) * (ring / (rings - 1))
+        points.append(jets.beside(spokes.at, out * first, out * second))
         numbers.append(total + np.arange(count))
         total += count
     one, two = spokes.neighbours.T
@@ -61,7 +69,8 @@ def extended(
         triangles.append(np.stack([inner[one], outer[one], outer[two]], axis=1))
         apart = inner[one] != inner[two]
         triangles.append(np.stack([inner[one], outer[two], inner[two]], axis=1)[apart])
-    return TriangleMesh(np.concatenate(points), np.concatenate(triangles))
+    both = len(triangles[0]) + len(triangles[1]) + len(triangles[2])
+    return TriangleMesh(np.concatenate(points), np.concatenate(triangles)), both
 
 
 @dataclass(frozen=True, eq=False)

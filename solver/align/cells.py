@@ -124,19 +124,19 @@ class _Joins:
         return found.reshape(-1, 4)
 
 
-def quads(mesh: TriangleMesh, cut: Cut, made: Map, inner: int) -> Quads:
-    """Read the quads of a map that the surface meets.
+def quads(mesh: TriangleMesh, cut: Cut, made: Map, covered: int) -> Quads:
+    """Read the quads of a map that the surface meets, or what else is to be covered.
 
     Args:
         mesh: the surface, with its apron.
         cut: how the map is turned over its cut.
         made: the map.
-        inner: how many of the triangles are the surface's own.
+        covered: how many of the triangles are to be covered.
     """
     pieces = Pieces.of(made.corners)
     label = _over_edges(mesh, cut, pieces, _Joins(len(pieces.triangles)))
     own = np.zeros(label.max() + 1, dtype=bool)
-    own[label[pieces.triangles < inner]] = True
+    own[label[pieces.triangles < covered]] = True
     # The rest of the apron says nothing of the net, and may be folded.
     pieces = pieces.some(own[label])
     joins = _Joins(len(pieces.triangles))
@@ -147,7 +147,7 @@ def quads(mesh: TriangleMesh, cut: Cut, made: Map, inner: int) -> Quads:
     vertices = joins.vertices()
     first = np.unique(label, return_index=True)[1]
     own = np.zeros(len(first), dtype=bool)
-    own[label[pieces.triangles < inner]] = True
+    own[label[pieces.triangles < covered]] = True
     return _placed(mesh, pieces, vertices, vertices[first][own], joined)
 
 

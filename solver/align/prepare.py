@@ -19,6 +19,9 @@ from solver.mesh.quadmesh import FloatArray
 # far points count for that, also of noisy ones, and how fine the strips are; the longest edge of a
 # triangle.
 _RADIUS, _APRON, _OUTWARDS, _NOISY, _STRIPS, _LONGEST = 1.0, 2.0, 1.5, 3.0, 6, 0.5
+# By what part of an edge a net overhangs the border at least: its vertices move when it is made
+# exact, and the border is to be covered then too.
+_MARGIN = 0.25
 # A surface that leaves its smooth fit by more than this part of an edge is rough.
 _ROUGH = 2e-3
 # This near to a crease, in edges, nothing is smoothed.
@@ -36,21 +39,26 @@ class Work:
     Attributes:
         mesh: the triangles.
         inner: how many of them are the surface's own.
+        covered: how many are to be covered by the net: these, and the strip along the border.
         tensors: (T, 2, 2) shape operators in the triangles' frames.
     """
 
     mesh: TriangleMesh
     inner: int
+    covered: int
     tensors: FloatArray
 
     @classmethod
     def of(cls, surface: TriangleMesh, edge: float, shorter: float, noisy: bool) -> Work:
         """Carry a smooth surface on, fit its curvature, and refine it."""
-        larger = carried(surface, _APRON * edge, edge, noisy)
+        margin = _MARGIN * shorter
+        larger, covered = carried(surface, _APRON * edge, edge, noisy, margin)
         jets = fitted(larger, np.arange(len(larger.points)), _RADIUS * edge)
         inner = len(surface.triangles)
-        mesh, tensors, inner = refined(larger, jets.shape_tensors(), inner, _LONGEST * shorter)
-        return cls(mesh, inner, face_tensors(mesh, tensors))
+        mesh, tensors, counts = refined(
+            larger, jets.shape_tensors(), (inner, covered - inner), _LONGEST * shorter
+        )
+        return cls(mesh, counts[0], sum(counts), face_tensors(mesh, tensors))
 
 
 def prepared(
@@ -88,15 +96,21 @@ def openings(surface: TriangleMesh, edge: float, remarks: list[str]) -> list[lis
     return kept
 
 
-def carried(surface: TriangleMesh, width: float, edge: float, noisy: bool) -> TriangleMesh:
+def carried(
+    surface: TriangleMesh, width: float, edge: float, noisy: bool, margin: float | None = None
+) -> tuple[TriangleMesh, int]:
     """Carry a surface on beyond its border by a width, for a net with edges of a length.
 
     Of points that have been noisy, one degree less is believed, and more of them are asked.
+
+    Returns:
+        the larger surface, and how many of its triangles are the given ones and those of a strip of
+        the width ``margin`` along the border.
     """
     size = float(np.sqrt(2 * surface.areas.mean()))
     step = min(max(size, edge / _STRIPS), edge)
     radius = (_NOISY if noisy else _OUTWARDS) * edge
-    return extended(surface, width, step, radius, 2 if noisy else 3)
+    return extended(surface, width, step, radius, 2 if noisy else 3, margin)
 
 
 def smoothed(surface: TriangleMesh, edge: float) -> tuple[TriangleMesh, float]:

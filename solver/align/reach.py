@@ -80,6 +80,6 @@ def carried_to(mesh: QuadMesh, ground: TriangleSurface) -> TriangleSurface | Non
         return None
     width = float(far[overhang].max()) + _SPARE * edge
     smooth, rough = smoothed(surface, edge)
-    larger = carried(smooth, width, edge, rough > 0)
+    larger, _ = carried(smooth, width, edge, rough > 0)
     points = np.concatenate([surface.points, larger.points[len(surface.points) :]])
     return TriangleSurface(points, larger.triangles)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from solver.align.triangle_mesh import TriangleMesh
-from solver.mesh.connectivity import IntArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 # Which parts of a triangle are left, by which of its edges are halved (edge k starts at corner k);
@@ -20,21 +22,21 @@ _ROUNDS, _MOST = 12, 600_000
 
 
 def refined(
-    mesh: TriangleMesh, values: FloatArray, inner: int, longest: float
-) -> tuple[TriangleMesh, FloatArray, int]:
+    mesh: TriangleMesh, values: FloatArray, counts: Sequence[int], longest: float
+) -> tuple[TriangleMesh, FloatArray, list[int]]:
     """Halve edges until none is longer.
 
     Args:
         mesh: the surface.
         values: (V, ...) of its vertices; those of new ones are means.
-        inner: how many of the first triangles belong together and stay first.
+        counts: of triangles that come first, and stay first: so many of the first, so many more.
         longest: in the unit of the points.
 
     Returns:
-        the finer mesh, its values, and how many of its triangles come from the first ``inner``.
+        the finer mesh, its values, and how many of its triangles come from each of these.
     """
     points, triangles = mesh.points, mesh.triangles
-    own = np.arange(len(triangles)) < inner
+    of = np.searchsorted(np.cumsum(counts), np.arange(len(triangles)), side="right")
     for _ in range(_ROUNDS):
         half_edges = np.stack([triangles, np.roll(triangles, -1, axis=1)], -1).reshape(-1, 2)
         pairs, edge = np.unique(np.sort(half_edges, axis=1), axis=0, return_inverse=True)
@@ -46,17 +48,18 @@ def refined(
         points = np.concatenate([points, points[halved].mean(axis=1)])
         values = np.concatenate([values, values[halved].mean(axis=1)])
         edge = edge.reshape(-1, 3)
-        triangles, own = _parted(triangles, own, long[edge], number[edge])
-    order = np.argsort(~own, kind="stable")
-    return TriangleMesh(points, triangles[order]), values, int(own.sum())
+        triangles, of = _parted(triangles, of, long[edge], number[edge])
+    order = np.argsort(of, kind="stable")
+    sizes = np.bincount(of, minlength=len(counts) + 1)[: len(counts)]
+    return TriangleMesh(points, triangles[order]), values, sizes.tolist()
 
 
 def _parted(
-    triangles: IntArray, own: np.ndarray, long: np.ndarray, middle: IntArray
-) -> tuple[IntArray, np.ndarray]:
-    """Replace triangles by their parts."""
+    triangles: IntArray, of: IntArray, long: BoolArray, middle: IntArray
+) -> tuple[IntArray, IntArray]:
+    """Replace triangles by their parts, with the numbers of what they belong to."""
     whole = ~long.any(axis=1)
-    found, of = [triangles[whole]], [own[whole]]
+    found, belong = [triangles[whole]], [of[whole]]
     corners = np.concatenate([triangles, middle], axis=1)
     for pattern, parts in _PARTS.items():
         for turn in range(1 if all(pattern) else 3):
@@ -65,5 +68,5 @@ def _parted(
             local = corners[rows][:, order]
             for part in parts:
                 found.append(local[:, part])
-                of.append(own[rows])
-    return np.concatenate(found), np.concatenate(of)
+                belong.append(of[rows])
+    return np.concatenate(found), np.concatenate(belong)

@@ -62,7 +62,7 @@ def seamless_map(
     layout: Seams,
     certainty: FloatArray,
     edges: tuple[float, float],
-    inner: int,
+    covered: int,
     firm: float = FIRM[0],
     features: Features | None = None,
     step: Callable[[], object] = lambda: None,
@@ -75,7 +75,7 @@ def seamless_map(
         layout: its unknowns.
         certainty: (T,) how certain the directions are, 0 to 1.
         edges: wanted edge lengths along u and along v.
-        inner: how many of the triangles are the surface's own; only these must not fold.
+        covered: how many of the triangles are to be covered; only these must not fold.
         firm: what direction counts where it is certain, beside spacing.
         features: lines that have to lie on whole lines.
         step: called before each solution; what it raises is passed on.
@@ -88,8 +88,8 @@ def seamless_map(
     step()
     # Lines that draw together and apart come out too far apart in all: ask for shorter edges.
     plain = _on_grid(layout, system.solved(spacing, direction, None, whole=False), None)
-    covered = _doubled_areas(plain)[:inner].sum() / GRID**2
-    scale = float(np.clip(np.sqrt(wanted[:inner].sum() / max(covered, 1e-300)), 1.0, _DENSER))
+    mapped = _doubled_areas(plain)[:covered].sum() / GRID**2
+    scale = float(np.clip(np.sqrt(wanted[:covered].sum() / max(mapped, 1e-300)), 1.0, _DENSER))
     system = replace(system, right=scale * system.right)
     wholes: FloatArray | None = None
     for _ in range(_STIFFER):
@@ -99,12 +99,12 @@ def seamless_map(
         corners = _on_grid(layout, unknowns, whole)
         signed = _doubled_areas(corners) / GRID**2
         bad = signed < _FOLDED * wanted
-        if not bad[:inner].any():
+        if not bad[:covered].any():
             break
         near = _widened(neighbours, bad)
         spacing = np.where(near, _BY * spacing, spacing)
         direction = np.where(near, 1 + (direction - 1) / _BY**1.5, direction)
-    return Map(corners, np.flatnonzero(bad[:inner]))
+    return Map(corners, np.flatnonzero(bad[:covered]))
 
 
 def _doubled_areas(corners: IntArray) -> FloatArray:

@@ -70,6 +70,20 @@ def test_the_net_covers_its_surface_and_overhangs_by_a_face_at_most(on_saddle):
     assert inner.max() < EDGE
 
 
+def beyond(formula, margin):
+    """Points (N, 3) of a surface of 30 m by 20 m that lie beyond its border by a length."""
+    along, across, run = margin / 30, margin / 20, np.linspace(0, 1, 200)
+    sides = [(run, np.full(200, end)) for end in (-across, 1 + across)]
+    sides += [(np.full(200, end), run) for end in (-along, 1 + along)]
+    return np.concatenate([np.stack(formula(*side), axis=1) for side in sides])
+
+
+def test_the_net_overhangs_by_so_much_that_its_vertices_may_move(on_saddle):
+    made = on_saddle[2]
+    quads = TriangleSurface.from_quads(made.mesh)
+    assert off(beyond(saddle, 0.2 * EDGE), quads.vertices, quads.triangles).max() < 0.03
+
+
 def test_the_border_is_carried_along(on_saddle):
     points, _, made = on_saddle
     (line,) = made.border
@@ -121,6 +135,9 @@ def test_an_exact_net_is_a_hair_away(on_saddle):
     assert found.off_surface.percent < 0.1
     assert found.area_ratio == pytest.approx(1, abs=0.005)
     assert found.zigzag > 0.95
+    # The border is covered still.
+    quads = TriangleSurface.from_quads(outcome.mesh)
+    assert off(made.border[0], quads.vertices, quads.triangles).max() < 0.03
 
 
 def test_a_dome_has_vertices_of_three_and_five_faces_at_its_umbilics(on_dome):

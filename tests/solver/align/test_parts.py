@@ -30,7 +30,7 @@ def cylinder(u, v):
 def work(formula, edge, nu=61, nv=37):
     mesh = one_surface(*triangles(formula, nu, nv))
     inner = len(mesh.triangles)
-    mesh = extended(mesh, 2 * edge, edge / 4, 1.5 * edge)
+    mesh, _ = extended(mesh, 2 * edge, edge / 4, 1.5 * edge)
     jets = fitted(mesh, np.arange(len(mesh.points)), edge)
     guide = curvature_guide(mesh, face_tensors(mesh, jets.shape_tensors()), inner, 0.0)
     return mesh, inner, guide, smooth_field(mesh, guide, edge)
@@ -52,7 +52,7 @@ def test_curvatures_of_a_cylinder():
 
 def test_a_surface_goes_on_as_it_bends():
     mesh = one_surface(*triangles(cylinder, 41, 41))
-    larger = extended(mesh, 1.0, 0.25, 1.5)
+    larger, _ = extended(mesh, 1.0, 0.25, 1.5)
     assert np.array_equal(larger.points[: len(mesh.points)], mesh.points)
     assert np.array_equal(larger.triangles[: len(mesh.triangles)], mesh.triangles)
     radius = np.hypot(larger.points[:, 0], larger.points[:, 2])
@@ -66,7 +66,7 @@ def test_strips_of_an_opening_do_not_meet():
     points, faces = triangles(plane, 49, 33)
     points, faces = without(points, faces, lambda c: np.hypot(c[:, 0] - 6, c[:, 1] - 4) < 1)
     mesh = one_surface(points, faces)
-    larger = extended(mesh, 2.0, 0.25, 1.5)
+    larger, _ = extended(mesh, 2.0, 0.25, 1.5)
     assert (larger.normals[:, 2] * np.sign(mesh.normals[0, 2])).min() > 0.99
     inwards = larger.points[len(mesh.points) :]
     inside = np.hypot(inwards[:, 0] - 6, inwards[:, 1] - 4) < 1
@@ -79,7 +79,7 @@ def test_how_a_border_runs():
     jagged = without(points, faces, lambda at: (np.abs(at[:, 0] - 6) < 0.4) & (at[:, 1] < 0.5))
     surface = one_surface(*jagged)
     inner = len(surface.triangles)
-    mesh = extended(surface, 1.0, 0.5, 1.5)
+    mesh, _ = extended(surface, 1.0, 0.5, 1.5)
     border = Features.border(mesh, inner, 4.0)
     assert len(border.edges) == len(surface.rim)
     start, end = (mesh.points[side[border.edges]] for side in mesh.ends)
@@ -116,11 +116,13 @@ def test_triangles_are_turned_alike():
 
 def test_long_edges_are_halved():
     mesh = one_surface(*triangles(barrel, 7, 5))
-    finer, values, inner = refined(mesh, mesh.points[:, 0], 10, 1.0)
+    finer, values, counts = refined(mesh, mesh.points[:, 0], (10, 6), 1.0)
     lengths = np.linalg.norm(np.diff(finer.points[finer.half_edges], axis=1)[:, 0], axis=1)
     assert lengths.max() <= 1.0
     assert finer.areas.sum() == pytest.approx(mesh.areas.sum())
+    inner, covered = counts[0], sum(counts)
     assert finer.areas[:inner].sum() == pytest.approx(mesh.areas[:10].sum())
+    assert finer.areas[:covered].sum() == pytest.approx(mesh.areas[:16].sum())
     assert np.allclose(values, finer.points[:, 0])
     assert len(finer.rim) > len(mesh.rim)
 
