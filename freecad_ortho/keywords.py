@@ -31,6 +31,10 @@ class Sizes(TypedDict, total=False):
     hub_diameter: Length
     clearance: Length
     no_boundary_beams: bool
+    edge_section: Literal["plate", "tube", "round"]
+    edge_height: Length | None
+    edge_width: Length | None
+    edge_wall: Length
     node: Literal["hub", "socket"]
     bore: Length
     socket_depth: Length

@@ -15,6 +15,7 @@ TOOLBARS = {
     "Analyse": ("Display", "Check", "SavePicture"),
     "Fabricate": (
         "Beams",
+        "EdgeBeam",
         "Lamellas",
         "Patches",
         "Panels",

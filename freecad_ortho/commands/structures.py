@@ -46,6 +46,17 @@ class BentPanels(StructureCommand):
     )
 
 
+class EdgeBeam(StructureCommand):
+    """A beam along the border of a net."""
+
+    icon = "edge-beam"
+    text = QT_TRANSLATE_NOOP("Ortho_EdgeBeam", "Edge beam")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_EdgeBeam",
+        "Put a beam along the border of the selected net, at which beams and panels end",
+    )
+
+
 class Lamellas(StructureCommand):
     """Developable strips along the parameter lines of a net."""
 

@@ -47,6 +47,7 @@ from freecad_ortho.documents.structures import (
 from freecad_ortho.documents.systems import (
     add_beams,
     add_bent_panels,
+    add_edge_beam,
     add_lamellas,
     add_louvres,
     add_nodes,
@@ -63,6 +64,7 @@ __all__ = [
     "add_bent_panels",
     "add_drawing_page",
     "add_drawing_pages",
+    "add_edge_beam",
     "add_elliptic_net",
     "add_flat_patterns",
     "add_lamellas",

@@ -61,6 +61,44 @@ def add_beams(
     return _added("beams", locals())
 
 
+def add_edge_beam(
+    net: Feature,
+    *,
+    edge_section: str = "plate",
+    edge_height: Length | None = None,
+    edge_width: Length | None = None,
+    edge_wall: Length = 5.0,
+    height: Length = 200.0,
+    thickness: Length = 20.0,
+    offset: str = "centre",
+    clearance: Length = 1.0,
+    stock: Length | None = None,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add a beam along the border of a Net; beams, nodes and panels on it end there from then on.
+
+    Args:
+        net: the Net.
+        edge_section: ``"plate"``, ``"tube"`` or ``"round"``.
+        edge_height: of the section, by default that of the beams.
+        edge_width: of the section, by default that of the plates, or 60 mm.
+        edge_wall: of tubes.
+        height: of the beams that end at it.
+        thickness: of their plates.
+        offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
+        clearance: that is left before it.
+        stock: length that longer pieces are cut into.
+        family: parameter lines that the beams are on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("edge-beam", locals())
+
+
 def add_nodes(
     net: Feature,
     beams: Feature | None = None,

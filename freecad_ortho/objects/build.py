@@ -21,7 +21,15 @@ from freecad_ortho.fabrication import (
     material,
 )
 from freecad_ortho.objects import outdated, places
-from freecad_ortho.objects.kinds import BEAMS, NODES, ON_BEAMS, TITLES, is_structure
+from freecad_ortho.objects.kinds import (
+    AT_EDGE_BEAM,
+    BEAMS,
+    EDGE_BEAM,
+    NODES,
+    ON_BEAMS,
+    TITLES,
+    is_structure,
+)
 from freecad_ortho.objects.limit_properties import limits_of
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.system_properties import system_of
@@ -124,6 +132,9 @@ def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
         by_system["beams"] = carrier
     if nodes is not None:
         by_system["nodes"] = nodes
+    edge_beam = _edge_beam_beside(by_system, net)
+    if edge_beam is not None:
+        by_system["edge-beam"] = edge_beam
     ordered = [name for name in SYSTEMS if name in by_system]
     lines = _agreed(features, "lines", lambda feature: (feature.Family, tuple(feature.Lines)))
     return _Plan(
@@ -194,6 +205,30 @@ def _nodes_beside(
             "beams; choose another for 'OnNodes' or leave it empty"
         )
     return nodes
+
+
+def _edge_beam_beside(
+    by_system: dict[str, FreeCAD.DocumentObject], net: FreeCAD.DocumentObject
+) -> FreeCAD.DocumentObject | None:
+    """The edge beam that beams, nodes and panels end at where these are built without it."""
+    own = by_system.get("edge-beam")
+    links = {name: by_system[name].AtEdgeBeam for name in AT_EDGE_BEAM if name in by_system}
+    wanted = own or next(iter(links.values()), None)
+    for name, link in links.items():
+        if link is not wanted:
+            label = by_system[name].Label
+            raise InputError(
+                f"{label}: knows of another edge beam than the others; set the same 'AtEdgeBeam' "
+                "for all, or export them one after the other"
+            )
+    if wanted is None or wanted is own:
+        return None
+    if not (is_structure(wanted) and wanted.System == EDGE_BEAM and wanted.Net is net):
+        raise InputError(
+            f"structures: '{wanted.Label}' is not an edge beam on {net.Label}; choose another for "
+            "'AtEdgeBeam' or leave it empty"
+        )
+    return wanted
 
 
 def _agreed(

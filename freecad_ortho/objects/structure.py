@@ -12,7 +12,17 @@ from freecad_ortho import answers, convert
 from freecad_ortho.fabrication import MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, outdated, places
-from freecad_ortho.objects.kinds import BEAMS, NODES, ON_BEAMS, PANELS, TITLES, Built, is_structure
+from freecad_ortho.objects.kinds import (
+    AT_EDGE_BEAM,
+    BEAMS,
+    EDGE_BEAM,
+    NODES,
+    ON_BEAMS,
+    PANELS,
+    TITLES,
+    Built,
+    is_structure,
+)
 from freecad_ortho.objects.limit_properties import limit_properties
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, choose, ensure
 from freecad_ortho.objects.system_properties import properties_of
@@ -54,6 +64,12 @@ _PROPERTIES = (
         "OnNodes",
         "Structure",
         QT_TRANSLATE_NOOP("App::Property", "Nodes whose hubs the panels stay clear of"),
+    ),
+    Property(
+        "App::PropertyLink",
+        "AtEdgeBeam",
+        "Structure",
+        QT_TRANSLATE_NOOP("App::Property", "Edge beam that the parts end at or lie on"),
     ),
     Property(
         "App::PropertyEnumeration",
@@ -146,8 +162,9 @@ class Structure(Built):
         return build.fingerprint([feature])
 
     def stands_on(self, feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
-        """The beams that the parts lie on, the nodes that they stay clear of."""
-        return [item for item in (feature.OnBeams, feature.OnNodes) if is_structure(item)]
+        """The beams that the parts lie on, the nodes and the edge beam that they stay clear of."""
+        links = (feature.OnBeams, feature.OnNodes, feature.AtEdgeBeam)
+        return [item for item in links if is_structure(item)]
 
 
 def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD.DocumentObject:
@@ -184,29 +201,45 @@ def set_properties(feature: FreeCAD.DocumentObject, properties: Mapping[str, Any
 def acquaint(feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
     """Tell panels of the nodes on the same net and beams, whichever was there first.
 
-    Mitred beams end before hubs from now on; beams with other ends were chosen so.
+    And beams, nodes and panels of the edge beam. Mitred beams end before hubs from now on; beams
+    with other ends were chosen so.
 
     Returns:
-        Panels and beams that were there before and have to make room now.
+        What was there before and has to make room now.
     """
-    beside = [
-        item
-        for item in feature.Net.InList
-        if is_structure(item) and item is not feature and item.OnBeams is feature.OnBeams
-    ]
-    told = []
+    around = [item for item in feature.Net.InList if is_structure(item) and item is not feature]
+    beside = [item for item in around if item.OnBeams is feature.OnBeams]
+    told = _acquaint_edge_beam(feature, around)
     if feature.System == PANELS:
         feature.OnNodes = next((item for item in beside if item.System == NODES), None)
     elif feature.System == NODES:
-        told = [item for item in beside if item.System == PANELS and item.OnNodes is None]
-    for panels in told:
-        panels.OnNodes = feature
+        panels = [item for item in beside if item.System == PANELS and item.OnNodes is None]
+        for item in panels:
+            item.OnNodes = feature
+        told += panels
     beams = feature.OnBeams
     if feature.System == NODES and feature.Node == "Hub" and is_structure(beams):
         if beams.System == BEAMS and beams.Ends == "Mitred":
             beams.Ends = "Hub"
             told.append(beams)
     return told
+
+
+def _acquaint_edge_beam(
+    feature: FreeCAD.DocumentObject, around: list[FreeCAD.DocumentObject]
+) -> list[FreeCAD.DocumentObject]:
+    """Tell what ends at an edge beam of it; returns what was there before it."""
+    if feature.System == EDGE_BEAM:
+        told = [item for item in around if TITLES[item.System] in AT_EDGE_BEAM]
+        told = [item for item in told if item.AtEdgeBeam is None]
+        for item in told:
+            item.AtEdgeBeam = feature
+        return told
+    if is_structure(feature.OnBeams):
+        feature.AtEdgeBeam = feature.OnBeams.AtEdgeBeam
+    elif TITLES[feature.System] in AT_EDGE_BEAM:
+        feature.AtEdgeBeam = next((item for item in around if item.System == EDGE_BEAM), None)
+    return []
 
 
 def ensure_options(feature: FreeCAD.DocumentObject) -> None:
@@ -216,6 +249,8 @@ def ensure_options(feature: FreeCAD.DocumentObject) -> None:
     status = "Hidden" if system not in ON_BEAMS else "-Hidden"
     feature.setPropertyStatus("OnBeams", status)
     feature.setPropertyStatus("OnNodes", "-Hidden" if feature.System == PANELS else "Hidden")
+    status = "-Hidden" if system in AT_EDGE_BEAM else "Hidden"
+    feature.setPropertyStatus("AtEdgeBeam", status)
 
 
 def rebuild(

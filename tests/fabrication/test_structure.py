@@ -42,11 +42,15 @@ def test_systems_come_in_the_order_of_building_with_their_defaults():
 @pytest.mark.parametrize(
     ("names", "values", "words"),
     [
-        ("", {}, "system: expected one of beams, nodes"),
+        ("", {}, "system: expected one of edge-beam, beams, nodes"),
         ("beams+beams", {}, "system: expected one of"),
         ("walls", {}, "got 'walls'"),
         ("beams", {"colour": 1}, "colour: no system has such a size"),
-        ("panels", {"height": 999.0}, "height: panels has no such size, it is of beams, nodes"),
+        (
+            "panels",
+            {"height": 999.0},
+            "height: panels has no such size, it is of edge-beam, beams, nodes",
+        ),
         ("nodes+panels", {"tilt": 9.0}, r"tilt: nodes\+panels has no such size, it is of louvres"),
     ],
 )

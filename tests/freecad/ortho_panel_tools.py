@@ -28,6 +28,7 @@ PANELS = {
     "Display": ("Net",),
     "Check": ("Net",),
     "Beams": ("Net",),
+    "EdgeBeam": ("Net",),
     "Lamellas": ("Net",),
     "Patches": ("Net",),
     "Panels": ("Net",),

@@ -104,6 +104,14 @@ class Sequence:
         chosen = self.dice.choice(beams)
         self.allowed_to_fail(api.add_nodes, chosen.Net, chosen)
 
+    def add_edge_beam(self):
+        net = self.any_net()
+        if net is None or len(self.structures()) > 3:
+            return False
+        section = self.dice.choice(["plate", "tube"])
+        width = self.dice.uniform(15, 80)
+        self.allowed_to_fail(api.add_edge_beam, net, edge_section=section, edge_width=width)
+
     def add_lamellas(self):
         strip = self.dice.choice(["auto", "twisted"])
         return self.add_one(api.add_lamellas, width=self.dice.uniform(40, 90), strip=strip)

@@ -169,6 +169,33 @@ class TestSettings(StructureCase):
         self.document.recompute()
         self.assertAlmostEqual(first.Shape.Volume, whole, places=3)
 
+    def test_beams_and_panels_end_at_the_edge_beam_whichever_was_there_first(self):
+        beams = api.add_beams(self.net)
+        whole = beams.Shape.Volume
+        edge = api.add_edge_beam(self.net, edge_section="tube", edge_width="80 mm")
+        self.assertEqual(edge.EdgeWidth.Value, 80.0)
+        self.assertIs(beams.AtEdgeBeam, edge)
+        self.assertEqual(beams.State, ["Up-to-date"])
+        self.assertLess(beams.Shape.Volume, whole)
+        panels = api.add_panels(self.net, beams=beams)
+        self.assertIs(panels.AtEdgeBeam, edge)
+        folder = tools.SCRATCH / "edge"
+        api.export_fabrication([edge, beams, panels], folder)
+        report = json.loads((folder / "report.json").read_text())
+        self.assertEqual(report["clash_check"]["clashes"], [])
+        self.assertTrue((folder / "edge-beam.csv").exists())
+        panels.AtEdgeBeam = None
+        with self.assertRaises(InputError) as refused:
+            api.export_fabrication([beams, panels], folder)
+        self.assertIn("AtEdgeBeam", str(refused.exception))
+        panels.AtEdgeBeam = edge
+        shorter = beams.Shape.Volume
+        api.change_structure(edge, edge_width="160 mm")
+        self.assertLess(beams.Shape.Volume, shorter)
+        self.document.removeObject(edge.Name)
+        self.document.recompute()
+        self.assertAlmostEqual(beams.Shape.Volume, whole, delta=1e-9 * whole)
+
     def test_lengths_in_any_unit_and_bad_ones_refused(self):
         feature = api.add_structure(self.net, "beams", height="0.3 m", thickness="1 cm")
         self.assertEqual((feature.Height.Value, feature.Thickness.Value), (300.0, 10.0))

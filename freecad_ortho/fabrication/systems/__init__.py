@@ -8,6 +8,7 @@ from typing import Any
 from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.systems.beams import Beams
 from freecad_ortho.fabrication.systems.bent_panels import BentPanels
+from freecad_ortho.fabrication.systems.edge_beam import EdgeBeam
 from freecad_ortho.fabrication.systems.lamellas import Lamellas
 from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import Nodes
@@ -18,13 +19,15 @@ from solver.errors import InputError
 
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
-    system.name: system for system in (Beams, Nodes, Panels, Louvres, Lamellas, BentPanels, Patches)
+    system.name: system
+    for system in (EdgeBeam, Beams, Nodes, Panels, Louvres, Lamellas, BentPanels, Patches)
 }
 
 __all__ = [
     "SYSTEMS",
     "Beams",
     "BentPanels",
+    "EdgeBeam",
     "Lamellas",
     "Louvres",
     "Nodes",

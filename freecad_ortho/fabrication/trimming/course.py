@@ -59,16 +59,33 @@ class Beyond:
     length: float
 
 
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """A closed polyline of a border, and where over the net it runs.
+
+    Attributes:
+        points: (N, 3) of it, close together, mm.
+        faces: (N,) over which they lie, or that they are beside.
+        feet: (N, 2) where in these.
+    """
+
+    points: FloatArray
+    faces: IntArray
+    feet: FloatArray
+
+
 @dataclass(eq=False)
 class Course:
     """Where a border runs.
 
     Attributes:
+        lines: its polylines, in the order in which they were given.
         chords: by face, polylines (M, 2) in its (u, v); they begin and end on its sides, or close.
         crossings: by edge.
         beyond: what the net does not reach.
     """
 
+    lines: list[Followed] = field(default_factory=list)
     chords: dict[int, list[FloatArray]] = field(default_factory=dict)
     crossings: dict[int, list[Crossing]] = field(default_factory=dict)
     beyond: list[Beyond] = field(default_factory=list)
@@ -162,6 +179,7 @@ class _Walk:
     def around(self, points: FloatArray) -> None:
         """Follow one closed polyline (N, 3), from a point that is over the net."""
         faces, feet, over = self._located(points)
+        self._course.lines.append(Followed(points, faces, feet))
         first = int(over.argmax())
         order = np.r_[first : len(points), 0 : first + 1].tolist()
         trail = _Trail(self._course)

@@ -42,6 +42,10 @@ class Rays:
         """(N, 3) points of the net at (u, v) (N, 2) in faces (N,)."""
         return np.asarray(np.einsum("nc,nck->nk", _bilinear(uv)[0], self.corners[faces]))
 
+    def offsets(self, faces: IntArray, uv: FloatArray) -> FloatArray:
+        """(N, 3) the axes at (u, v) (N, 2) in faces (N,)."""
+        return np.asarray(np.einsum("nc,nck->nk", _bilinear(uv)[0], self.axes[faces]))
+
     def feet(self, points: FloatArray, faces: IntArray) -> FloatArray:
         """(N, 3) u, v and height of points (N, 3), each over a face (N,), or beside it.
 

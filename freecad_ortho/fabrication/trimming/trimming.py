@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freecad_ortho.fabrication.trimming.cells import cells_of, divided, spans_of, within
-from freecad_ortho.fabrication.trimming.course import Crossing, course_of
+from freecad_ortho.fabrication.trimming.course import Crossing, Followed, course_of
 from freecad_ortho.fabrication.trimming.rays import Rays, bilinear
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
@@ -37,6 +37,7 @@ class Trimming:
         spans: by edge, what of it is within the border, from its first vertex (0) to the other (1).
         crossings: by edge, where the border crosses it.
         missed: length of the border that the net does not reach, mm.
+        lines: the border.
     """
 
     whole: BoolArray
@@ -44,6 +45,7 @@ class Trimming:
     spans: dict[int, tuple[tuple[float, float], ...]]
     crossings: dict[int, list[Crossing]]
     missed: float
+    lines: tuple[Followed, ...]
 
     @classmethod
     def of(cls, mesh: QuadMesh, offsets: FloatArray, border: Sequence[FloatArray]) -> Trimming:
@@ -77,7 +79,7 @@ class Trimming:
         inside = [cell for cell, inside in zip(cells, kept.tolist(), strict=True) if inside]
         spans = spans_of(mesh.connectivity, inside)
         missed = sum(miss.length for miss in course.beyond)
-        return cls(whole, regions, spans, course.crossings, missed)
+        return cls(whole, regions, spans, course.crossings, missed, tuple(course.lines))
 
     @property
     def made(self) -> BoolArray:

@@ -1,4 +1,8 @@
-"""Where beams end at the border of the surface: cut by the plane of its tangent and the axes."""
+"""Where beams end at the border of the surface: cut by the plane of its tangent and the axes.
+
+Beside an edge beam they end before it: parallel to its side in plan, along the axes upwards, so far
+back that none of their four edges comes nearer than the clearance.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +12,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.beams.blocks import (
+    beyond_end,
+    blocks_of,
+    cut_before,
+    free_stretch,
+    mean_normal,
+)
 from freecad_ortho.fabrication.systems.beams.frames import Frames
 from freecad_ortho.fabrication.systems.beams.geometry import Cuts
+from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray
@@ -39,30 +51,77 @@ class BorderEnds:
     slant: FloatArray
 
     @classmethod
-    def of(cls, site: Site, frames: Frames) -> BorderEnds | None:
-        """Those of a site; None where it has no border."""
-        trimming = site.trimming
-        if trimming is None:
+    def of(
+        cls, site: Site, frames: Frames, levels: tuple[float, float], half: float
+    ) -> BorderEnds | None:
+        """Those of a site; None where it has neither a border nor an edge beam.
+
+        Args:
+            site: the net.
+            frames: planes of the beams.
+            levels: lower and upper one along the axes, mm.
+            half: half the width of the beams, mm.
+        """
+        edge_beam = site.geometry_of("edge-beam", EdgeGeometry)
+        if site.trimming is None and edge_beam is None:
             return None
+        ends = cls._at_border(site, frames)
+        return ends if edge_beam is None else ends._before(edge_beam, site, frames, levels, half)
+
+    @classmethod
+    def _at_border(cls, site: Site, frames: Frames) -> BorderEnds:
         edges = site.mesh.connectivity.edges
         count = len(edges)
         places = np.tile([0.0, 1.0], (count, 1))
-        within = np.zeros(count, dtype=bool)
         lean, slant = np.zeros((2, count, 2))
+        trimming = site.trimming
+        if trimming is None:
+            every = np.ones(count, dtype=bool)
+            return cls(every, np.zeros((count, 2), dtype=bool), places, lean, slant)
+        within = np.zeros(count, dtype=bool)
         for edge, spans in trimming.spans.items():
             within[edge] = True
             places[edge] = max(spans, key=lambda span: span[1] - span[0])
             for end in np.flatnonzero(places[edge] != [0.0, 1.0]).tolist():
                 place = float(places[edge, end])
-                first, second = site.axes.offsets[edges[edge]]
-                axis = (1 - place) * first + place * second
+                axis = _axis(site, edge, place)
                 along = trimming.along(edge, place)
                 normal = np.cross(frames.left[edge] if along is None else along, axis)
-                straight, sideways = normal @ frames.along[edge], -normal @ frames.left[edge]
-                lean[edge, end] = axis @ frames.along[edge] / (axis @ frames.up[edge])
-                flattest = max(abs(straight), abs(sideways) / _STEEPEST)
-                slant[edge, end] = -sideways / np.copysign(flattest, straight)
+                lean[edge, end] = _lean(frames, edge, axis)
+                slant[edge, end] = _slant(frames, edge, normal)
         return cls(within, places != [0.0, 1.0], places, lean, slant)
+
+    def _before(
+        self,
+        edge_beam: EdgeGeometry,
+        site: Site,
+        frames: Frames,
+        levels: tuple[float, float],
+        half: float,
+    ) -> BorderEnds:
+        """These, or the ends before an edge beam where it is in the way."""
+        blocks = blocks_of(edge_beam, site, frames, levels, half)
+        within, cut, places = self.within.copy(), self.cut.copy(), self.places.copy()
+        lean, slant = self.lean.copy(), self.slant.copy()
+        lengths = site.mesh.edge_lengths
+        for edge in sorted(blocks.keys() & set(np.flatnonzero(within).tolist())):
+            spans = [(0.0, 1.0)] if site.trimming is None else site.trimming.spans[edge]
+            free = free_stretch(spans, blocks[edge], float(lengths[edge]))
+            if free is None:
+                within[edge] = False
+                continue
+            span, bounds = free
+            places[edge] = span
+            for end in (0, 1):
+                cut[edge, end] = span[end] != float(end)
+                if bounds[end] is None:
+                    continue
+                own = beyond_end(blocks[edge], bounds, end)
+                lean[edge, end] = _lean(frames, edge, _axis(site, edge, span[end]))
+                slant[edge, end] = _slant(frames, edge, mean_normal(own, end))
+                middle = cut_before(own, end, lean[edge, end], slant[edge, end])
+                places[edge, end] = middle / lengths[edge]
+        return BorderEnds(within, cut, places, lean, slant)
 
     def lengths(self, edge_lengths: FloatArray, cuts: Cuts, half: float) -> FloatArray:
         """(E,) what is left of each beam between what its ends take, mm."""
@@ -94,23 +153,33 @@ class BorderEnds:
         slope = np.where(self.cut & ~near, self.lean * frames.rise[:, None], frames.slope)
         return replace(frames, slope=slope), joined.where(self.cut, cuts)
 
-    def runs(self, line: ParameterLine, built: BoolArray) -> list[ParameterLine]:
-        """What is left of a line, piece by piece, of the edges (E,) that have beams."""
-        edges, vertices = line.edges, line.vertices
+    def runs(self, line: ParameterLine, built: BoolArray, ends: IntArray) -> list[ParameterLine]:
+        """What is left of a line, piece by piece.
+
+        Args:
+            line: the line.
+            built: (E,) true for edges that have beams.
+            ends: (E, 2) vertices of the edges.
+        """
+        edges, starts = line.edges, line.vertices[: len(line.edges)]
+        turned = (ends[edges, 0] != starts).astype(int)
+        # Whether the line is broken before an edge and after it.
+        before = ~built[edges] | self.cut[edges, turned]
+        after = ~built[edges] | self.cut[edges, 1 - turned]
+        vertices = line.vertices
         if line.closed:
-            gaps = np.flatnonzero(~built[edges])
+            gaps = np.flatnonzero(before | np.roll(after, 1))
             if not len(gaps):
                 return [line]
-            turn = -(int(gaps[0]) + 1)
-            edges = np.roll(edges, turn)
-            vertices = np.roll(vertices, turn)
+            edges, before, after = (np.roll(some, -int(gaps[0])) for some in (edges, before, after))
+            vertices = np.roll(vertices, -int(gaps[0]))
             vertices = np.append(vertices, vertices[0])
-        breaks = np.flatnonzero(~built[edges])
-        bounds = zip(np.r_[0, breaks + 1].tolist(), np.r_[breaks, len(edges)].tolist(), strict=True)
+        breaks = np.flatnonzero(before[1:] | after[:-1]) + 1
+        bounds = zip(np.r_[0, breaks].tolist(), np.r_[breaks, len(edges)].tolist(), strict=True)
         return [
             replace(line, vertices=vertices[low : high + 1], edges=edges[low:high], closed=False)
             for low, high in bounds
-            if high > low
+            if built[edges[low]]
         ]
 
     def end_of(self, site: Site, edge: int, vertex: int) -> tuple[FloatArray, FloatArray] | None:
@@ -132,3 +201,21 @@ def stub_words(names: Sequence[str], least: float) -> tuple[str, ...]:
         f"beams: left out at the border what is shorter than {least:g} mm: {shown}, {len(names)} "
         "in all; a smaller least length keeps it",
     )
+
+
+def _axis(site: Site, edge: int, place: float) -> FloatArray:
+    """(3,) the axis at a place along an edge."""
+    first, second = site.axes.offsets[site.mesh.connectivity.edges[edge]]
+    return np.asarray((1 - place) * first + place * second)
+
+
+def _lean(frames: Frames, edge: int, axis: FloatArray) -> float:
+    """How far an axis moves along an edge per mm up."""
+    return float(axis @ frames.along[edge] / (axis @ frames.up[edge]))
+
+
+def _slant(frames: Frames, edge: int, normal: FloatArray) -> float:
+    """How far a cut with this normal moves along an edge per mm to the right."""
+    straight, sideways = normal @ frames.along[edge], -normal @ frames.left[edge]
+    flattest = max(abs(straight), abs(sideways) / _STEEPEST)
+    return float(-sideways / np.copysign(flattest, straight))

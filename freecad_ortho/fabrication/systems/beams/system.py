@@ -32,6 +32,7 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
+from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -161,7 +162,7 @@ class Beams(System):
         built = np.ones(len(site.mesh.connectivity.edges), dtype=bool)
         if not self.boundary_beams:
             built = ~site.mesh.connectivity.boundary_edges
-        border = BorderEnds.of(site, frames)
+        border = BorderEnds.of(site, frames, self.levels, section.overall_width / 2)
         if border is not None:
             built &= border.within
         wanted = site.chosen_edges & built
@@ -188,7 +189,10 @@ class Beams(System):
         if border is None:
             lines = tuple(line for line in site.chosen_lines if along[line.edges].all())
         else:
-            lines = tuple(run for line in site.chosen_lines for run in border.runs(line, along))
+            ends = site.mesh.connectivity.edges
+            lines = tuple(
+                run for line in site.chosen_lines for run in border.runs(line, along, ends)
+            )
         folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
@@ -213,7 +217,9 @@ class Beams(System):
             return mitred(frames, around), none, None
         if self.ends == "hub":
             distance = self.hub_diameter / 2 + self.clearance
-            return square(frames, hub_distance(site.mesh, around, width, distance)), none, None
+            cuts = square(frames, hub_distance(site.mesh, around, width, distance))
+            hubs = ~without_hubs(site, self.hub_diameter)[site.mesh.connectivity.edges]
+            return cuts.where(hubs, mitred(frames, around)), none, None
         if self.ends == "lapped":
             laps = half_laps(site, around, self.thickness, self.clearance)
             return mitred(frames, around), all_edges, laps

@@ -21,6 +21,7 @@ from freecad_ortho.fabrication.systems.beams.frames import (
 )
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.system import Beams
+from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
@@ -159,6 +160,7 @@ class Nodes(System):
             kept = np.isin(np.arange(len(built)), list(site.trimming.spans))
             built &= kept if beams is None else beams.built
             within = site.trimming.vertices(site.mesh.connectivity.edges)
+        within &= ~without_hubs(site, self.diameter)
         if not built.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)

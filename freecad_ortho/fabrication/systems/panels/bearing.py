@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
+from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
 from solver.mesh.connectivity import Connectivity
 from solver.mesh.quadmesh import FloatArray
 
@@ -38,6 +40,16 @@ def bearings(connectivity: Connectivity, beams: BeamGeometry, sides: FloatArray)
     across = from_middle[..., :1] + share * (from_middle[..., 1:] - from_middle[..., :1])
     widths = beams.section_half - across.max(axis=2)
     return np.where(beams.built[edge] & (shared[..., 0] < shared[..., 1]), widths, np.nan)
+
+
+def at_the_edge(site: Site, edge_beam: EdgeGeometry, gap: float) -> FloatArray:
+    """(F, 2) width by which each panel lies on an edge beam on up to two sides, mm; NaN for none.
+
+    A panel ends at the border, or half the gap before the boundary of a net that has none.
+    """
+    inset = 0.0 if site.trimming is not None else gap / 2
+    carried = np.arange(2) < edge_beam.carries[:, None]
+    return np.where(carried, edge_beam.bearing[:, None] - inset, np.nan)
 
 
 def least_bearing(widths: FloatArray) -> FloatArray:

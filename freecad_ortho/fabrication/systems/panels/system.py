@@ -20,7 +20,8 @@ from freecad_ortho.fabrication.sizes import (
 )
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
-from freecad_ortho.fabrication.systems.panels.bearing import bearings, least_bearing
+from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
+from freecad_ortho.fabrication.systems.panels.bearing import at_the_edge, bearings, least_bearing
 from freecad_ortho.fabrication.systems.panels.geometry import (
     PanelGeometry,
     neighbours,
@@ -149,9 +150,9 @@ class Panels(System):
         Raises:
             InputError: a face that the gap or the hubs leave nothing of.
         """
-        mesh, beams = site.mesh, site.geometry_of("beams", BeamGeometry)
-        if beams is not None:
-            mesh = mesh.with_vertices(mesh.vertices + beams.levels[1] * site.axes.offsets)
+        beams = site.geometry_of("beams", BeamGeometry)
+        edge_beam = site.geometry_of("edge-beam", EdgeGeometry)
+        mesh, levels = self._bed(site, beams, edge_beam)
         inward = _inward(site) if self.edge == "bevel" else None
         stands, hubs = None, site.geometry_of("nodes", dict)
         if hubs is not None:
@@ -160,10 +161,12 @@ class Panels(System):
         wanted = np.ones(len(mesh.faces), dtype=bool)
         if site.trimming is not None:
             wanted = site.trimming.made
-        geometry = panel_geometry(mesh, self.levels, self.gap, beams, inward, stands, wanted)
+        geometry = panel_geometry(mesh, levels, self.gap, beams, inward, stands, wanted)
         widths = None
         if beams is not None:
             widths = bearings(mesh.connectivity, beams, geometry.lower_edges())
+            if edge_beam is not None:
+                widths = np.concatenate([widths, at_the_edge(site, edge_beam, self.gap)], axis=1)
         gaps = diagonal_distances(site.mesh)
         least = None if widths is None else least_bearing(widths)
         parts, left_out = panel_parts(site, geometry, self.thickness, gaps, least, self.least_width)
@@ -186,7 +189,7 @@ class Panels(System):
             doubts += left_out_words(left_out, self.least_width)
             if least is not None:
                 at_border = np.isin(np.arange(len(made)), list(site.trimming.regions))
-                doubts += uncarried_words(least[made & at_border])
+                doubts += uncarried_words(least[made & at_border], edge_beam is not None)
                 report["bearing_min_mm"] = float(least[made & ~at_border].min(initial=np.inf))
         messages = (*_messages(report, float(gaps[made].max()), site.material), *doubts)
         if beams is not None and _faces_down(site.mesh):
@@ -195,6 +198,17 @@ class Panels(System):
                 "turn it over (Flip net, or orient on the command line)",
             )
         return SystemParts(parts, report, messages, geometry)
+
+    def _bed(
+        self, site: Site, beams: BeamGeometry | None, edge_beam: EdgeGeometry | None
+    ) -> tuple[QuadMesh, tuple[float, float]]:
+        """The net that the panels lie on, and their levels above it."""
+        tops = [] if beams is None else [beams.levels[1]]
+        tops += [] if edge_beam is None else [edge_beam.top]
+        if not tops:
+            return site.mesh, self.levels
+        raised = site.mesh.vertices + tops[0] * site.axes.offsets
+        return site.mesh.with_vertices(raised), (0.0, self.thickness)
 
     def _report(
         self,

@@ -197,12 +197,17 @@ def left_out_words(left_out: Mapping[str, Trimmed], least_width: float) -> list[
     ]
 
 
-def uncarried_words(bearings: FloatArray) -> list[str]:
-    """A message where panels at the border, by how wide they bear, do not lie on beams enough."""
+def uncarried_words(bearings: FloatArray, edge_beam: bool) -> list[str]:
+    """A message where panels at the border, by how wide they bear, do not lie on beams enough.
+
+    Args:
+        bearings: (N,) of panels at the border, mm.
+        edge_beam: whether they lie on one.
+    """
     loose = int((bearings <= 0).sum())
     if not loose:
         return []
-    return [
-        f"panels: {loose} at the border have fewer than two beams under them; they need something "
-        "along the border that carries them"
-    ]
+    remedy = "a smaller least length of beams or a larger least width of panels helps"
+    if not edge_beam:
+        remedy = "they need something along the border that carries them: an edge beam"
+    return [f"panels: {loose} at the border have fewer than two beams under them; {remedy}"]

@@ -1,0 +1,160 @@
+"""The system of edge beams: settings, parts and report."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import (
+    OFFSETS,
+    check_offset,
+    check_size,
+    not_negative,
+    offset_levels,
+)
+from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry, edge_geometry
+from freecad_ortho.fabrication.systems.edge_beam.parts import bends, edge_parts
+from freecad_ortho.fabrication.systems.edge_beam.path import joints_of, paths_of
+from freecad_ortho.fabrication.systems.edge_beam.sections import SECTIONS, EdgeSection
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.words import counted
+from solver.option import Option
+
+# Pieces are at least this long, mm, and twice as long as wide.
+_LEAST = 100.0
+_STANDS = "would run through the edge beam; build them one after the other"
+
+
+@dataclass(frozen=True)
+class EdgeBeam(System):
+    """A beam along the border of the surface, or of a net that has none: its upper side on the net.
+
+    It is made of straight pieces, mitred where they meet: at the edges of the net, where the border
+    turns, and where it would leave a piece by more than half its width.
+
+    Args:
+        section: plate, tube or round.
+        section_height: mm; by default as high as the beams; a round tube is as high as wide.
+        width: mm; by default a plate is as thick as the plates, a tube 60 mm wide.
+        wall: of tubes, mm.
+        height: of the beams that end at it, mm.
+        thickness: of the plates, mm.
+        offset: of the beams.
+        clearance: that they leave before it, mm.
+        stock: longer pieces are cut into equal lengths, mm.
+
+    Raises:
+        InputError: a length that is not positive and finite, or an unknown choice.
+    """
+
+    section: str = "plate"
+    section_height: float | None = None
+    width: float | None = None
+    wall: float = 5.0
+    height: float = 200.0
+    thickness: float = 20.0
+    offset: str = "centre"
+    clearance: float = 1.0
+    stock: float | None = None
+
+    trims: ClassVar[bool] = True
+    name: ClassVar[str] = "edge-beam"
+    excludes: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("louvres", "lamellas", "bent-panels", "patches"), _STANDS
+    )
+    options: ClassVar[tuple[Option, ...]] = (
+        Option("edge_section", "plate", "choice", "the edge beam has this cross section", SECTIONS),
+        Option(
+            "edge_height",
+            None,
+            "length",
+            "the edge beam is this high, by default as high as the beams",
+        ),
+        Option(
+            "edge_width",
+            None,
+            "length",
+            "the edge beam is this wide, by default as thick as the plates or 60 mm",
+        ),
+        Option("edge_wall", 5.0, "length", "the walls of a tube along the edge are this thick"),
+        Option("height", 200.0, "length", "the beams are this high"),
+        Option("thickness", 20.0, "length", "the plates are this thick"),
+        Option(
+            "offset",
+            "centre",
+            "choice",
+            "the parts lie above the net, about it or below it",
+            OFFSETS,
+        ),
+        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+        Option("stock", None, "length", "strips are cut from this length; longer ones are spliced"),
+    )
+
+    def __post_init__(self) -> None:
+        check_size("beam height", self.height)
+        check_size("beam thickness", self.thickness)
+        check_offset(self.offset)
+        not_negative("clearance", self.clearance)
+        if self.stock is not None:
+            check_size("stock", self.stock)
+        _ = self.profile
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> EdgeBeam:
+        """Make the settings from options."""
+        given = dict(values)
+        names = {"section": "section", "section_height": "height", "width": "width", "wall": "wall"}
+        return cls(**{own: given.pop(f"edge_{word}") for own, word in names.items()}, **given)
+
+    @property
+    def profile(self) -> EdgeSection:
+        """The cross section."""
+        width = self.width
+        if width is None:
+            width = self.thickness if self.section == "plate" else 60.0
+        height = self.height if self.section_height is None else self.section_height
+        if self.section == "round":
+            height = width
+        return EdgeSection(self.section, height, width, self.wall)
+
+    def build(self, site: Site) -> SystemParts:
+        """Work out the pieces.
+
+        Raises:
+            InputError: a width that does not fit the border.
+        """
+        section = self.profile
+        least = max(_LEAST, 2 * section.width)
+        ways = [(path, joints_of(path, least, section.width / 2)) for path in paths_of(site)]
+        # Fewer than three pieces do not go round.
+        kept = [(path, joints) for path, joints in ways if len(joints) > 2]
+        if not kept:
+            return SystemParts(())
+        top = offset_levels(self.offset, self.height)[1]
+        geometry = edge_geometry(site, kept, section.width, section.height, top, self.clearance)
+        parts, table = edge_parts(site, geometry, section, self.stock)
+        report = self._report(geometry, section) | sums(parts)
+        messages = []
+        if len(kept) < len(ways):
+            messages.append(
+                f"edge-beam: none along {counted(len(ways) - len(kept), 'opening')}, too small for "
+                f"pieces of {least:g} mm; take a narrower edge beam"
+            )
+        return SystemParts(parts, report, tuple(messages), geometry, tables=(table,))
+
+    def _report(self, geometry: EdgeGeometry, section: EdgeSection) -> dict[str, Any]:
+        angles = bends(geometry)
+        return {
+            "section": section.words,
+            "ways": int(geometry.way.max()) + 1,
+            "pieces": len(geometry.length),
+            "piece_min_mm": float(geometry.length.min()),
+            "piece_max_mm": float(geometry.length.max()),
+            "bend_max_deg": float(angles[:, 0].max()),
+            "lowered_max_mm": float(geometry.drop.max()),
+            "bends": [np.round(row, 3).tolist() for row in angles],
+        }
