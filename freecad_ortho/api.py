@@ -13,7 +13,7 @@ from freecad_ortho.calls import list_keywords
 from freecad_ortho.fabricating import fabricate, write_fabrication
 from freecad_ortho.mesh_files import LoadedMesh, read_mesh
 from freecad_ortho.stand_in import stand_in
-from freecad_ortho.standing import check_structure, write_structural_check
+from freecad_ortho.standing import check_structure, size_structure, write_structural_check
 from freecad_ortho.step_faces import net_from_step
 from solver import optimise, start_optimisation, write_mesh
 from solver.analysis.check import check
@@ -126,6 +126,7 @@ __all__ = [
     "save_picture",
     "set_net",
     "show_net",
+    "size_structure",
     "start_optimisation",
     "update_structures",
     "weld_nets",

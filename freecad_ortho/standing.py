@@ -14,6 +14,7 @@ from freecad_ortho.structural.combinations import read_combinations, usual
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.files import write_check
 from freecad_ortho.structural.model import model_of
+from freecad_ortho.structural.sizing import Sizing, least, sections_of
 from freecad_ortho.units import millimetres_per
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
@@ -54,13 +55,50 @@ def check_structure(
     return check_model(model, rows, progress)
 
 
+def size_structure(
+    mesh: QuadMesh,
+    sections: str,
+    *,
+    unit: str = DEFAULT_UNIT,
+    combinations: str | os.PathLike[str] | None = None,
+    progress: Callable[[float, str], None] | None = None,
+    **design: Unpack[DesignSettings],
+) -> Sizing:
+    """Find the lightest section with which a grid shell passes ``check_structure``.
+
+    All members have the same one.
+
+    Args:
+        mesh: the net, z upwards, in ``unit``.
+        sections: a list (tubes, plates, glulam) or names of sections joined by "+".
+        unit: of its coordinates.
+        combinations: a JSON file of combinations of the load cases.
+        progress: called with a fraction and words; may raise to stop.
+        design: as of ``check_structure``, but the section.
+
+    Raises:
+        InputError: what cannot be used.
+    """
+
+    def check(name: str) -> StructuralCheck:
+        chosen: DesignSettings = {**design, "section": name, "second_order": False}
+        found = check_structure(mesh, unit=unit, combinations=combinations, **chosen)
+        # Balance in the deformed shape takes longest, and only what holds without it needs it.
+        if not design.get("second_order") or found.fails_first_order:
+            return found
+        chosen["second_order"] = True
+        return check_structure(mesh, unit=unit, combinations=combinations, **chosen)
+
+    return least(sections_of(sections, design.get("material", "")), check, progress)
+
+
 def write_structural_check(
-    check: StructuralCheck, folder: str | os.PathLike[str], project: str = ""
+    check: StructuralCheck | Sizing, folder: str | os.PathLike[str], project: str = ""
 ) -> list[Path]:
     """Write a check's tables, its model for other programs and a page to read, all or none.
 
     Args:
-        check: from ``check_structure``.
+        check: from ``check_structure`` or ``size_structure``.
         folder: made when missing; other files in it stay.
         project: what the page is headed by, such as the name of the net.
 
@@ -70,4 +108,6 @@ def write_structural_check(
     Raises:
         OutputError: the folder cannot be written.
     """
+    if isinstance(check, Sizing):
+        return write_check(check.check, folder, project, check.tries)
     return write_check(check, folder, project)

@@ -11,7 +11,9 @@ from freecad_ortho import api
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK
+from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.design import Design
+from freecad_ortho.structural.sizing import Sizing
 from freecad_ortho.structural.words import warnings
 
 
@@ -47,6 +49,11 @@ def add(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="combinations.json of an earlier check, edited (default: those of EN 1990)",
     )
+    parser.add_argument(
+        "--lightest-of",
+        metavar="tubes|plates|glulam|NAME+NAME...",
+        help="find the lightest section that passes, one for all members, instead of --section",
+    )
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
     parser.set_defaults(run=run)
@@ -57,18 +64,21 @@ def run(options: argparse.Namespace) -> int:
     settings = _settings(options)
     Design.of(settings)
     loaded = reporting.load(options)
+    common = {"unit": loaded.unit, "combinations": options.combinations, **settings}
+    found: StructuralCheck | Sizing
     with reporting.Progress(options.verbose) as progress:
-        check = api.check_structure(
-            loaded.mesh,
-            unit=loaded.unit,
-            combinations=options.combinations,
-            progress=progress,
-            **settings,
-        )
-    api.write_structural_check(check, options.output, Path(options.input).stem)
+        if options.lightest_of is None:
+            found = check = api.check_structure(loaded.mesh, progress=progress, **common)
+        else:
+            common.pop("section", None)
+            found = api.size_structure(
+                loaded.mesh, options.lightest_of, progress=progress, **common
+            )
+            check = found.check
+    api.write_structural_check(found, options.output, Path(options.input).stem)
     for words in warnings(check):
         sys.stderr.write(f"note: {words}\n")
-    sys.stdout.write(f"{check.verdict} Files are in {options.output}\n")
+    sys.stdout.write(f"{found.verdict} Files are in {options.output}\n")
     return EXIT_OK if check.passed else EXIT_NOT_CONVERGED
 
 

@@ -26,7 +26,7 @@ _Part = TypeVar("_Part", Response, Loads)
 STATIONS = np.linspace(0.0, 1.0, 11)
 # Buckling factor from which on balance in the deformed shape matters little: EN 1993-1-1, 5.2.1.
 ENOUGH = 10.0
-# Size of an imperfection by the shorter side in plan, where none is given.
+# Size of an imperfection by the span, where none is given.
 _IMPERFECTION = 1 / 300
 
 
@@ -164,6 +164,13 @@ class StructuralCheck:
         return tuple(words)
 
     @property
+    def fails_first_order(self) -> bool:
+        """Whether it would not pass by balance in the deformed shape either."""
+        buckles = self.factor is not None and self.factor <= 1
+        moves = self.deflection > self.deflection_limit
+        return bool(buckles or moves or self.utilisation.max() > 1)
+
+    @property
     def passed(self) -> bool:
         """Whether all that was checked holds."""
         return not self.failures
@@ -251,7 +258,8 @@ def _one(
     mode = buckling(pieces.system, _summed(factors, pieces.cases), model.design.modes)
     carried = None
     forces = np.stack([whole.forces_at(model.frame, part) for part in STATIONS])
-    if model.design.second_order and len(mode.factors) and mode.factors[0] < ENOUGH:
+    # What buckles under its load does not pass anyway.
+    if model.design.second_order and len(mode.factors) and 1 < mode.factors[0] < ENOUGH:
         carried, bent = pieces.second_order(mode, _summed(factors, pieces.loads))
         forces = np.concatenate([forces, bent])
     lengths = model.design.buckling_length * model.frame.lengths

@@ -70,13 +70,13 @@ class Design:
         Option("buckling_length", 1.0, "number", "Buckling length of members by their length"),
         Option(
             "deflection", 200.0, "number",
-            "Largest displacement that passes, as a part of the shorter side in plan: 200 for "
-            "1/200",
+            "Largest displacement that passes, as a part of the second longest side of the net's "
+            "box: 200 for 1/200",
         ),
         Option("second_order", False, "flag", "Balance in the deformed, imperfect shape"),
         Option(
             "imperfection", None, "length", "Size of the imperfection",
-            absent="1/300 of the shorter side in plan",
+            absent="1/300 of the second longest side of the box",
         ),
     )  # fmt: skip
 

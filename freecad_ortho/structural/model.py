@@ -67,9 +67,9 @@ class Model:
 
     @property
     def span(self) -> float:
-        """Shorter side of the nodes' box in plan, mm; of the two that are not the least of all."""
+        """Second longest side of the nodes' box, mm: of a roof the shorter one in plan."""
         used = self.mesh.vertices[self.mesh.connectivity.referenced]
-        return float(np.ptp(used[:, :2], axis=0).min()) or float(np.ptp(used, axis=0).max())
+        return float(np.sort(np.ptp(used, axis=0))[1])
 
     @property
     def mass(self) -> float:

@@ -15,7 +15,7 @@ from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
 from solver.mesh.quadmesh import FloatArray
 
 _WIDE = ".frames > * { flex: 1 1 26rem; }"
-# Most members in the list, and how far shapes are drawn, by the shorter side in plan.
+# Most members in the list, and how far shapes are drawn, by the span.
 _LISTED, _DRAWN = 15, 0.06
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from freecad_ortho.structural.check import StructuralCheck
+from freecad_ortho.structural.sizing import Try
 from solver.mesh.quadmesh import FloatArray
 
 _AT = (("start", 0.0), ("middle", 0.5), ("end", 1.0))
@@ -93,6 +94,19 @@ def _buckling(check: StructuralCheck) -> Iterator[Row]:
         factors = [] if one.buckling is None else one.buckling.factors.tolist()
         for number, factor in enumerate(factors, 1):
             yield (one.combination.name, number, f"{factor:.4f}")
+
+
+def sizing(tries: Sequence[Try]) -> tuple[tuple[str, ...], Iterator[Row]]:
+    """Sections that were tried, the lightest first."""
+    columns = ("section", "mass_kg", "utilisation", "buckling_factor", "displacement_mm", "passed")
+    return columns, _sizing(tries)
+
+
+def _sizing(tries: Sequence[Try]) -> Iterator[Row]:
+    for one in tries:
+        factor = "" if one.factor is None else f"{one.factor:.3f}"
+        numbers = (f"{one.mass:.1f}", f"{one.utilisation:.4f}", factor, f"{one.displacement:.2f}")
+        yield (one.section, *numbers, "yes" if one.passed else "no")
 
 
 def _shown(row: FloatArray) -> list[str]:

@@ -18,7 +18,7 @@ from solver.mesh.quadmesh import FloatArray
 
 # Most Newton steps of a load, what is left of it at the end, and the smallest part of it that is
 # put on at a time.
-_STEPS, _LEFT, _LEAST = 25, 1e-8, 1 / 64
+_STEPS, _LEFT, _LEAST = 15, 1e-8, 1 / 64
 # Steps in which the arc of a path is wished to be found.
 _WISHED = 5
 
