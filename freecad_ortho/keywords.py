@@ -24,7 +24,7 @@ class Sizes(TypedDict, total=False):
     height: Length
     thickness: Length
     offset: Literal["above", "centre", "below"]
-    section: Literal["plate", "hollow", "I", "T"]
+    section: str
     section_width: Length
     flange_thickness: Length | None
     ends: Literal["mitred", "hub", "lapped", "through-u", "through-v"]
@@ -44,6 +44,7 @@ class Sizes(TypedDict, total=False):
     at_hubs: Literal["cut", "lift"]
     least_width: Length
     least_length: Length
+    rounded: bool
     louvre_axis: Literal["u", "v"]
     tilt: float
     width: Length

@@ -57,6 +57,7 @@ class Option:
             Defaults with a length are in mm.
         meaning: what it does, a sentence without its full stop.
         choices: words of a choice.
+        examples: other words that may stand in place of a choice; where there are some, any may.
         suffixes: of the parts of a tuple, in property names.
         written: how its value is written where the kind does not say, as ``WxH``.
         absent: what a form shows in place of a length of zero, as ``none``.
@@ -80,6 +81,7 @@ class Option:
     shown: Mapping[str, str] = field(default_factory=dict, hash=False)
     stored: str = ""
     former: Former | None = None
+    examples: tuple[str, ...] = ()
 
     @property
     def parts(self) -> tuple[str, ...]:
@@ -137,7 +139,8 @@ class Option:
         Raises:
             InputError: naming the option, what was expected and what came.
         """
-        if self.kind == "choice" and value not in self.choices:
+        own = bool(self.examples) and isinstance(value, str)
+        if self.kind == "choice" and value not in self.choices and not own:
             *others, last = self.choices
             raise InputError(
                 f"{self.name}: expected {', '.join(others)} or {last}, got {str(value)[:40]!r}"

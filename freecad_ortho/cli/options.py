@@ -128,7 +128,7 @@ def read(
     name = name or flag_of(option)
     text = ",".join(map(str, option.plain(text))) if option.plain(text) is not text else text
     if option.kind == "choice":
-        return _word(name, text, option.choices)
+        return _word(name, text, option.choices, bool(option.examples))
     if option.kind == "points":
         return read_points(text, (2, 3))
     if option.kind == "singular":
@@ -204,7 +204,7 @@ def _explained(option: Option) -> str:
 
 def _metavar(option: Option, length: str) -> str:
     if option.written or option.choices:
-        return option.written or "|".join(option.choices)
+        return option.written or "|".join((*option.choices, *["..."] * bool(option.examples)))
     count = len(option.default) if isinstance(option.default, tuple) else 0
     if _is_pair(option):
         return "MxN"
@@ -219,11 +219,16 @@ def _is_pair(option: Option) -> bool:
     return option.kind == "count" and option.several and len(option.default) == 2
 
 
-def _word(name: str, text: str, choices: tuple[str, ...]) -> str:
-    """One of several words, of which the beginning is enough where it is that of one alone."""
+def _word(name: str, text: str, choices: tuple[str, ...], own: bool) -> str:
+    """One of several words, of which the beginning is enough where it is that of one alone.
+
+    Any other word too where ``own`` ones are allowed.
+    """
     meant = [word for word in choices if word.startswith(text)] if text else []
     if text in choices or len(meant) == 1:
         return text if text in choices else meant[0]
+    if own:
+        return text
     *others, last = choices
     raise InputError(f"{name}: expected {', '.join(others)} or {last}, got '{text[:40]}'")
 

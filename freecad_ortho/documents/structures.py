@@ -25,7 +25,7 @@ from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, flat_patterns, outdated, places
 from freecad_ortho.objects import structure as structure_object
-from freecad_ortho.objects.option_properties import stored
+from freecad_ortho.objects.option_properties import stored, with_capital
 from freecad_ortho.objects.system_properties import options_of, values
 from solver.errors import InputError
 
@@ -44,7 +44,7 @@ _COMMON: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "family": ("Family", str.capitalize),
     "lines": ("Lines", list),
     "trimmed": ("Trimmed", bool),
-    "material": ("Material", str.capitalize),
+    "material": ("Material", with_capital),
     "density": ("Density", float),
 }
 

@@ -33,6 +33,7 @@ def add_beams(
     clearance: Length = 1.0,
     no_boundary_beams: bool = False,
     least_length: Length = 100.0,
+    rounded: bool = False,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -45,7 +46,8 @@ def add_beams(
         height: along the axes.
         thickness: of the plates, of a tube's wall or the web.
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
-        section: ``"plate"``, ``"hollow"``, ``"I"`` or ``"T"``.
+        section: ``"plate"``, ``"hollow"``, ``"I"`` or ``"T"``, or one of the catalogue such as
+            ``"HEB160"`` or ``"tube:100x60x5"``, which has a height and widths of its own.
         section_width: of tubes and flanges.
         flange_thickness: by default that of the web.
         ends: ``"mitred"``, ``"hub"``, ``"lapped"``, ``"through-u"`` or ``"through-v"``.
@@ -53,6 +55,7 @@ def add_beams(
         clearance: of slots and hubs.
         no_boundary_beams: leaves the boundary without beams.
         least_length: shorter beams at the border of the surface are left out.
+        rounded: solids have the rounded corners and roots of a section of the catalogue.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

@@ -176,16 +176,17 @@ def material(name: str = "steel", density: float | None = None) -> Material:
     """Look a material up, or make an insulating unit from its name, ``insulating-glass-8-16-6``.
 
     Args:
-        name: of a preset or an insulating unit.
+        name: of a preset or an insulating unit, in capital or small letters.
         density: kg/m3, to override the preset's.
 
     Raises:
         InputError: an unknown name or a density that cannot be used.
     """
-    unit = _BUILD_UP.fullmatch(name)
-    if name not in MATERIALS and unit is None:
+    word = name.lower()
+    unit = _BUILD_UP.fullmatch(word)
+    preset = next((known for key, known in MATERIALS.items() if key.lower() == word), None)
+    if preset is None and unit is None:
         raise InputError(f"material: expected one of {', '.join(MATERIALS)}, got '{name}'")
-    preset = MATERIALS.get(name)
     if preset is None:
         assert unit is not None
         preset = insulating_unit(*map(float, unit[1][1:].split("-")))

@@ -33,6 +33,7 @@ class Measures:
         combined_MPa: of both, von Mises; filled in by the structure.
         lean_deg: largest angle between the part's upright and the surface normal.
         torsion_deg_per_m: largest torsion along the part.
+        misfit_mm: how far lower sides of beams of one constant section lie apart at its nodes.
         bearing_mm: least width that a panel lies on beams; negative where it ends beside them.
     """
 
@@ -48,6 +49,7 @@ class Measures:
     lean_deg: float | None = None
     torsion_deg_per_m: float | None = None
     bearing_mm: float | None = None
+    misfit_mm: float | None = None
 
 
 def measure_words(field: str) -> tuple[str, str]:
@@ -97,6 +99,9 @@ class Part:
         note: how to cut a part that has no flat pattern, in words.
         height: of the section where the width is not that, as the flat pattern is curved, mm.
         section_width: of a tube, across its height, mm.
+        section: of the catalogue, as it is ordered, "" for all others.
+        weighed: volume by which it weighs, mm3, where its solid leaves roundings of its section
+            out; None for the solid's own.
     """
 
     name: str
@@ -121,12 +126,14 @@ class Part:
     note: str = ""
     height: float | None = None
     section_width: float | None = None
+    section: str = ""
+    weighed: float | None = None
     _built: _Built = field(default_factory=_Built, init=False, repr=False)
 
     @property
     def mass(self) -> float:
         """Mass, kg."""
-        return self.material.mass(self.volume)
+        return self.material.mass(self.volume if self.weighed is None else self.weighed)
 
     @property
     def section_height(self) -> float:

@@ -33,19 +33,17 @@ def polyhedron_solid(points: FloatArray, loops: tuple[tuple[int, ...], ...]) -> 
         loops: point numbers around each planar side, counter-clockwise seen from outside; every
             pair of consecutive points appears once in each direction.
     """
-    import cadquery
     from OCP.BRep import BRep_Builder
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeVertex
     from OCP.Geom import Geom_Plane
     from OCP.gp import gp_Dir, gp_Pln, gp_Pnt
-    from OCP.TopoDS import TopoDS_Face, TopoDS_Shell, TopoDS_Solid, TopoDS_Wire
+    from OCP.TopoDS import TopoDS_Face, TopoDS_Wire
 
     builder = BRep_Builder()
     rows = points.tolist()
     vertices = [BRepBuilderAPI_MakeVertex(gp_Pnt(*row)).Vertex() for row in rows]
     edges: dict[tuple[int, int], Any] = {}
-    shell = TopoDS_Shell()
-    builder.MakeShell(shell)
+    faces = []
     for loop in loops:
         wire = TopoDS_Wire()
         builder.MakeWire(wire)
@@ -63,9 +61,21 @@ def polyhedron_solid(points: FloatArray, loops: tuple[tuple[int, ...], ...]) -> 
         face = TopoDS_Face()
         builder.MakeFace(face, plane, 1e-7)
         builder.Add(face, wire)
+        faces.append(face)
+    return solid_within(faces)
+
+
+def solid_within(faces: Iterable[Any]) -> cadquery.Solid:
+    """The solid within faces that share their edges and close."""
+    import cadquery
+    from OCP.BRep import BRep_Builder
+    from OCP.TopoDS import TopoDS_Shell, TopoDS_Solid
+
+    builder, shell, solid = BRep_Builder(), TopoDS_Shell(), TopoDS_Solid()
+    builder.MakeShell(shell)
+    for face in faces:
         builder.Add(shell, face)
     shell.Closed(True)
-    solid = TopoDS_Solid()
     builder.MakeSolid(solid)
     builder.Add(solid, shell)
     return cadquery.Solid(solid)

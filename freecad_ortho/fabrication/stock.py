@@ -160,9 +160,10 @@ def different_tubes(
     return tuple(tuple(group) for group in groups)
 
 
-def _bar_kind(part: Part) -> tuple[str, str, float, float]:
+def _bar_kind(part: Part) -> tuple[str, str, str, float, float]:
     """What the parts on one bar have in common, whatever their height."""
-    return part.material.name, part.kind, part.thickness, part.section_width or 0.0
+    width = part.section_width or 0.0
+    return part.material.name, part.kind, part.section, part.thickness, width
 
 
 def is_along_line(part: Part) -> bool:
@@ -172,7 +173,7 @@ def is_along_line(part: Part) -> bool:
 
 def _alike(parts: Sequence[Part], tolerance: float) -> list[Sequence[Part]]:
     """Parts that may share a bar: plates of one material, kind and thickness, then tubes."""
-    plates: dict[tuple[str, str, float, float], list[Part]] = {}
+    plates: dict[tuple[str, str, str, float, float], list[Part]] = {}
     for part in parts:
         if part.pattern is not None:
             plates.setdefault(_bar_kind(part), []).append(part)
@@ -184,6 +185,8 @@ def _section(parts: Sequence[Part]) -> str:
     first, widths = parts[0], [_width(part) for part in parts]
     if first.pattern is not None:
         return f"strip {math.ceil(max(widths) - _ROUNDING)} x {first.thickness:g}"
+    if first.section:
+        return first.section
     middle = (min(widths) + max(widths)) / 2
     across = f" x {first.section_width:g}" if first.section_width else ""
     return f"tube {middle:.0f}{across} x {first.thickness:g}"

@@ -28,6 +28,7 @@ _MEASURES = (
     "lean_deg",
     "torsion_deg_per_m",
     "bearing_mm",
+    "misfit_mm",
 )
 COLUMNS = (
     "name",
@@ -38,6 +39,7 @@ COLUMNS = (
     "width_mm",
     "height_mm",
     "thickness_mm",
+    "section",
     "material",
     "area_mm2",
     "volume_mm3",
@@ -99,6 +101,7 @@ def write_parts(
             part.family,
             "" if part.line is None else part.line,
             *(f"{getattr(part, size):.6f}" for size in _LENGTHS),
+            part.section,
             part.material.name,
             *(f"{getattr(part, amount):.6f}" for amount in _AMOUNTS),
             *(_number(getattr(part.measures, name)) for name in _MEASURES),

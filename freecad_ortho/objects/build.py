@@ -153,7 +153,7 @@ def _is_trimmed(feature: FreeCAD.DocumentObject) -> bool:
 
 
 def _material(feature: FreeCAD.DocumentObject) -> Material:
-    return material(feature.Material.lower(), feature.Density or None)
+    return material(feature.Material, feature.Density or None)
 
 
 def _by_system(features: Sequence[FreeCAD.DocumentObject]) -> dict[str, FreeCAD.DocumentObject]:

@@ -52,7 +52,7 @@ def properties(
         flags: of the properties.
         titled: words of a choice begin with a capital letter.
     """
-    words = tuple(_titled(word) if titled else word for word in option.choices)
+    words = tuple(with_capital(word) if titled else word for word in _offered(option))
     defaults = stored(option, option.default, titled)
     return [
         Property(
@@ -78,8 +78,8 @@ def stored(option: Option, value: Any, titled: bool = False) -> dict[str, Any]:
         value = [" ".join(f"{x!r}" for x in row) for row in value] or ["none"]
     elif option.kind == "placement":
         value = convert.placement(value)
-    elif option.kind == "choice" and titled:
-        value = _titled(value)
+    elif option.kind == "choice" and titled and value in _offered(option):
+        value = with_capital(value)
     values = value if option.several else (value,)
     return dict(zip(option.parts, values, strict=True))
 
@@ -102,10 +102,17 @@ def _plain(option: Option, value: Any) -> Any:
     if option.kind == "placement":
         return convert.placing(value)
     if option.kind == "choice":
-        value = next((word for word in option.choices if _titled(word) == _titled(value)), value)
+        value = next(
+            (word for word in _offered(option) if with_capital(word) == with_capital(value)), value
+        )
     absent = value < 0 if option.kind == "weight" else not value
     return None if option.default is None and absent else value
 
 
-def _titled(word: str) -> str:
+def _offered(option: Option) -> tuple[str, ...]:
+    return (*option.choices, *option.examples)
+
+
+def with_capital(word: str) -> str:
+    """A word with a capital first letter, as properties show it."""
     return word[:1].upper() + word[1:]

@@ -24,8 +24,9 @@ from freecad_ortho.objects.kinds import (
     is_structure,
 )
 from freecad_ortho.objects.limit_properties import limit_properties
+from freecad_ortho.objects.option_properties import with_capital
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, choose, ensure
-from freecad_ortho.objects.system_properties import properties_of
+from freecad_ortho.objects.system_properties import own_words, properties_of
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -37,7 +38,7 @@ _MATERIAL = Property(
     "Material",
     "Material",
     QT_TRANSLATE_NOOP("App::Property", "Material of all parts"),
-    choices=tuple(name.capitalize() for name in MATERIALS),
+    choices=tuple(map(with_capital, MATERIALS)),
 )
 _PROPERTIES = (
     Property(
@@ -190,10 +191,11 @@ def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD
 
 def set_properties(feature: FreeCAD.DocumentObject, properties: Mapping[str, Any]) -> None:
     """Set properties by name."""
+    # Build-ups of insulating glass are as many as one likes, and so are sections.
+    own = {_MATERIAL.name: _MATERIAL, **own_words(TITLES[feature.System])}
     for name, value in properties.items():
-        if name == _MATERIAL.name:
-            # Build-ups of insulating glass are as many as one likes.
-            choose(feature, _MATERIAL, value)
+        if name in own:
+            choose(feature, own[name], value)
         else:
             setattr(feature, name, value)
 

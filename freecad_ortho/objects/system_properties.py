@@ -31,6 +31,12 @@ def properties_of(system: str) -> list[Property]:
     ]
 
 
+def own_words(system: str) -> dict[str, Property]:
+    """Properties by name that may hold words which are not among their choices."""
+    own = {option.parts[0] for option in options_of(system) if option.examples}
+    return {item.name: item for item in properties_of(system) if item.name in own}
+
+
 def values(feature: FreeCAD.DocumentObject, system: str) -> dict[str, Any]:
     """Values of a system's options from the properties of a structure."""
     return {option.name: read(feature, option) for option in options_of(system)}

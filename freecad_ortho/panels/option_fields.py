@@ -117,7 +117,8 @@ class OptionField:
             widget.setRange(0, 100_000)
         elif kind == "choice":
             words = {word: translate("Ortho", shown) for word, shown in option.words.items()}
-            return ChoiceField(words, option.choices[0])
+            words |= {word: word for word in option.examples}
+            return ChoiceField(words, option.choices[0], editable=bool(option.examples))
         elif kind == "mesh":
             nothing = ChoiceField({"": translate("Ortho", option.shown["none"])}, "")
             nothing.widget.addItems([mesh.Label for mesh in self._meshes[1:]])

@@ -8,7 +8,7 @@ import FreeCAD
 from PySide import QtGui
 
 from freecad_ortho import preferences
-from freecad_ortho.fabrication import MATERIALS
+from freecad_ortho.fabrication import MATERIALS, material
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of, values
 from freecad_ortho.panels.fields import ChoiceField, TextField, elided, form_rows, leave_room
@@ -118,7 +118,7 @@ class StructurePanel(WorkPanel):
             self.on_beams.setCurrentIndex(0)
         self.family.choose(edited.Family.lower())
         self.lines.widget.setText(", ".join(map(str, edited.Lines)))
-        self.material.choose(edited.Material.lower())
+        self.material.choose(material(edited.Material).name)
         self._before = self._chosen()
 
     def _add_row(self, option: Option) -> None:

@@ -129,6 +129,30 @@ class TestSettings(StructureCase):
         nodes = api.add_nodes(self.net, beams, lines=[0])
         self.assertIs(nodes.OnBeams, beams)
 
+    def test_sections_of_the_catalogue_are_constant_whatever_the_height_says(self):
+        beams = api.add_beams(self.net, "0.3 m", section="HEB160", ends="hub", hub_diameter=300)
+        self.assertEqual((beams.Height.Value, beams.Section), (300.0, "HEB160"))
+        self.assertEqual(json.loads(beams.Report)["beams"]["height_max_mm"], 160.0)
+        self.assertTrue(beams.Shape.isValid())
+        sharp = beams.Shape.Volume
+        api.change_structure(beams, rounded=True)
+        self.assertTrue(beams.Shape.isValid())
+        self.assertGreater(beams.Shape.Volume, 1.005 * sharp)
+        # One of the list, one of one's own, and back.
+        for word, shown in (("tube:100x60x5", "Tube:100x60x5"), ("tube:90x50x4", "tube:90x50x4")):
+            api.change_structure(beams, section=word)
+            self.assertEqual(beams.Section, shown)
+            self.assertEqual(json.loads(beams.Report)["beams"]["section"], word)
+        with self.assertRaisesRegex(InputError, "there is no HEB165"):
+            api.change_structure(beams, section="HEB165")
+        self.assertEqual(beams.Section, "tube:90x50x4")
+        beams.Section = "GL24h:80x200"
+        self.document.recompute()
+        self.assertEqual(set(json.loads(beams.Report)["materials"]), {"GL24h"})
+        api.change_structure(beams, section="plate", material="S235")
+        self.assertEqual((beams.Section, beams.Material), ("Plate", "S235"))
+        self.assertEqual(json.loads(beams.Report)["beams"]["height_mm"], 300.0)
+
     def test_mitred_beams_end_before_the_hubs_that_join_them(self):
         beams = api.add_beams(self.net)
         long, steps = beams.Shape.Volume, self.document.UndoCount

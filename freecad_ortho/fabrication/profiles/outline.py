@@ -100,8 +100,16 @@ class Moments:
     yz: float
 
 
+def along(side: Side) -> FloatArray:
+    """(3,) integrals of 1, y and z along a side, mm and mm2."""
+    points, speed = side.at(_SHARE), np.linalg.norm(side.slope(_SHARE), axis=1)
+    return np.asarray((speed * _WEIGHTS) @ np.column_stack([np.ones(len(points)), points]))
+
+
 def moments(sides: Sequence[Side]) -> Moments:
     """Integrals over what sides enclose, by Green's theorem; holes run clockwise."""
+    if not sides:
+        return Moments(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     points = np.concatenate([side.at(_SHARE) for side in sides])
     rise = np.concatenate([side.slope(_SHARE)[:, 1] * _WEIGHTS for side in sides])
     y, z = points.T

@@ -23,7 +23,8 @@ from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.folded import Chain, FoldedPlate, folded_plate
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
-from freecad_ortho.fabrication.systems.beams.sections import Piece, Section, pieces
+from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
+from freecad_ortho.fabrication.systems.beams.sections import Piece, Section
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import ParameterLine
@@ -37,17 +38,21 @@ _LYING = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
 def edge_beams(
     site: Site,
     geometry: BeamGeometry,
-    section: Section,
+    section: Section | RolledSection,
     chosen: BoolArray,
     border: BorderEnds | None,
+    misfit: FloatArray | None,
 ) -> tuple[Part, ...]:
-    """Return the parts of each chosen edge (E,), in the order of the edges."""
+    """Return the parts of each chosen edge (E,), in the order of the edges.
+
+    ``misfit`` (V,) is how far lower sides lie apart at the vertices, where the section is constant.
+    """
     edges = site.mesh.connectivity.edges.tolist()
     names = part_names("B", len(edges))
     families, lines = site.edge_family, site.lines.edge_line.tolist()
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
     nodes = part_names("N", len(site.mesh.vertices))
-    made = pieces(geometry, section)
+    made = section.pieces(geometry)
     parts = []
     for edge in np.flatnonzero(chosen).tolist():
         for piece in made:
@@ -59,7 +64,7 @@ def edge_beams(
             pattern, origin = _pattern(geometry, piece, edge, name, ends)
             turn = _LYING if piece.role == "flange" else _UPRIGHT
             body = piece.body(edge, origin, turn)
-            if pattern is not None:
+            if pattern is not None and isinstance(body, Polyhedron):
                 seen = "above" if piece.role == "flange" else "right"
                 pattern = replace(pattern, bevels=bevels_of(body), seen=seen)
             parts.append(
@@ -75,17 +80,21 @@ def edge_beams(
                     else float(pattern.size[0]),
                     width=float(piece.width[edge]),
                     thickness=piece.thickness,
-                    area=_skin(piece.corners[edge]) if pattern is None else pattern.area,
+                    area=piece.skin(edge) if pattern is None else pattern.area,
                     volume=body.volume,
                     material=site.material,
                     vertices=tuple(edges[edge]),
                     family=families[edge],
                     line=lines[edge],
                     measures=Measures(
-                        gap_mm=float(geometry.twist_mm[edge]), twist_deg=float(twist[edge])
+                        gap_mm=float(geometry.twist_mm[edge]),
+                        twist_deg=float(twist[edge]),
+                        misfit_mm=None if misfit is None else float(misfit[edges[edge]].max()),
                     ),
                     note=_cut_angles(geometry, section, edge) if pattern is None else "",
-                    section_width=section.width if pattern is None else None,
+                    section_width=section.overall_width if pattern is None else None,
+                    section=section.name,
+                    weighed=piece.weighed(edge),
                 )
             )
     return tuple(parts)
@@ -186,28 +195,16 @@ def _pattern(
         origin = np.array([flat[:, 0].min(), corners[0, 1], flat[:, 1].min()])
         outline = flat[:, :2] - [origin[0], origin[2]]
         return _plain(name, outline[[5, 0, 1, 2, 3, 4]], ends), origin * [1, 1, -1]
-    middle = corners[[0, 3, 9, 6]]
-    low = middle.min(axis=0)
-    origin = np.array([low[0], low[1], 0.0])
+    origin = piece.origin(edge)
     if piece.role == "tube":
         return None, origin
+    middle = corners[[0, 3, 9, 6]] - origin
     setback = geometry.cuts.setback(piece.thickness / 2)[edge]
     inner = setback - geometry.cuts.middle[edge][[0, 1, 1, 0]]
-    return _plate_pattern(name, middle[:, :2] - low[:2], inner, ends), origin
+    return _plate_pattern(name, middle[:, :2], inner, ends), origin
 
 
-def _skin(corners: FloatArray) -> float:
-    """Outer surface of a tube without its ends, mm2."""
-    ring = Polyhedron(corners[:12], ())
-    total = 0.0
-    for loop in ((6, 7, 8, 9, 10, 11), (0, 1, 2, 3, 4, 5), (1, 2, 8, 7), (4, 5, 11, 10)):
-        side = ring.corners[list(loop)]
-        arms = side - side[0]
-        total += float(np.linalg.norm(np.cross(arms[1:-1], arms[2:]).sum(axis=0))) / 2
-    return total
-
-
-def _cut_angles(geometry: BeamGeometry, section: Section, edge: int) -> str:
+def _cut_angles(geometry: BeamGeometry, section: Section | RolledSection, edge: int) -> str:
     """Cuts of a tube in words: the saw's tilt from square, in elevation and in plan."""
     tilt = np.degrees(np.arctan(geometry.slopes[edge]))
     plan = np.degrees(np.arctan(geometry.cuts.slope[edge]))
@@ -215,9 +212,7 @@ def _cut_angles(geometry: BeamGeometry, section: Section, edge: int) -> str:
         f"{end}: elevation {tilt[k]:.2f}, plan right {plan[right]:.2f} left {plan[left]:.2f} deg"
         for k, (end, right, left) in enumerate((("start", 0, 3), ("end", 1, 2)))
     ]
-    height = float(geometry.height[edge])
-    size = f"tube {height:.1f} x {section.width:g} x {section.thickness:g}"
-    return "; ".join([size, *words])
+    return "; ".join([section.size(float(geometry.height[edge])), *words])
 
 
 def _plate_pattern(

@@ -11,12 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import BOX_SIDES, Hollow, Loops, Polyhedron
+from freecad_ortho.fabrication.bodies import BOX_SIDES, Body, Hollow, Loops, Polyhedron
 from freecad_ortho.fabrication.sizes import check_size
 from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
+# Sections with sizes of their own; all others are those of the catalogue.
 SECTIONS = ("plate", "hollow", "I", "T")
 
 
@@ -83,6 +84,15 @@ class Section:
         """Of everything, across the beam, mm."""
         return self.thickness if self.kind == "plate" else self.width
 
+    @property
+    def name(self) -> str:
+        """As it is ordered: nothing, as it is of plates or of a tube of no one height."""
+        return ""
+
+    def size(self, height: float) -> str:
+        """What a beam of this height is sawn from, in words; mm."""
+        return f"tube {height:.1f} x {self.width:g} x {self.thickness:g}"
+
     def refuse_low(self, height: float) -> None:
         """Refuse beams that their walls or flanges fill.
 
@@ -96,6 +106,36 @@ class Section:
                 f"beam height: {height:.1f} mm is filled by the section's {least:g} mm of walls or "
                 "flanges; take higher beams or thinner plates"
             )
+
+    def pieces(self, geometry: BeamGeometry) -> tuple[Piece, ...]:
+        """The parts that a beam of this section is made of.
+
+        Raises:
+            InputError: a beam too low for its walls.
+        """
+        self.refuse_low(float(geometry.height.min()))
+        low, high = geometry.up(0), geometry.up(1)
+        wall, half = self.thickness, self.overall_width / 2
+        if self.kind == "plate":
+            corners = prism(geometry, low, high, half)
+            return (Piece("", "plate", corners, LOOPS, wall, geometry.height),)
+        if self.kind == "hollow":
+            outer = prism(geometry, low, high, half)
+            inner = prism(geometry, low + wall, high - wall, half - wall)
+            corners = np.concatenate([outer, inner], axis=1)
+            return (Piece("", "tube", corners, HOLLOW_LOOPS, wall, geometry.height),)
+        # What is left are I and T.
+        flange = self.flange
+        below = flange if self.kind == "I" else 0.0
+        web = prism(geometry, low + below, high - flange, wall / 2)
+        made = [Piece("-web", "plate", web, LOOPS, wall, geometry.height - below - flange)]
+        width = np.full(len(low), self.width)
+        top = _flange(geometry, high - flange, high, half)
+        made.append(Piece("-top", "flange", top, LOOPS, flange, width))
+        if self.kind == "I":
+            bottom = _flange(geometry, low, low + flange, half)
+            made.append(Piece("-bottom", "flange", bottom, LOOPS, flange, width))
+        return tuple(made)
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +158,12 @@ class Piece:
     thickness: float
     width: FloatArray
 
-    def body(self, edge: int, origin: FloatArray, turn: FloatArray) -> Polyhedron:
+    def origin(self, edge: int) -> FloatArray:
+        """Of a tube's or plate's coordinates in those of its beam: its lowest corner."""
+        low = self.corners[edge][[0, 3, 9, 6]].min(axis=0)
+        return np.array([low[0], low[1], 0.0])
+
+    def body(self, edge: int, origin: FloatArray, turn: FloatArray) -> Body:
         """Body of one beam's part; ``turn`` has the part's directions in the beam's, one a row."""
         corners = (self.corners[edge] - origin) @ turn.T
         if self.role != "tube":
@@ -126,46 +171,28 @@ class Piece:
         walls = (Polyhedron(corners[list(wall)], loops) for wall, loops in _HOLLOW_WALLS)
         return Hollow(corners, self.loops, tuple(walls))
 
+    def skin(self, edge: int) -> float:
+        """Outer surface of a tube without its ends, mm2."""
+        corners, total = self.corners[edge], 0.0
+        for loop in ((6, 7, 8, 9, 10, 11), (0, 1, 2, 3, 4, 5), (1, 2, 8, 7), (4, 5, 11, 10)):
+            side = corners[list(loop)]
+            arms = side - side[0]
+            total += float(np.linalg.norm(np.cross(arms[1:-1], arms[2:]).sum(axis=0))) / 2
+        return total
 
-def pieces(geometry: BeamGeometry, section: Section) -> tuple[Piece, ...]:
-    """The parts that a beam of this section is made of.
-
-    Raises:
-        InputError: a beam too low for its walls.
-    """
-    section.refuse_low(float(geometry.height.min()))
-    low, high = geometry.up(0), geometry.up(1)
-    wall, half = section.thickness, section.overall_width / 2
-    if section.kind == "plate":
-        corners = _prism(geometry, low, high, half)
-        return (Piece("", "plate", corners, LOOPS, wall, geometry.height),)
-    if section.kind == "hollow":
-        outer = _prism(geometry, low, high, half)
-        inner = _prism(geometry, low + wall, high - wall, half - wall)
-        corners = np.concatenate([outer, inner], axis=1)
-        return (Piece("", "tube", corners, HOLLOW_LOOPS, wall, geometry.height),)
-    # What is left are I and T.
-    flange = section.flange
-    below = flange if section.kind == "I" else 0.0
-    web = _prism(geometry, low + below, high - flange, wall / 2)
-    made = [Piece("-web", "plate", web, LOOPS, wall, geometry.height - below - flange)]
-    width = np.full(len(low), section.width)
-    top = _flange(geometry, high - flange, high, half)
-    made.append(Piece("-top", "flange", top, LOOPS, flange, width))
-    if section.kind == "I":
-        bottom = _flange(geometry, low, low + flange, half)
-        made.append(Piece("-bottom", "flange", bottom, LOOPS, flange, width))
-    return tuple(made)
+    def weighed(self, edge: int) -> float | None:
+        """Volume by which it weighs where its solid leaves something out, mm3."""
+        return None
 
 
-def _prism(geometry: BeamGeometry, low: FloatArray, high: FloatArray, half: float) -> FloatArray:
+def prism(geometry: BeamGeometry, low: FloatArray, high: FloatArray, half: float) -> FloatArray:
     """(E, 12, 3) corners between two heights (E,), the ends along the axes."""
     return np.concatenate([geometry.ring(low, half), geometry.ring(high, half)], axis=1)
 
 
 def _flange(geometry: BeamGeometry, low: FloatArray, high: FloatArray, half: float) -> FloatArray:
     """(E, 12, 3) the same with ends upright on the flange, within the ends along the axes."""
-    corners = _prism(geometry, low, high, half).reshape(-1, 2, 6, 3)
+    corners = prism(geometry, low, high, half).reshape(-1, 2, 6, 3)
     stations = corners[..., 0]
     starts = np.array([True, True, False, False, False, True])
     inner = np.where(starts, stations.max(axis=1), stations.min(axis=1))

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from freecad_ortho.fabrication.part import Part, part_names
+from freecad_ortho.fabrication.profiles import names, profile
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
     OFFSETS,
@@ -31,6 +32,7 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
 )
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
+from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
 from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
@@ -42,6 +44,8 @@ from solver.option import Option
 # Twist above which a beam is visibly not a plane plate, degrees.
 _TWIST_WORTH_SAYING = 0.01
 _HEIGHT_WORTH_SAYING = 0.05
+# Heights of hot finished sections are rolled to 1 % (EN 10210-2, table 4).
+_ROLLED_TO = 0.01
 
 
 ENDS = ("mitred", "hub", "lapped", "through-u", "through-v")
@@ -57,7 +61,8 @@ class Beams(System):
         thickness: of the plates, the walls of tubes or the webs, mm.
         offset: along the axes the beams occupy ``[0, height]`` (above), half to each side (centre)
             or ``[-height, 0]`` (below) of the mesh.
-        section: plate, hollow, I or T.
+        section: plate, hollow, I or T, or one of the catalogue (``HEB160``, ``tube:100x60x5``, see
+            ``fabrication.profiles.profile``), whose height and widths then are those of the beams.
         section_width: of tubes and flanges, mm.
         flange_thickness: mm, by default that of the web.
         ends: "mitred" against each other, cut square for a "hub", or plates along whole lines that
@@ -68,6 +73,8 @@ class Beams(System):
             mm.
         boundary_beams: false to leave the edges of the boundary out.
         least_length: beams that are shorter at the border of the surface are left out, mm.
+        rounded: whether solids have the rounded corners and roots of a section of the catalogue;
+            masses always do.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown choice.
@@ -84,6 +91,7 @@ class Beams(System):
     clearance: float = 1.0
     boundary_beams: bool = True
     least_length: float = 100.0
+    rounded: bool = False
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "beams"
@@ -97,7 +105,14 @@ class Beams(System):
             "the parts lie above the net, about it or below it",
             OFFSETS,
         ),
-        Option("section", "plate", "choice", "the beams have this cross section", SECTIONS),
+        Option(
+            "section",
+            "plate",
+            "choice",
+            "the beams have this cross section, or one of the catalogue such as HEB160",
+            SECTIONS,
+            examples=names(),
+        ),
         Option("section_width", 60.0, "length", "hollow sections and flanges are this wide"),
         Option(
             "flange_thickness",
@@ -115,9 +130,20 @@ class Beams(System):
             "length",
             "beams that are shorter than this at the border are left out",
         ),
+        Option(
+            "rounded",
+            False,
+            "flag",
+            "solids have the rounded corners and roots of a section of the catalogue",
+        ),
     )
 
     def __post_init__(self) -> None:
+        rolled = self._rolled
+        if rolled is not None:
+            for name, size in (("height", rolled.height), ("thickness", rolled.profile.wall)):
+                object.__setattr__(self, name, size)
+            object.__setattr__(self, "section_width", rolled.overall_width)
         check_size("beam height", self.height)
         check_size("beam thickness", self.thickness)
         check_offset(self.offset)
@@ -133,7 +159,8 @@ class Beams(System):
                 f"ends: only plates can be lapped, got section {self.section}; take section plate "
                 "or other ends"
             )
-        self.profile.refuse_low(self.height)
+        if isinstance(self.profile, Section):
+            self.profile.refuse_low(self.height)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Beams:
@@ -158,6 +185,9 @@ class Beams(System):
             # Lines that run on along the border would be left with gaps.
             site = replace(site, lines=ParameterLines(site.mesh.connectivity))
         section = self.profile
+        rolled = section if isinstance(section, RolledSection) else None
+        if rolled is not None:
+            site = replace(site, material=rolled.material(site.material))
         frames = beam_frames(site.mesh, site.axes)
         built = np.ones(len(site.mesh.connectivity.edges), dtype=bool)
         if not self.boundary_beams:
@@ -184,7 +214,14 @@ class Beams(System):
             cuts = cuts.where(np.stack([built, built], axis=1), square(frames, 0 * frames.slope))
             frames, cuts = border.applied(frames, cuts, site.mesh.edge_lengths, width / 2)
         geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
-        parts = edge_beams(site, geometry, section, wanted & ~folded, border)
+        misfit = None
+        if rolled is not None:
+            meeting = np.stack([wanted, wanted], axis=1)
+            meeting &= True if border is None else ~border.cut
+            ends = site.mesh.connectivity.edges
+            misfit = rolled.misfit(geometry, site.axes.offsets, ends, meeting)
+            geometry = replace(geometry, height=np.full_like(geometry.height, rolled.height))
+        parts = edge_beams(site, geometry, section, wanted & ~folded, border, misfit)
         along = folded & built
         if border is None:
             lines = tuple(line for line in site.chosen_lines if along[line.edges].all())
@@ -196,16 +233,34 @@ class Beams(System):
         folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
+        if misfit is not None:
+            worst = int(misfit.argmax())
+            node = part_names("N", len(misfit))[worst]
+            report |= {"misfit_max_mm": float(misfit[worst]), "misfit_worst": node}
         if border is not None:
             report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
             doubts += stub_words(stubs, self.least_length)
         return SystemParts(parts, report, (*_messages(report, parts), *doubts), geometry)
 
     @property
-    def profile(self) -> Section:
+    def profile(self) -> Section | RolledSection:
         """The cross section."""
+        if (rolled := self._rolled) is not None:
+            return rolled
         flange = self.thickness if self.flange_thickness is None else self.flange_thickness
         return Section(self.section, self.thickness, self.section_width, flange)
+
+    @property
+    def _rolled(self) -> RolledSection | None:
+        """The section where it is one of the catalogue."""
+        if self.section in SECTIONS:
+            return None
+        if self.section.isalpha():
+            raise InputError(
+                f"section: expected {', '.join(SECTIONS)} or one of the catalogue such as HEB160 "
+                f"or tube:100x60x5, got '{self.section}'"
+            )
+        return RolledSection(profile(self.section), self.rounded)
 
     def _cuts(
         self, site: Site, frames: Frames, around: Around, built: BoolArray
@@ -244,7 +299,7 @@ class Beams(System):
             "height_mm": self.height,
             "thickness_mm": self.thickness,
             "offset": self.offset,
-            "section": self.section,
+            "section": self.profile.name or self.section,
             "ends": self.ends,
             "twist_max": float(site.axes.twist[chosen].max()),
             "twist_max_deg": max(part.measures.twist_deg or 0.0 for part in parts),
@@ -266,7 +321,14 @@ def _messages(report: dict[str, Any], parts: tuple[Part, ...]) -> tuple[str, ...
             f"leaves its plane by {report['twist_max_mm']:.3g} mm; optimise the mesh to planar "
             "faces first"
         )
-    if report["height_deviation_max"] > _HEIGHT_WORTH_SAYING:
+    misfit = report.get("misfit_max_mm")
+    if misfit is not None and misfit > _ROLLED_TO * report["height_mm"]:
+        messages.append(
+            f"beams: upper sides of {report['section']} meet, lower sides lie up to "
+            f"{misfit:.1f} mm apart, at {report['misfit_worst']}; a principal net gives more even "
+            "heights"
+        )
+    if misfit is None and report["height_deviation_max"] > _HEIGHT_WORTH_SAYING:
         messages.append(
             f"beams: heights run from {report['height_min_mm']:.1f} to "
             f"{report['height_max_mm']:.1f} mm instead of {report['height_mm']:g} mm; a "
