@@ -43,6 +43,7 @@ class Sizes(TypedDict, total=False):
     panel_edge: Literal["square", "bevel"]
     at_hubs: Literal["cut", "lift"]
     least_width: Length
+    slivers: Literal["join", "leave-out"]
     least_length: Length
     rounded: bool
     louvre_axis: Literal["u", "v"]

@@ -154,6 +154,7 @@ def add_panels(
     at_hubs: str = "cut",
     clearance: Length = 1.0,
     least_width: Length = 60.0,
+    slivers: str = "join",
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -170,7 +171,8 @@ def add_panels(
         panel_edge: ``"square"``, or ``"bevel"``: along the beams.
         at_hubs: ``"cut"`` corners off beside hubs, or ``"lift"`` panels over them.
         clearance: to hubs.
-        least_width: narrower pieces at the border of the surface are left out.
+        least_width: narrower pieces at the border of the surface are slivers.
+        slivers: ``"join"`` makes them part of neighbours where they fit, ``"leave-out"`` does not.
         family: parameter lines that the beams are on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

@@ -186,13 +186,69 @@ def test_an_opening_in_one_face_is_cut_out_of_its_panel(sheet):
     assert check_clashes(structure.parts).clashes == ()
 
 
+def barrel(upwards):
+    """A net of squares of 1 m on a cylinder, and a border just beyond two of its lines."""
+    sign, radius = (1 if upwards else -1), 20 * EDGE
+
+    def points(angle, y):
+        z = sign * radius * (np.cos(angle) - 1)
+        return np.stack([radius * np.sin(angle), y, z], axis=-1)
+
+    angle, y = np.meshgrid(0.05 * np.arange(7), EDGE * np.arange(6.0))
+    corners = np.array([(0.08, 700), (0.254, 700), (0.254, 4060), (0.08, 4060)])
+    steps = np.linspace(0, 1, 40, endpoint=False)[:, None]
+    ways = zip(corners, np.roll(corners, -1, axis=0), strict=True)
+    line = np.concatenate([(1 - steps) * start + steps * end for start, end in ways])
+    return QuadMesh(points(angle, y).reshape(-1, 3), grid_faces(6, 7)), points(*line.T)
+
+
+@pytest.mark.parametrize("with_beams", [True, False])
+@pytest.mark.parametrize("upwards", [True, False])
+def test_slivers_are_part_of_neighbours_that_go_on_above_them(upwards, with_beams):
+    mesh, border = barrel(upwards)
+    beams = [Beams(200, 12)] if with_beams else []
+    sizes = {"thickness": 20, "gap": 8, "least_width": 100}
+    alone, made = (
+        build(mesh, [*beams, Panels(**sizes, slivers=way)], border=[border])
+        for way in ("leave-out", "join")
+    )
+    assert check_clashes(made.parts).clashes == ()
+    before, after = (one.report()["panels"] for one in (alone, made))
+    joined = after["joined"]
+    assert len(before["left_out"]) == 9
+    # Across a ridge the plane goes on above the sliver, across a valley it would lie below it.
+    assert len(joined) == (8 if upwards else 4)
+    assert set(joined) | set(after["left_out"]) == set(before["left_out"])
+    assert after["joined_above_max_mm"] == pytest.approx(4.0 if upwards else 0.0, abs=0.2)
+    areas = [
+        {part.name: part.area for part in one.results["panels"].parts} for one in (alone, made)
+    ]
+    for name, larger in areas[1].items():
+        assert (larger > areas[0][name] + 1) == (name in joined.values()), name
+    for part in made.results["panels"].parts:
+        solid = part.solid()
+        assert solid.isValid()
+        assert solid.Volume() == pytest.approx(part.volume, rel=1e-9)
+        assert shapely.Polygon(part.pattern.outline).is_valid
+    said = made.report()["messages"]
+    assert any("are part of their neighbours" in words for words in said)
+
+
 def test_narrow_pieces_are_left_out_and_said(sheet):
     border = [ALONG_EDGES + [[0, 0, 0], [50, 0, 0], [50, 0, 0], [0, 0, 0]]]
-    structure = build(sheet, [Panels(12, 8)], border=border)
+    structure = build(sheet, [Panels(12, 8, slivers="leave-out")], border=border)
     assert len(structure.parts) == 30
     report = structure.report()
     assert report["panels"]["left_out"] == [f"P{row * 7 + 6:04d}" for row in range(1, 7)]
     assert any("narrower than 60 mm: P0013, P0020" in words for words in report["messages"])
+    joined = build(sheet, [Panels(12, 8)], border=border)
+    assert len(joined.parts) == 30
+    assert joined.report()["panels"]["left_out"] == []
+    pairs = {f"P{row * 7 + 6:04d}": f"P{row * 7 + 5:04d}" for row in range(1, 7)}
+    assert joined.report()["panels"]["joined"] == pairs
+    # From half a gap beside one line of the net over another to the border.
+    widest = max(joined.parts, key=lambda part: part.area)
+    assert widest.area == pytest.approx(992 * (1050 - 4), rel=1e-6)
     all_of_it = build(sheet, [Panels(12, 8, least_width=20)], border=border)
     assert len(all_of_it.parts) == 36
     assert all_of_it.report()["panels"]["left_out"] == []

@@ -16,6 +16,7 @@ from freecad_ortho.fabrication.plate_bodies import Pierced, plate_body
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
+from freecad_ortho.fabrication.systems.panels.slivers import Pieces, join_slivers
 from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, trimmed, trimmed_pattern
 from solver.mesh.quadmesh import FloatArray
 
@@ -27,7 +28,8 @@ def panel_parts(
     gaps: FloatArray,
     bearing: FloatArray | None,
     least_width: float = 0.0,
-) -> tuple[tuple[Part, ...], dict[str, Trimmed]]:
+    join: bool = False,
+) -> tuple[tuple[Part, ...], dict[str, Trimmed], dict[str, tuple[str, float]]]:
     """Return one part a face, in the order of the faces, or what the border leaves of it.
 
     Args:
@@ -36,13 +38,18 @@ def panel_parts(
         thickness: of the plates, mm.
         gaps: (F,) distance of each face from planar, mm.
         bearing: (F,) least width on the beams, mm; None without beams.
-        least_width: pieces at the border that are narrower are left out, mm.
+        least_width: pieces at the border that are narrower are left out, mm,
+        join: or part of their neighbours where they fit on.
 
     Returns:
-        The parts, and the pieces that are left out by their names.
+        The parts, the pieces that are left out by their names, and those that are part of others by
+        theirs, with the names of these and how far they stand above the net there, mm.
     """
     faces = site.mesh.faces
-    plates, left_out = _plates(site, geometry, thickness, least_width)
+    plates, pieces = _plates(site, geometry, thickness, least_width, join)
+    names = part_names("P", len(faces))
+    left_out = {name: piece for name, (_, piece) in pieces.narrow.items()}
+    joined = {name: (names[face], above) for name, (face, above) in pieces.joined.items()}
     parts = tuple(
         plate_part(
             site,
@@ -61,7 +68,7 @@ def panel_parts(
         )
         for plate in plates
     )
-    return parts, left_out
+    return parts, left_out, joined
 
 
 class _Plate(NamedTuple):
@@ -75,32 +82,32 @@ class _Plate(NamedTuple):
 
 
 def _plates(
-    site: Site, geometry: PanelGeometry, thickness: float, least_width: float
-) -> tuple[list[_Plate], dict[str, Trimmed]]:
-    """The panels and pieces of panels, and the pieces that are left out."""
+    site: Site, geometry: PanelGeometry, thickness: float, least_width: float, join: bool
+) -> tuple[list[_Plate], Pieces]:
+    """The panels, and the pieces of panels of which some are none."""
     names = part_names("P", len(site.mesh.faces))
     rings = [
         geometry.corners.trimmed(ring)
         for ring in (geometry.lower, geometry.upper, geometry.outline)
     ]
-    pieces = _at_the_border(site, geometry, rings)
-    left_out = {}
-    made = np.ones(len(names), dtype=bool) if site.trimming is None else site.trimming.whole.copy()
-    for face, some in pieces.items():
-        wide = [piece for piece in some if piece.width >= least_width]
-        for number, piece in enumerate(some[len(wide) :], start=len(wide)):
-            left_out[_piece_name(names[face], number)] = piece
-        pieces[face], made[face] = wide, bool(wide)
-    across = neighbours(site.mesh.connectivity).tolist()
-    plates = []
+    whole = np.ones(len(names), dtype=bool) if site.trimming is None else site.trimming.whole
+    pieces = Pieces(whole, {}, {})
+    for face, some in _at_the_border(site, geometry, rings).items():
+        pieces.wide[face] = [piece for piece in some if piece.width >= least_width]
+        for number in range(len(pieces.wide[face]), len(some)):
+            pieces.narrow[_piece_name(names[face], number)] = face, some[number]
+    across = neighbours(site.mesh.connectivity)
+    if join:
+        join_slivers(pieces, geometry, rings, across)
+    made, plates = pieces.made, []
     for face in np.flatnonzero(made).tolist():
-        beside = [names[other] if other >= 0 and made[other] else "" for other in across[face]]
-        if face not in pieces:
+        beside = [names[k] if k >= 0 and made[k] else "" for k in across[face].tolist()]
+        if face not in pieces.wide:
             plates.append(_plate(names[face], geometry, rings, face, thickness, beside))
-        for number, piece in enumerate(pieces.get(face, ())):
+        for number, piece in enumerate(pieces.wide.get(face, ())):
             name = _piece_name(names[face], number)
             plates.append(_cut_plate(name, geometry, face, piece, thickness, beside))
-    return plates, left_out
+    return plates, pieces
 
 
 def _at_the_border(

@@ -17,6 +17,7 @@ from freecad_ortho.fabrication.sizes import (
     check_size,
     not_negative,
     offset_levels,
+    one_of,
 )
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
@@ -30,6 +31,7 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.panels.trimmed import (
+    joined_words,
     left_out_words,
     trimming_report,
     uncarried_words,
@@ -44,6 +46,7 @@ from solver.option import Option
 
 EDGES = ("square", "bevel")
 AT_HUBS = ("cut", "lift")
+SLIVERS = ("join", "leave-out")
 
 # Distance between diagonals above which a face is visibly not planar, mm.
 _GAP_WORTH_SAYING = 0.1
@@ -64,7 +67,9 @@ class Panels(System):
         at_hubs: "cut" corners of panels off beside hubs, or "lift" panels over them; without beams
             corners are cut off whatever it says.
         clearance: between hubs and corners that are cut off beside them, mm.
-        least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
+        least_width: pieces at the border are slivers where no circle of this diameter fits in, mm.
+        slivers: "join" makes them part of a neighbour whose plane goes on over them 0 to 5 mm above
+            theirs, others and those of bevelled panels are left out; "leave-out" leaves all out.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown offset.
@@ -77,6 +82,7 @@ class Panels(System):
     at_hubs: str = "cut"
     clearance: float = 1.0
     least_width: float = 60.0
+    slivers: str = "join"
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "panels"
@@ -115,7 +121,14 @@ class Panels(System):
             "least_width",
             60.0,
             "length",
-            "pieces of panels at the border that are narrower than this are left out",
+            "pieces of panels at the border that are narrower than this are slivers",
+        ),
+        Option(
+            "slivers",
+            "join",
+            "choice",
+            "slivers at the border become part of their neighbours where they can, or are left out",
+            SLIVERS,
         ),
     )
 
@@ -130,14 +143,15 @@ class Panels(System):
         if not 0 <= self.clearance < float("inf"):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
         not_negative("least width", self.least_width)
+        one_of("slivers", self.slivers, SLIVERS)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Panels:
         """Make the settings from options; panels are as thick as the beams unless told."""
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
-        names = ("gap", "offset", "panel_edge", "at_hubs", "clearance", "least_width")
-        return cls(plate, *(values[name] for name in names))
+        names = "gap offset panel_edge at_hubs clearance least_width slivers"
+        return cls(plate, *(values[name] for name in names.split()))
 
     @property
     def levels(self) -> tuple[float, float]:
@@ -169,7 +183,10 @@ class Panels(System):
                 widths = np.concatenate([widths, at_the_edge(site, edge_beam, self.gap)], axis=1)
         gaps = diagonal_distances(site.mesh)
         least = None if widths is None else least_bearing(widths)
-        parts, left_out = panel_parts(site, geometry, self.thickness, gaps, least, self.least_width)
+        join = self.slivers == "join" and self.edge == "square"
+        parts, left_out, joined = panel_parts(
+            site, geometry, self.thickness, gaps, least, self.least_width, join
+        )
         faces = [part.face for part in parts if part.face is not None]
         made = np.zeros(len(wanted), dtype=bool)
         made[faces] = True
@@ -185,7 +202,8 @@ class Panels(System):
             parts, doubts = judged(parts, closes[faces], self.gap)
         report = self._report(geometry, parts, made, least)
         if site.trimming is not None:
-            report |= trimming_report(parts, site.trimming, left_out)
+            report |= trimming_report(parts, site.trimming, left_out, joined)
+            doubts += joined_words(joined, self.least_width)
             doubts += left_out_words(left_out, self.least_width)
             if least is not None:
                 at_border = np.isin(np.arange(len(made)), list(site.trimming.regions))

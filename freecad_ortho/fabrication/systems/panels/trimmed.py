@@ -87,11 +87,12 @@ def trimmed(
         for part in shapely.get_parts(tight.intersection(region)):
             piece = part.simplify(_TRUE)
             if piece.geom_type == "Polygon" and piece.area > _TRUE**2:
-                found.append(_piece((under, over, outline), piece))
+                found.append(piece_of((under, over, outline), piece))
     return sorted(found, key=lambda piece: -piece.width)
 
 
-def _piece(rings: tuple[FloatArray, FloatArray, FloatArray], piece: shapely.Polygon) -> Trimmed:
+def piece_of(rings: Sequence[FloatArray], piece: shapely.Polygon) -> Trimmed:
+    """A piece of a panel with a lower, an upper and a whole outline (N, 2)."""
     from shapely.geometry.polygon import orient
     from shapely.ops import polylabel
 
@@ -175,10 +176,15 @@ def trimmed_pattern(name: str, piece: Trimmed, beside: list[str]) -> FlatPattern
 
 
 def trimming_report(
-    parts: Sequence[Part], trimming: Trimming, left_out: Mapping[str, Trimmed]
+    parts: Sequence[Part],
+    trimming: Trimming,
+    left_out: Mapping[str, Trimmed],
+    joined: Mapping[str, tuple[str, float]],
 ) -> dict[str, Any]:
     """What is to be said of the border in a system's report."""
     return {
+        "joined": {name: to for name, (to, _) in joined.items()},
+        "joined_above_max_mm": max((above for _, above in joined.values()), default=0.0),
         "trimmed": sum(part.face in trimming.regions for part in parts),
         "left_out": sorted(left_out),
         "left_out_mm2": sum(piece.area for piece in left_out.values()),
@@ -194,6 +200,19 @@ def left_out_words(left_out: Mapping[str, Trimmed], least_width: float) -> list[
     return [
         f"panels: left out at the border what is narrower than {least_width:g} mm: {shown}, "
         f"{area:.2g} m2 in {len(left_out)}; a smaller least width keeps it"
+    ]
+
+
+def joined_words(joined: Mapping[str, tuple[str, float]], least_width: float) -> list[str]:
+    """A message where slivers are part of their neighbours, with how far these stand off."""
+    if not joined:
+        return []
+    pairs = [f"{name} of {to}" for name, (to, _) in joined.items()]
+    shown = ", ".join(pairs[:_SHOWN]) + (" ..." if len(pairs) > _SHOWN else "")
+    above = max(above for _, above in joined.values())
+    return [
+        f"panels: {len(pairs)} at the border narrower than {least_width:g} mm are part of their "
+        f"neighbours, which stand up to {above:.2g} mm above the net there: {shown}"
     ]
 
 
