@@ -138,9 +138,10 @@ def _governing(check: StructuralCheck) -> str:
             )
         )
     head = ("member", "utilisation", "by", "N, kN", "Vy, kN", "Vz, kN", "T, kNm", "My, kNm")
+    second = " Utilisation is the larger one of both orders." if check.imperfection else ""
     note = (
-        "<p>The most used members; forces are the largest of both ends and the middle, first "
-        "order. All are in members.csv and forces.csv.</p>"
+        "<p>The most used members; forces are the largest of both ends and the middle, by first "
+        f"order.{second} All are in members.csv and forces.csv.</p>"
     )
     return "<h2>Governing members</h2>" + note + _table((*head, "Mz, kNm", "combination"), rows)
 
