@@ -125,6 +125,8 @@ def option_value(option: Option, value: Any) -> Any:
         return placing(value) if isinstance(value, FreeCAD.Placement) else value
     if option.kind == "points":
         return rows(value)
+    if option.kind == "polylines":
+        return tuple(tuple(map(tuple, rows(line).tolist())) for line in value)
     if option.kind == "singular":
         return singular_rows(value)
     if option.kind in ("length", "distance", "angle", "area"):

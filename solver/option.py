@@ -12,7 +12,7 @@ from solver.errors import InputError
 
 Kind = Literal[
     "length", "distance", "area", "angle", "percent", "number", "weight", "direction",
-    "count", "choice", "flag", "text", "points", "singular", "placement", "mesh",
+    "count", "choice", "flag", "text", "points", "polylines", "singular", "placement", "mesh",
 ]  # fmt: skip
 # Kinds of one number; an option that is a tuple has several of them.
 NUMBERS = (
@@ -52,8 +52,9 @@ class Option:
         kind: ``length`` (not negative), ``distance``, ``area``, ``angle`` (degrees), ``percent``,
             ``number``, ``weight`` (not negative), ``count`` (whole), ``direction`` (three numbers,
             or ``x``, ``y``, ``z``), ``choice``, ``flag``, ``text``, ``points`` ((n, 3)),
-            ``singular`` (rows x, y, z, number of lines; none, or None to have them found),
-            ``placement`` (rotation (3, 3), origin (3,)) or ``mesh`` (one with the same faces).
+            ``polylines`` (any number of those), ``singular`` (rows x, y, z, number of lines; none,
+            or None to have them found), ``placement`` (rotation (3, 3), origin (3,)) or ``mesh``
+            (one with the same faces).
             Defaults with a length are in mm.
         meaning: what it does, a sentence without its full stop.
         choices: words of a choice.
@@ -133,7 +134,7 @@ class Option:
         """Refuse a value that is not of this kind.
 
         Args:
-            value: of the option; of points, singular vertices, placements and meshes any.
+            value: of the option; of numbers and words only one of them is refused.
             unit: of its lengths.
 
         Raises:

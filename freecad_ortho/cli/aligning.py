@@ -27,6 +27,9 @@ from solver.io.points import read_points
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
+# Strokes are files here.
+_SETTINGS = tuple(option for option in ALIGNED.options if option.kind != "polylines")
+
 Waiting = Callable[[str], None]
 
 
@@ -55,7 +58,7 @@ def add(parser: argparse.ArgumentParser) -> None:
 
 def add_settings(group: argparse._ActionsContainer) -> None:
     """Options that say how a net lies on its surface."""
-    for option in ALIGNED.options:
+    for option in _SETTINGS:
         if option.name != "net":
             arguments.add(group, option)
     group.add_argument(
@@ -158,7 +161,7 @@ def _follower(progress: reporting.Progress) -> Waiting:
 def _on_step(options: argparse.Namespace, waiting: Waiting) -> tuple[Aligned, str, LocalOrigin]:
     unit = options.unit or "mm"
     numbers = values.whole_numbers("--faces", options.faces) if options.faces else ()
-    told = ALIGNED.defaults | arguments.given(ALIGNED.options, options, "mm", bare=unit)
+    told = _told(options, "mm", unit)
     scale = 1.0 / millimetres_per(unit)
     told["singularities"] = _singularities(told, options, lambda places: places / scale)
     strokes = [stroke / scale for stroke in _strokes(options)]
@@ -172,7 +175,7 @@ def _on_triangles(
 ) -> tuple[Aligned, str, LocalOrigin]:
     vertices, triangles, named = read_triangles(options.input, options.up)
     unit = options.unit or named or DEFAULT_UNIT
-    told = ALIGNED.defaults | arguments.given(ALIGNED.options, options, unit)
+    told = _told(options, unit, unit)
     origin = LocalOrigin.of(vertices)
     near = origin.near(vertices)
     one, two = (near[triangles[:, k]] - near[triangles[:, 0]] for k in (1, 2))
@@ -182,6 +185,12 @@ def _on_triangles(
     told["singularities"] = _singularities(told, options, origin.near)
     made = aligned(near, triangles, **told, strokes=strokes, waiting=waiting)
     return made, unit, origin
+
+
+def _told(options: argparse.Namespace, unit: str, bare: str) -> dict[str, Any]:
+    """Settings by name, those that were not given as they usually are."""
+    usual = {option.name: option.default for option in _SETTINGS}
+    return usual | arguments.given(_SETTINGS, options, unit, bare=bare)
 
 
 def _singularities(

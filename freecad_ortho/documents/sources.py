@@ -187,7 +187,9 @@ def net_along_curvature(faces: Any, strokes: Any = (), **options: Value) -> Free
         strokes: what lines of the net run along, whatever curvature says there: ``(shape,
             "Edge1")``, a wire or a sketch, or a list of these.
         options: ``net`` (``principal``, ``developable``, ``asymptotic`` or ``cmc``),
-            ``edge="1.2 m"``, ``ratio``, ``border`` (``trim`` or ``follow``).
+            ``edge="1.2 m"``, ``ratio``, ``border`` (``trim`` or ``follow``); ``singularities``
+            (rows of x, y, z in mm and 3, 5 or 6 lines, ``"none"`` or ``"auto"``) and
+            ``drawn_strokes`` (lists of points in mm).
 
     Raises:
         InputError: no faces, faces that have no such net, or a stroke that is off the faces; the

@@ -15,6 +15,7 @@ from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.mesh.border import closed_loops
+from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 from solver.mesh.sampling import ParametricSurface
@@ -27,6 +28,8 @@ Face = tuple[FreeCAD.DocumentObject, str]
 _SAME_AREA = 1e-6
 # How far polylines stray from edges, in parts of the face's size.
 _DEFLECTION = 2e-5
+# How far triangles that stand in for a face stray from it, likewise.
+_COARSE = 5e-4
 
 
 def faces_of(given: Any) -> list[Face]:
@@ -110,6 +113,18 @@ def parametric_surface(feature: FreeCAD.DocumentObject, name: str) -> Parametric
         f"{feature.Label}.{name}",
         foot,
     )
+
+
+def triangulated(faces: Iterable[Face]) -> TriangleSurface:
+    """Faces as triangles near to them, where they stand in the document, mm: what a ray meets."""
+    vertices, triangles, count = [], [], 0
+    for feature, name in faces:
+        face = _face(feature, name)
+        points, corners = face.tessellate(_COARSE * face.BoundBox.DiagonalLength)
+        vertices.append(convert.array(points))
+        triangles.append(count + np.array(corners, dtype=np.int64).reshape(-1, 3))
+        count += len(points)
+    return TriangleSurface(np.concatenate(vertices), np.concatenate(triangles))
 
 
 def face_word(feature: FreeCAD.DocumentObject, name: str) -> str:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.objects.properties import Property
+from solver.errors import InputError
 from solver.option import Option
 
 _KINDS = {
@@ -25,6 +27,7 @@ _KINDS = {
     "flag": "App::PropertyBool",
     "text": "App::PropertyString",
     "points": "App::PropertyVectorList",
+    "polylines": "App::PropertyStringList",
     "singular": "App::PropertyStringList",
     "placement": "App::PropertyPlacement",
     "mesh": "App::PropertyLinkHidden",
@@ -74,8 +77,10 @@ def stored(option: Option, value: Any, titled: bool = False) -> dict[str, Any]:
         value = _ABSENT.get(option.kind, 0)
     elif option.kind == "points":
         value = convert.vectors(convert.rows(value))
+    elif option.kind == "polylines":
+        value = [", ".join(map(_written, convert.rows(line).tolist())) for line in value]
     elif option.kind == "singular":
-        value = [" ".join(f"{x!r}" for x in row) for row in value] or ["none"]
+        value = list(map(_written, value)) or ["none"]
     elif option.kind == "placement":
         value = convert.placement(value)
     elif option.kind == "choice" and titled and value in _offered(option):
@@ -97,6 +102,8 @@ def _plain(option: Option, value: Any) -> Any:
     value = getattr(value, "Value", value)
     if option.kind == "points":
         return convert.array(value)
+    if option.kind == "polylines":
+        return tuple(_read_line(option.name, line) for line in value)
     if option.kind == "singular":
         return convert.singular_rows(list(value) or "auto")
     if option.kind == "placement":
@@ -107,6 +114,19 @@ def _plain(option: Option, value: Any) -> Any:
         )
     absent = value < 0 if option.kind == "weight" else not value
     return None if option.default is None and absent else value
+
+
+def _written(row: Iterable[float]) -> str:
+    return " ".join(f"{x!r}" for x in row)
+
+
+def _read_line(name: str, text: str) -> tuple[tuple[float, ...], ...]:
+    """Points of a line from ``x y z, x y z, ...``."""
+    try:
+        points = [tuple(map(float, point.split())) for point in text.split(",")]
+    except ValueError:
+        raise InputError(f"{name}: expected 'x y z, x y z, ...', got '{text[:40]}'") from None
+    return tuple(map(tuple, convert.rows(points).tolist()))
 
 
 def _offered(option: Option) -> tuple[str, ...]:

@@ -7,18 +7,22 @@ from dataclasses import replace
 from typing import Any
 
 import FreeCAD
+import numpy as np
 from PySide import QtGui
 
-from freecad_ortho.objects import source_net
+from freecad_ortho.objects import cad_faces, source_net
 from freecad_ortho.objects.making import Making
 from freecad_ortho.objects.strokes import curves
 from freecad_ortho.panels.aside import Aside
+from freecad_ortho.panels.singular_box import Rows, SingularBox
 from freecad_ortho.panels.source_panel import SourcePanel
 from freecad_ortho.panels.stroke_box import StrokeBox
-from freecad_ortho.sources import Made
+from freecad_ortho.sources import GROUPS, Made, source
 from freecad_ortho.view.field_shapes import crosses, singular_points, stroke_lines
+from freecad_ortho.view.surface_hand import SurfaceHand
 from freecad_ortho.window import messages
 from solver.errors import OrthoError
+from solver.mesh.quadmesh import FloatArray
 
 translate = FreeCAD.Qt.translate
 
@@ -28,6 +32,8 @@ _SETTLED = 0.35
 
 class AlignedPanel(SourcePanel):
     """The fields of a net along curvature; it is made aside, and OK waits for it.
+
+    Its singular vertices are dragged along the surface, and strokes are drawn on it.
 
     Attributes:
         aside: makes the net.
@@ -79,6 +85,25 @@ class AlignedPanel(SourcePanel):
         self._show_state()
         return False
 
+    def dropped(self, number: int, place: FloatArray, reach: float) -> None:
+        """A singular vertex was dragged to a place, or onto another within reach."""
+        if not self._accepting:
+            self.singular.dropped(number, place, reach)
+
+    def drawn(self, line: FloatArray) -> None:
+        """A stroke was drawn."""
+        if not self._accepting:
+            self.strokes.add_line(tuple(map(tuple, line.tolist())))
+
+    def _give_singular(self, rows: Rows | None) -> None:
+        self.fields["singularities"].value = rows
+        self._show_parts()
+
+    def _give_lines(self) -> None:
+        self.hand.drawing = self.strokes.draw_button.isChecked()
+        self.fields["drawn_strokes"].value = self.strokes.lines
+        self._show_parts()
+
     @property
     def _is_shown(self) -> bool:
         """Tell whether the net on the screen is the one that the fields ask for."""
@@ -125,6 +150,7 @@ class AlignedPanel(SourcePanel):
     def _show(self, made: Made) -> None:
         super()._show(made)
         first, self._seen = self._seen is None, made
+        self.singular.found(made.singular)
         self._show_parts()
         if first and self._edited is None:
             self._fit()
@@ -132,11 +158,16 @@ class AlignedPanel(SourcePanel):
     def _show_parts(self) -> None:
         """Show the net and what its lines follow; while strokes are picked the shapes instead."""
         seen, picking = self._seen, self.strokes.pick_button.isChecked()
-        shapes = stroke_lines(curves(list(self.inputs.strokes)))
+        drawn = [np.array(line) for line in self.strokes.lines]
+        shapes = stroke_lines([*curves(list(self.inputs.strokes)), *drawn])
+        singular = self.singular.singular
+        self.hand.points = np.zeros((0, 3))
         if seen is not None:
             self.preview.show(None if picking else seen.mesh)
             shapes += crosses(seen.field, seen.mesh.mean_edge) * self.field_box.isChecked()
-            shapes += singular_points(seen.singular)
+        if singular is not None and not picking:
+            shapes += singular_points(singular)
+            self.hand.points = singular.places
         self.preview.show_marks(shapes)
         for feature in self._shown_before:
             feature.Visibility = picking or seen is None
@@ -155,7 +186,7 @@ class AlignedPanel(SourcePanel):
     def _show_state(self) -> None:
         self.progress.setVisible(self.aside.busy)
         if self._table is not None:
-            for widget in (self._table, self.strokes.widget):
+            for widget in (self._table, self.strokes.widget, self.singular.widget):
                 widget.setEnabled(not self._accepting)
 
     def _build_form(self, title: str, picture: str, group: str, edited: Any) -> None:
@@ -175,7 +206,14 @@ class AlignedPanel(SourcePanel):
         line.addWidget(self.bar)
         line.addWidget(self.stop_button)
         self.form.layout().insertWidget(3, self.progress)
-        self.strokes = StrokeBox(self.inputs.strokes, lambda on: self._show_parts())
+        self.hand = SurfaceHand(
+            self.view, cad_faces.triangulated(self.inputs.faces), self, self.stands
+        )
+        values = {**source(GROUPS[group][0]).defaults, **self._starting}
+        self.strokes = StrokeBox(
+            self.inputs.strokes, values["drawn_strokes"], lambda: self._give_lines()
+        )
+        self.singular = SingularBox(values["singularities"], self._give_singular)
         self.field_box = QtGui.QCheckBox(translate("Ortho", "Show the field"))
         self.field_box.setToolTip(
             translate(
@@ -184,13 +222,18 @@ class AlignedPanel(SourcePanel):
             )
         )
         self.field_box.toggled.connect(lambda on: self._show_parts())
-        box = QtGui.QGroupBox(translate("Ortho", "Strokes"))
-        QtGui.QVBoxLayout(box).addWidget(self.strokes.widget)
-        self.form.layout().addWidget(box)
+        for title, part in (
+            (translate("Ortho", "Strokes"), self.strokes),
+            (translate("Ortho", "Singular vertices"), self.singular),
+        ):
+            box = QtGui.QGroupBox(title)
+            QtGui.QVBoxLayout(box).addWidget(part.widget)
+            self.form.layout().addWidget(box)
         self.form.layout().addWidget(self.field_box)
         self._show_state()
 
     def _clear(self, *_: Any) -> None:
         self.aside.stop()
         self.strokes.end()
+        self.hand.remove()
         super()._clear()

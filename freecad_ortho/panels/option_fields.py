@@ -84,7 +84,7 @@ class OptionField:
         return value if self.option.several else (value,)
 
     def _build(self, value: Any) -> QtGui.QWidget | None:
-        if self.option.kind in ("points", "singular", "placement"):
+        if self.option.kind in ("points", "polylines", "singular", "placement"):
             return None
         for item in self._items(value):
             part = self._part()

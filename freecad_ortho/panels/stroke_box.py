@@ -1,4 +1,4 @@
-"""Row of a form with the edges, wires and sketches that a net runs along, and picking them."""
+"""Row of a form with what a net runs along: edges, wires and sketches picked, lines drawn."""
 
 from __future__ import annotations
 
@@ -15,6 +15,9 @@ from freecad_ortho.panels.fields import NARROW
 from freecad_ortho.window import messages
 from solver.errors import OrthoError
 
+# Points of a line, in mm.
+Line = tuple[tuple[float, ...], ...]
+
 translate = FreeCAD.Qt.translate
 
 
@@ -23,16 +26,21 @@ class StrokeBox:
 
     Args:
         strokes: to begin with.
-        picking: called with whether strokes are being picked, when that changes.
+        lines: drawn by hand, to begin with.
+        changed: called when something is picked or drawn from now on, no longer, or there are other
+            lines.
 
     Attributes:
         widget: to be put into a form.
         strokes: as they are now.
+        lines: drawn by hand, as they are now.
     """
 
-    def __init__(self, strokes: Sequence[Stroke], picking: Callable[[bool], None]) -> None:
-        self.strokes = list(strokes)
-        self._picking, self._watching = picking, False
+    def __init__(
+        self, strokes: Sequence[Stroke], lines: Sequence[Line], changed: Callable[[], None]
+    ) -> None:
+        self.strokes, self.lines = list(strokes), tuple(lines)
+        self._changed, self._watching = changed, False
         self.widget = QtGui.QWidget()
         column = QtGui.QVBoxLayout(self.widget)
         column.setContentsMargins(0, 0, 0, 0)
@@ -48,10 +56,20 @@ class StrokeBox:
             )
         )
         self.pick_button.toggled.connect(self._pick)
+        self.draw_button = QtGui.QPushButton(translate("Ortho", "Draw"))
+        self.draw_button.setCheckable(True)
+        self.draw_button.setToolTip(
+            translate(
+                "Ortho",
+                "Press the mouse on the surface and draw a line that the net runs along; Esc "
+                "leaves it out",
+            )
+        )
+        self.draw_button.toggled.connect(self._draw)
         self.clear_button = QtGui.QPushButton(translate("Ortho", "None"))
         self.clear_button.clicked.connect(self._drop_all)
         line = QtGui.QHBoxLayout()
-        for button in (self.pick_button, self.clear_button):
+        for button in (self.pick_button, self.draw_button, self.clear_button):
             button.setMinimumWidth(NARROW // 2)
             line.addWidget(button)
         column.addWidget(self._names)
@@ -63,6 +81,12 @@ class StrokeBox:
         if self._watching:
             self._watching = False
             FreeCADGui.Selection.removeObserver(self)
+
+    def add_line(self, line: Line) -> None:
+        """Take in a line that was drawn."""
+        self.lines = (*self.lines, line)
+        self._show()
+        self._changed()
 
     def addSelection(self, document: str, name: str, part: str, _: Any) -> None:
         """Take in what the user has picked, or out again; FreeCAD calls this."""
@@ -86,16 +110,25 @@ class StrokeBox:
     def _pick(self, on: bool) -> None:
         self.end()
         if on:
+            self.draw_button.setChecked(False)
             FreeCADGui.Selection.clearSelection()
             self._watching = True
             FreeCADGui.Selection.addObserver(self)
-        self._picking(on)
+        self._changed()
+
+    def _draw(self, on: bool) -> None:
+        if on:
+            self.pick_button.setChecked(False)
+        self._changed()
 
     def _drop_all(self) -> None:
-        self.strokes = []
+        self.strokes, self.lines = [], ()
         self._show()
+        self._changed()
 
     def _show(self) -> None:
-        names = ", ".join(map(describe, self.strokes))
-        self._names.setText(names or translate("Ortho", "none"))
-        self.clear_button.setEnabled(bool(self.strokes))
+        names = list(map(describe, self.strokes))
+        if self.lines:
+            names.append(translate("Ortho", "{} drawn").format(len(self.lines)))
+        self._names.setText(", ".join(names) or translate("Ortho", "none"))
+        self.clear_button.setEnabled(bool(names))

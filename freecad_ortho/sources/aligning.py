@@ -41,6 +41,7 @@ OPTIONS = (
            "Where other than four lines meet: auto for the fewest that the surface needs, none, or "
            "a file of rows x y z and 3, 5 or 6 lines",
            absent="auto"),
+    Option("drawn_strokes", (), "polylines", "Lines drawn on the surface that the net runs along"),
 )  # fmt: skip
 
 
@@ -52,10 +53,12 @@ def _on_faces(
     ratio: float,
     border: str,
     singularities: Singular | None,
+    drawn_strokes: Sequence[FloatArray],
     waiting: Callable[[str], object],
     strokes: Sequence[FloatArray] = (),
 ) -> Made:
-    made = aligned_on(surfaces, net, edge, ratio, border, strokes, singularities, waiting)
+    lines = (*strokes, *drawn_strokes)
+    made = aligned_on(surfaces, net, edge, ratio, border, lines, singularities, waiting)
     remarks = (*_irregular(made), *made.remarks)
     return Made(made.mesh, remarks, made.field, made.singular, made.border)
 

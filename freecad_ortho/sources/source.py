@@ -117,6 +117,8 @@ class Source:
             option.check(value, unit)
             if option.kind == "points":
                 values[option.name] = _points(option.name, value)
+            elif option.kind == "polylines":
+                values[option.name] = [_points(option.name, line) for line in value]
             elif option.kind == "singular":
                 values[option.name] = None if value is None else singular(option.name, value)
             elif option.kind == "placement":

@@ -89,12 +89,7 @@ class Drawing:
             line_colour, whole, self._line, self._colours, each, self._markers,
         ):  # fmt: skip
             self.root.addChild(node)
-        kinds = (coin.SoMouseButtonEvent, coin.SoLocation2Event, coin.SoKeyboardEvent)
-        methods = (self._pressed, self._moved, self._typed)
-        self._callbacks = [
-            (kind.getClassTypeId(), self._events.addEventCallback(kind.getClassTypeId(), method))
-            for kind, method in zip(kinds, methods, strict=True)
-        ]
+        self._callbacks = nodes.heard(self._events, self._pressed, self._moved, self._typed)
 
     def _pressed(self, _: Any, node: Any) -> None:
         event = node.getEvent()

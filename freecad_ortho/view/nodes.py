@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import FreeCAD
 from pivy import coin
 
@@ -34,6 +37,20 @@ def nearer(by: float = _NEARER) -> coin.SoDepthBuffer:
     # What is drawn later in the same place is seen, as without this node.
     node.function = coin.SoDepthBuffer.LEQUAL
     return node
+
+
+def heard(
+    events: coin.SoEventCallback,
+    pressed: Callable[[Any, Any], None],
+    moved: Callable[[Any, Any], None],
+    typed: Callable[[Any, Any], None],
+) -> list[tuple[Any, Any]]:
+    """Have a node call for buttons and moves of the mouse and for keys; give what takes it back."""
+    kinds = (coin.SoMouseButtonEvent, coin.SoLocation2Event, coin.SoKeyboardEvent)
+    return [
+        (kind.getClassTypeId(), events.addEventCallback(kind.getClassTypeId(), method))
+        for kind, method in zip(kinds, (pressed, moved, typed), strict=True)
+    ]
 
 
 def window_camera() -> coin.SoOrthographicCamera:

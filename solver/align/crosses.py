@@ -8,8 +8,12 @@ import numpy as np
 
 from solver.align.field import QUARTER, Field, Guide
 from solver.align.triangle_mesh import TriangleMesh
+from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
+
+# How many lines may meet in a singular vertex.
+VALENCES = (3, 5, 6)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +64,37 @@ class Singular:
         own[mesh.triangles[: guide.inner]] = True
         chosen = np.flatnonzero(own & (field.quarters != 0))
         return cls(mesh.points[chosen], 4 - field.quarters[chosen])
+
+    def moved(self, number: int, place: FloatArray, reach: float) -> Singular:
+        """One of them at another place, joined with the one that is there.
+
+        One with 3 and one with 5 lines vanish, two with 5 become one with 6.
+
+        Args:
+            number: its row.
+            place: (3,).
+            reach: how near another is there.
+
+        Raises:
+            InputError: no net has a vertex with as many lines as both would make.
+        """
+        apart = np.linalg.norm(self.places - place, axis=1)
+        apart[number] = np.inf
+        other = int(np.argmin(apart))
+        if not apart[other] < reach:
+            places = self.places.copy()
+            places[number] = place
+            return Singular(places, self.valences)
+        lines = int(self.valences[number] + self.valences[other]) - 4
+        if lines not in (*VALENCES, 4):
+            raise InputError(
+                f"singularities: {self.valences[number]} and {self.valences[other]} lines in one "
+                f"place would make a vertex with {lines}, which no net has; leave them apart"
+            )
+        valences = self.valences.copy()
+        valences[other] = lines
+        kept = np.flatnonzero((np.arange(len(valences)) != number) & (valences != 4))
+        return Singular(self.places[kept], valences[kept])
 
     def scaled(self, factor: float) -> Singular:
         """The same in another unit."""

@@ -18,7 +18,7 @@ from scipy.sparse import coo_array, csc_array, diags_array
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
-from solver.align.crosses import Singular
+from solver.align.crosses import VALENCES, Singular
 from solver.align.field import QUARTER, Field, Guide, quarters_of, smoothness, turns
 from solver.align.prepare import Work
 from solver.align.triangle_mesh import TriangleMesh, components, spanning
@@ -27,8 +27,6 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
-# How many lines may meet in a singular vertex.
-VALENCES = (3, 5, 6)
 _WORDS = "3, 5 or 6"
 # In edges, how far from the surface a singular vertex may be given.
 _OFF = 1.0

@@ -8,27 +8,13 @@ import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
 import Part
-from ortho_aligned_tools import roof
+from ortho_aligned_tools import roof, turned
 from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api, convert
 from freecad_ortho.objects import making
 from solver.analysis import measures
 from solver.errors import InputError
-
-
-def turned(net, line):
-    """Mean angle in degrees, 0 to 45, of the edges that begin near a polyline to that."""
-    mesh = convert.quad_mesh(net)
-    ends = mesh.vertices[mesh.connectivity.edges]
-    along = np.diff(line, axis=0)
-    apart = np.linalg.norm(ends[:, :1] - line[None, :-1], axis=2)
-    near = apart.min(axis=1) < 0.5 * mesh.mean_edge
-    run = (ends[:, 1] - ends[:, 0])[near]
-    way = along[apart.argmin(axis=1)[near]]
-    cosine = (run * way).sum(axis=1) / np.linalg.norm(run, axis=1) / np.linalg.norm(way, axis=1)
-    angle = np.degrees(np.arccos(np.clip(np.abs(cosine), 0, 1)))
-    return float(np.minimum(angle, 90 - angle).mean())
 
 
 class TestAligned(DocumentCase):
@@ -165,6 +151,50 @@ class TestAligned(DocumentCase):
         with self.assertRaisesRegex(InputError, "its lines follow no strokes"):
             api.add_source("faces", faces=[(self.sheet, "Face1")], strokes=[(wire, "Edge1")])
         self.assertEqual(len(self.document.Objects), count + 1)
+
+    def test_singular_vertices_and_drawn_lines_are_kept_in_the_document(self):
+        places = [self.sheet.Shape.Face1.valueAt(*uv) for uv in ((0.3, 0.65), (0.6, 0.8))]
+        rows = [(*place, lines) for place, lines in zip(places, (3, 5), strict=True)]
+        drawn = [[tuple(point) for point in self.line()[1][::5]]]
+        net = api.net_along_curvature(
+            self.sheet, edge=900.0, singularities=rows, drawn_strokes=drawn
+        )
+        self.assertIn("irregular: 1 vertex with 3 lines, 1 vertex with 5 lines", net.Remarks)
+        self.assertLess(turned(net, self.line()[1]), 10.0)
+        before = tools.vertices(net).tobytes()
+        name = net.Name
+        self.reopened("singular.FCStd")
+        self.document.UndoMode = 1
+        net = self.document.getObject(name)
+        net.touch()
+        self.document.recompute()
+        self.assertEqual(tools.vertices(net).tobytes(), before)
+        api.change_source(net, singularities="none", drawn_strokes=())
+        self.assertEqual((net.Singularities, net.DrawnStrokes), (["none"], []))
+        api.change_source(net, singularities="auto")
+        self.assertEqual(net.Singularities, [])
+        self.document.undo()
+        self.document.undo()
+        self.assertEqual(tools.vertices(net).tobytes(), before)
+        # As somebody types it into the property.
+        x, y, z = rows[0][:3]
+        net.Singularities = [f"{x}, {y}, {z}, 5", f"{x} {y} {z} 5"]
+        self.document.recompute()
+        self.assertIn("irregular: 1 vertex with 6 lines", net.Remarks)
+
+    def test_singular_vertices_that_are_none_are_refused(self):
+        for given, words in (
+            ([(0, 0, 0)], "singularities: expected rows of x, y, z and a number of lines"),
+            ([(0, 0, 9e4, 3)], "singularities: .* off the surface"),
+            (["1 2 3 x"], "singularities: expected rows"),
+            ([(4000, 3000, 0, 3.5)], "whole ones"),
+        ):
+            with self.assertRaisesRegex(InputError, words):
+                api.net_along_curvature(self.sheet, edge=900.0, singularities=given)
+        with self.assertRaisesRegex(InputError, "stroke 1: .* off the surface"):
+            api.net_along_curvature(
+                self.sheet, edge=900.0, drawn_strokes=[[(0, 0, 9e4), (9, 0, 0)]]
+            )
 
     def test_nothing_is_made_twice(self):
         net = api.net_along_curvature(self.sheet, edge=900.0)

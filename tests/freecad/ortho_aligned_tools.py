@@ -6,6 +6,8 @@ import FreeCAD
 import numpy as np
 import Part
 
+from freecad_ortho import convert
+
 
 def roof(rise=900.0, size=2000.0):
     """A B-spline face over 8 m x 6 m, or as many times as large as its size is 2 m."""
@@ -36,3 +38,17 @@ def dome():
     surface = Part.BSplineSurface()
     surface.interpolate(rows)
     return surface.toShape()
+
+
+def turned(net, line):
+    """Mean angle in degrees, 0 to 45, of the edges that begin near a polyline to that."""
+    mesh = convert.quad_mesh(net)
+    ends = mesh.vertices[mesh.connectivity.edges]
+    along = np.diff(line, axis=0)
+    apart = np.linalg.norm(ends[:, :1] - line[None, :-1], axis=2)
+    near = apart.min(axis=1) < 0.5 * mesh.mean_edge
+    run = (ends[:, 1] - ends[:, 0])[near]
+    way = along[apart.argmin(axis=1)[near]]
+    cosine = (run * way).sum(axis=1) / np.linalg.norm(run, axis=1) / np.linalg.norm(way, axis=1)
+    angle = np.degrees(np.arccos(np.clip(np.abs(cosine), 0, 1)))
+    return float(np.minimum(angle, 90 - angle).mean())

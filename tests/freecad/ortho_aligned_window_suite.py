@@ -7,9 +7,11 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
-from ortho_aligned_tools import dome, roof
+from ortho_aligned_tools import dome, roof, turned
+from ortho_mouse_tools import Hand
 from ortho_suite_cases import PanelCase, WindowCase
 from ortho_suite_tools import press, wait
+from pivy import coin
 from PySide import QtCore, QtGui
 
 from freecad_ortho import api, commands
@@ -202,6 +204,144 @@ class TestStrokes(AlignedCase):
 
     def previewed_faces(self):
         return self.panel.preview._net._faces.coordIndex.getNum()
+
+
+class TestByHand(AlignedCase):
+    """The mouse on the surface: singular vertices are dragged, strokes are drawn."""
+
+    def setUp(self):
+        super().setUp()
+        self.sheet.Shape = dome()
+        self.document.recompute()
+        self.opened_on("Face1")
+        self.panel.fields["edge"].value = 2500.0
+        self.until_made(self.panel)
+        self.hand = Hand(self.document)
+
+    def given(self):
+        return self.panel.fields["singularities"].value
+
+    def remade(self):
+        wait(seconds=0.5)
+        self.until_made(self.panel)
+
+    def on_dome(self, x, y):
+        height = 6e3 * np.cos(0.9 * np.pi * x / 3e4) * np.cos(0.9 * np.pi * y / 2e4)
+        return np.array([x, y, height])
+
+    def drag(self, place, to):
+        start, end = self.hand.pixels([place, to])
+        self.hand.drag(start, end)
+        self.hand.release(end)
+        wait()
+
+    def valences(self):
+        return sorted(self.panel.made.singular.valences.tolist())
+
+    def test_a_singular_vertex_is_dragged_and_reset(self):
+        found = self.panel.made.singular
+        self.assertEqual((self.valences(), self.given()), ([3, 3, 5, 5], None))
+        row = int(np.flatnonzero(found.valences == 3)[0])
+        goal = self.on_dome(5000.0, 2500.0)
+        self.drag(found.places[row], goal)
+        places = np.array(self.given())[:, :3]
+        self.assertLess(np.linalg.norm(places[row] - goal), 250.0)
+        np.testing.assert_allclose(np.delete(places, row, 0), np.delete(found.places, row, 0))
+        self.remade()
+        self.assertEqual(self.valences(), [3, 3, 5, 5])
+        apart = np.linalg.norm(self.panel.made.singular.places - goal, axis=1)
+        self.assertLess(apart.min(), 0.4 * 2500.0)
+        press("Ok")
+        net = self.document.Objects[-1]
+        self.assertEqual((len(net.Singularities), self.document.UndoCount), (4, 1))
+        self.assertIn("singularities=((", self.lines[-1])
+        points = tools.vertices(net).tobytes()
+        self.document.undo()
+        self.replay()
+        net = self.document.Objects[-1]
+        self.assertEqual(tools.vertices(net).tobytes(), points)
+        net.ViewObject.Proxy.doubleClicked(net.ViewObject)
+        self.until_made(self.panel)
+        self.panel.singular.reset_button.click()
+        self.assertFalse(self.panel.singular.reset_button.isEnabled())
+        self.remade()
+        press("Ok")
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), LONG))
+        self.assertEqual(net.Singularities, [])
+        self.assertTrue(self.lines[-1].endswith("singularities=None)"), self.lines[-1])
+        self.document.undo()
+        self.assertEqual(len(net.Singularities), 4)
+        self.assertEqual(self.errors, [])
+
+    def test_dropped_onto_each_other_they_vanish_or_are_refused(self):
+        found = self.panel.made.singular
+        three, five = (found.places[found.valences == lines] for lines in (3, 5))
+        self.drag(three[0], three[1])
+        self.assertIn("would make a vertex with 2", self.said.pop())
+        self.assertIsNone(self.given())
+        self.drag(three[0], five[0])
+        self.assertEqual(len(self.given()), 2)
+        self.remade()
+        self.assertEqual(self.valences(), [3, 5])
+        self.drag(three[1], five[1])
+        self.assertEqual(self.given(), ())
+        self.remade()
+        self.assertEqual(self.valences(), [])
+        press("Ok")
+        net = self.document.Objects[-1]
+        self.assertEqual(net.Singularities, ["none"])
+        self.assertIn("singularities=()", self.lines[-1])
+        self.assertEqual(self.errors, [])
+
+    def test_esc_and_clicks_beside_change_nothing(self):
+        place = self.panel.made.singular.places[0]
+        start, end = self.hand.pixels([place, self.on_dome(0.0, 0.0)])
+        self.assertFalse(self.hand.press(end))
+        self.hand.release(end)
+        self.hand.drag(start, end)
+        self.assertTrue(self.hand.key(coin.SoKeyboardEvent.ESCAPE))
+        self.hand.release(end)
+        self.hand.click(start)
+        wait(seconds=0.2)
+        self.assertIsNone(self.given())
+        self.assertIsNotNone(self.panel.made)
+        press("Cancel")
+        self.assertFalse(self.hand.press(start))
+        self.assertEqual(self.document.UndoCount, 0)
+
+    def test_a_stroke_is_drawn(self):
+        places = [self.on_dome(*xy) for xy in ((-9e3, -6e3), (0.0, 0.0), (9e3, 1e3))]
+        pixels = self.hand.pixels(places)
+        self.panel.strokes.draw_button.click()
+        self.hand.press(pixels[0])
+        for one, two in ((0, 1), (1, 2)):
+            for part in np.linspace(0, 1, 12)[1:]:
+                self.hand.move((1 - part) * pixels[one] + part * pixels[two])
+        self.hand.release(pixels[2])
+        (line,) = self.panel.fields["drawn_strokes"].value
+        for place in (places[0], places[2]):
+            self.assertLess(np.linalg.norm(line - place, axis=1).min(), 600.0)
+        points = np.array(line)
+        np.testing.assert_allclose(points, [self.on_dome(*p[:2]) for p in points], atol=60.0)
+        self.panel.strokes.draw_button.click()
+        self.remade()
+        press("Ok")
+        net = self.document.Objects[-1]
+        self.assertEqual((len(net.DrawnStrokes), self.document.UndoCount), (1, 1))
+        self.assertLess(turned(net, points), 6.0)
+        drawn = tools.vertices(net).tobytes()
+        self.document.undo()
+        self.replay()
+        net = self.document.Objects[-1]
+        self.assertEqual(tools.vertices(net).tobytes(), drawn)
+        net.ViewObject.Proxy.doubleClicked(net.ViewObject)
+        self.until_made(self.panel)
+        self.panel.strokes.clear_button.click()
+        self.remade()
+        press("Ok")
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), LONG))
+        self.assertEqual(net.DrawnStrokes, [])
+        self.assertEqual(self.errors, [])
 
 
 class TestField(AlignedCase):

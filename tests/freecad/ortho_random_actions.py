@@ -193,8 +193,15 @@ class Sequence:
         strokes = self.dice.choice(
             [(), (vault, "Edge1"), (vault, f"Edge{self.dice.randint(1, 9)}")]
         )
+        low, high = (self.dice.uniform(1000, 4000) for _ in range(2))
+        x, y, z = vault.Shape.Face1.valueAt(1.0, low)
+        singularities = self.dice.choice(["auto", "none", [(x, y, z, self.dice.choice([3, 5, 6]))]])
+        drawn = [tuple(vault.Shape.Face1.valueAt(0.5, v)) for v in (low, high)]
         self.allowed_to_fail(
-            partial(api.net_along_curvature, strokes=strokes), (vault, "Face1"), edge=edge
+            partial(api.net_along_curvature, strokes=strokes, singularities=singularities),
+            (vault, "Face1"),
+            edge=edge,
+            drawn_strokes=self.dice.choice([(), [drawn]]),
         )
 
     def form_net(self):
