@@ -36,6 +36,8 @@ from solver.mesh.triangles import sound_triangles
 BORDERS = ("trim", "follow")
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
+# Powers of two that a grain of coordinates is smaller than the surface.
+_GRAINS = 32
 _REMEDY = "give a shorter edge, or smooth the surface there"
 # How much curvature says about directions, less where lines that follow it would cross.
 _CALM = (1.0, 0.1, 1e-2, 1e-3)
@@ -111,36 +113,42 @@ def aligned(
     if not (np.isfinite(ratio) and 0.05 <= ratio <= 20):
         raise InputError(f"ratio: expected 0.05 to 20, got {ratio:g}")
     waiting("curvature")
-    surface = one_surface(*sound_triangles(vertices, triangles))
+    given = one_surface(*sound_triangles(vertices, triangles))
+    grain = _grain(given.points)
+    surface = TriangleMesh(grain * np.round(given.points / grain), given.triangles)
     _refuse_size(surface, edge, edge * ratio)
     remarks: list[str] = []
     loops = openings(surface, edge, remarks)
     smooth, work = prepared(surface, edge, min(edge, edge * ratio), remarks)
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
-    features = Features.creases(work.mesh, work.inner, edge)
-    bound = np.zeros(len(work.mesh.points), dtype=bool)
-    if border == "follow":
-        work = replace(work, covered=work.inner)
-        rim = Features.border(work.mesh, work.inner, edge)
-        features = features.and_others(rim)
-        bound[[side[rim.edges] for side in work.mesh.ends]] = True
-    guide = along_features(work.mesh, guide, features, edge)
-    guide = with_strokes(work.mesh, guide, strokes, edge)
-    wanted = None if singularities is None else Wanted.of(work, singularities, edge, bound)
-    asked = _Asked(work, guide, features, (edge, edge * ratio), wanted)
+    lines = [grain * np.round(np.asarray(stroke) / grain) for stroke in strokes]
+    follows = border == "follow"
+    asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities)
     mesh, field = _mapped(asked, waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
+    # What was not smoothed is where it was given.
+    kept = smooth.points[: len(given.points)]
+    places = np.where((kept == surface.points).all(axis=1)[:, None], given.points, kept)
     connected = mesh.connectivity
     irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
     return Aligned(
         mesh,
         irregular,
-        tuple(smooth.points[loop] for loop in loops if border != "follow"),
-        Crosses.of(work.mesh, field, guide),
-        Singular.of(work.mesh, field, guide),
+        tuple(places[loop] for loop in loops if not follows),
+        Crosses.of(work.mesh, field, asked.guide),
+        Singular.of(work.mesh, field, asked.guide),
         tuple(remarks),
     )
+
+
+def _grain(points: FloatArray) -> float:
+    """What coordinates are rounded to, so that their last digits do not decide between two nets.
+
+    A surface that was written and read again has others.
+    """
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    return float(2.0 ** (np.floor(np.log2(size)) - _GRAINS)) if size > 0 else 1.0
 
 
 def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
@@ -169,6 +177,30 @@ class _Asked:
     features: Features
     edges: tuple[float, float]
     singular: Wanted | None
+
+    @classmethod
+    def of(
+        cls,
+        work: Work,
+        guide: Guide,
+        edges: tuple[float, float],
+        follows: bool,
+        strokes: Sequence[FloatArray],
+        singular: Singular | None,
+    ) -> _Asked:
+        """Add creases, the border if it is followed, strokes and singular vertices to a guide."""
+        mesh, edge = work.mesh, edges[0]
+        features = Features.creases(mesh, work.inner, edge)
+        bound = np.zeros(len(mesh.points), dtype=bool)
+        if follows:
+            work = replace(work, covered=work.inner)
+            rim = Features.border(mesh, work.inner, edge)
+            features = features.and_others(rim)
+            bound[[side[rim.edges] for side in mesh.ends]] = True
+        guide = along_features(mesh, guide, features, edge)
+        guide = with_strokes(mesh, guide, strokes, edge)
+        wanted = None if singular is None else Wanted.of(work, singular, edge, bound)
+        return cls(work, guide, features, edges, wanted)
 
     def automatic(self, calm: float, step: Callable[[], object]) -> Field:
         """The directions along a part of the guide, singular where they have to be."""

@@ -12,6 +12,7 @@ from solver import InputError
 from solver.analysis import measures
 from solver.mesh.primitives import primitive
 from solver.multinet import multi_net_residual
+from solver.option import NUMBERS
 from tests.solver.mesh.test_derived import star_of
 
 TURNED = (np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), np.array([10.0, 20, 30]))
@@ -46,7 +47,7 @@ def test_every_option_is_explained(entry):
         assert option.kind != "choice" or option.default in option.choices
         assert len(option.parts) == (
             len(option.default)
-            if isinstance(option.default, tuple) and option.kind not in ("points", "placement")
+            if isinstance(option.default, tuple) and option.kind in NUMBERS
             else 1
         )
 

@@ -156,6 +156,13 @@ def test_the_same_net_twice(on_dome):
     assert np.array_equal(again.mesh.faces, on_dome[2].mesh.faces)
 
 
+def test_last_digits_do_not_decide_between_two_nets(on_dome):
+    points, faces, net = on_dome
+    noise = np.random.default_rng(0).normal(size=points.shape)
+    again = aligned(points + 1e-15 * noise, faces, edge=EDGE)
+    assert np.array_equal(again.mesh.vertices, net.mesh.vertices)
+
+
 def test_lines_for_asymptotic_do_not_curve_out_of_a_minimal_surface():
     points, faces = triangles(catenoid)
     made = aligned(points, faces, net="asymptotic", edge=1.0)

@@ -134,3 +134,20 @@ def test_what_cannot_be_is_said_in_a_line(given, words):
     with pytest.raises(InputError, match=f"singularities: .*{words}") as said:
         aligned(*DOME, edge=EDGE, singularities=given)
     assert "\n" not in str(said.value)
+
+
+def test_moved_onto_another_they_are_joined_or_left_apart():
+    there = on_dome((0, 0, 3), (4, 0, 5), (8, 0, 5), (0, 5, 3))
+    alone = there.moved(0, there.places[1] + [0.0, 2.0, 0.0], 1.0)
+    assert alone.valences.tolist() == [3, 5, 5, 3]
+    assert alone.places[0] == pytest.approx(there.places[1] + [0.0, 2.0, 0.0])
+    vanished = there.moved(0, there.places[1] + 0.1, 1.0)
+    assert vanished.valences.tolist() == [5, 3]
+    assert vanished.places == pytest.approx(there.places[2:])
+    joined = there.moved(1, there.places[2], 1.0)
+    assert joined.valences.tolist() == [3, 6, 3]
+    assert joined.places == pytest.approx(there.places[[0, 2, 3]])
+    with pytest.raises(InputError, match="would make a vertex with 2"):
+        there.moved(3, there.places[0], 1.0)
+    with pytest.raises(InputError, match="would make a vertex with 7"):
+        on_dome((0, 0, 6), (3, 0, 5)).moved(0, on_dome((3, 0, 5)).places[0], 1.0)
