@@ -84,7 +84,9 @@ def test_settings_have_the_names_and_choices_of_their_tables(kind, options):
     hints = get_type_hints(kind)
     for option in options:
         assert option.name in hints, f"{option.name} is missing in {kind.__name__}"
-        if option.choices:
+        if option.examples:
+            assert hints[option.name] is str, option.name
+        elif option.choices:
             assert get_args(hints[option.name]) == option.choices, option.name
     beyond = set(hints) - {option.name for option in options}
     others = {*get_type_hints(Settings), "net", "handles", "glide", "close_to", "symmetry"}

@@ -199,6 +199,17 @@ class TestSettings(WindowCase):
         self.replay()
         self.assertEqual(beams.Shape.Volume, changed)
 
+    def test_a_section_of_the_catalogue_may_be_chosen_or_typed(self):
+        beams = api.add_beams(self.net)
+        for word in ("HEB160", "tube:80x40x4", "I"):
+            self.opened(beams)
+            self.panel.fields["section"].value = word
+            press("Ok")
+            self.assertEqual(beams.Section, word)
+            self.assertEqual(self.opened(beams).fields["section"].value, word)
+            press("Cancel")
+        self.assertEqual(self.errors, [])
+
     def test_sizes_that_do_not_fit_are_said_and_leave_it_as_it_was(self):
         beams = api.add_beams(self.net)
         volume, steps = beams.Shape.Volume, self.document.UndoCount

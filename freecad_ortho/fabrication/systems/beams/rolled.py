@@ -15,10 +15,11 @@ from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.profiled import ProfiledBody
 from freecad_ortho.fabrication.profiles import Profile
 from freecad_ortho.fabrication.profiles.end import End
+from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.sections import Piece, prism
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -84,17 +85,15 @@ class RolledSection:
         bought = self.profile, self.drawn
         return (RolledPiece("", "tube", corners, (), self.profile.wall, width, geometry, *bought),)
 
-    def misfit(
-        self, geometry: BeamGeometry, offsets: FloatArray, ends: IntArray, meeting: BoolArray
-    ) -> FloatArray:
+    def misfit(self, site: Site, geometry: BeamGeometry, meeting: BoolArray) -> FloatArray:
         """(V,) how far lower sides of beams lie apart at each vertex, along its axis, mm.
 
         Args:
+            site: with mesh and axes.
             geometry: of the beams.
-            offsets: (V, 3) of the axes, a unit of level.
-            ends: (E, 2) vertices of the edges.
             meeting: (E, 2) which ends meet others at a vertex.
         """
+        ends, offsets = site.mesh.connectivity.edges, site.axes.offsets
         depth = self.height / geometry.rise[:, None] * np.linalg.norm(offsets, axis=1)[ends]
         least, most = np.full(len(offsets), np.inf), np.full(len(offsets), -np.inf)
         np.minimum.at(least, ends[meeting], depth[meeting])

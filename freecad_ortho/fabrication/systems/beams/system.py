@@ -216,10 +216,8 @@ class Beams(System):
         geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
         misfit = None
         if rolled is not None:
-            meeting = np.stack([wanted, wanted], axis=1)
-            meeting &= True if border is None else ~border.cut
-            ends = site.mesh.connectivity.edges
-            misfit = rolled.misfit(geometry, site.axes.offsets, ends, meeting)
+            meeting = wanted[:, None] & ~(np.zeros(2, bool) if border is None else border.cut)
+            misfit = rolled.misfit(site, geometry, meeting)
             geometry = replace(geometry, height=np.full_like(geometry.height, rolled.height))
         parts = edge_beams(site, geometry, section, wanted & ~folded, border, misfit)
         along = folded & built
@@ -234,9 +232,8 @@ class Beams(System):
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
         if misfit is not None:
-            worst = int(misfit.argmax())
-            node = part_names("N", len(misfit))[worst]
-            report |= {"misfit_max_mm": float(misfit[worst]), "misfit_worst": node}
+            node = part_names("N", len(misfit))[int(misfit.argmax())]
+            report |= {"misfit_max_mm": float(misfit.max()), "misfit_worst": node}
         if border is not None:
             report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
             doubts += stub_words(stubs, self.least_length)
