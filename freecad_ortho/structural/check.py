@@ -41,6 +41,8 @@ class Found:
         section: (M,) utilisation of sections; zero for service.
         member: (M,) utilisation of members with buckling between their ends.
         buckling: modes under it, for strength.
+        bent: share of the strain energy that is not of axial forces, first order; 0 is a shell
+            that carries by its form alone.
         carried: part of it that is balanced in the deformed, imperfect shape, where that was
             looked for.
     """
@@ -51,6 +53,7 @@ class Found:
     section: FloatArray
     member: FloatArray
     buckling: Buckling | None = None
+    bent: float | None = None
     carried: float | None = None
 
     @property
@@ -258,15 +261,36 @@ def _one(
     mode = buckling(pieces.system, _summed(factors, pieces.cases), model.design.modes)
     carried = None
     forces = np.stack([whole.forces_at(model.frame, part) for part in STATIONS])
+    share = _bent(model, forces)
     # What buckles under its load does not pass anyway.
     if model.design.second_order and len(mode.factors) and 1 < mode.factors[0] < ENOUGH:
-        carried, bent = pieces.second_order(mode, _summed(factors, pieces.loads))
-        forces = np.concatenate([forces, bent])
+        carried, deformed = pieces.second_order(mode, _summed(factors, pieces.loads))
+        forces = np.concatenate([forces, deformed])
     lengths = model.design.buckling_length * model.frame.lengths
     permanent = combination.permanent(model.cases)
     section = model.rules.section(forces, permanent)
     member = model.rules.member(forces, lengths, permanent)
-    return Found(combination, whole, balance, section, member, mode, carried)
+    return Found(combination, whole, balance, section, member, mode, share, carried)
+
+
+def _bent(model: Model, forces: FloatArray) -> float:
+    """Share of the strain energy that is not of axial forces (K, M, 6) in sections."""
+    of = model.frame.stiffness
+    stiff = np.stack(
+        [
+            of.youngs * of.area,
+            of.shear * of.shear_area_y,
+            of.shear * of.shear_area_z,
+            of.shear * of.torsion,
+            of.youngs * of.about_y,
+            of.youngs * of.about_z,
+        ],
+        axis=1,
+    )
+    squares = 0.5 * (forces[1:] ** 2 + forces[:-1] ** 2).mean(axis=0)
+    energy = np.asarray(squares / stiff * model.frame.lengths[:, None])
+    total = float(energy.sum())
+    return 1.0 - float(energy[:, 0].sum()) / total if total else 0.0
 
 
 def _along(pieces: _Pieces, found: Response) -> FloatArray:

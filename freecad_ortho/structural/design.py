@@ -103,7 +103,9 @@ class Design:
         for name in ("panels", "snow"):
             if getattr(self, name) < 0:
                 raise InputError(f"{name}: expected 0 kN/m2 or more, got {getattr(self, name):g}")
-        for name in ("modes", "pieces", "buckling_length", "deflection"):
+        if self.pieces < 2:
+            raise InputError(f"pieces: expected 2 or more, so that members bow, got {self.pieces}")
+        for name in ("modes", "buckling_length", "deflection"):
             if not getattr(self, name) > 0:
                 raise InputError(f"{name}: expected more than 0, got {getattr(self, name):g}")
         self.winds()

@@ -34,6 +34,7 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
                 "utilisation": float(one.utilisation.max()),
                 "displacement_mm": float(one.displacement.max()),
                 "buckling_factors": [] if one.buckling is None else one.buckling.factors.tolist(),
+                "share_of_bending": one.bent,
                 "carried_second_order": one.carried,
             }
             for one in check.found

@@ -112,12 +112,17 @@ def _combinations(check: StructuralCheck) -> str:
                 one.combination.name,
                 f"{used:.0f} %" if strength else "",
                 ", ".join(f"{factor:.2f}" for factor in factors),
+                "" if one.bent is None else f"{100 * one.bent:.0f} %",
                 "" if one.carried is None else f"{100 * one.carried:.0f} %",
                 f"{float(one.displacement.max()):.1f}",
             )
         )
-    head = ("combination", "utilisation", "buckling factors", "carried, 2nd order", "moves, mm")
-    return "<h2>Combinations</h2>" + _table(head, rows)
+    head = ("combination", "utilisation", "buckling factors", "bending", "carried, 2nd order")
+    note = (
+        "<p>Bending is the share of the strain energy that is not of axial forces: small where the "
+        "shell carries by its form.</p>"
+    )
+    return "<h2>Combinations</h2>" + note + _table((*head, "moves, mm"), rows)
 
 
 def _governing(check: StructuralCheck) -> str:

@@ -56,6 +56,10 @@ def warnings(check: StructuralCheck) -> list[str]:
         found.append("The weight of the members is left out.")
     if not model.design.panels:
         found.append("Panels weigh nothing here; give their weight in kN/m2.")
+    used = {name for one in check.strength for name in one.combination.factors}
+    for case in model.cases:
+        if case.name not in used:
+            found.append(f"Load case '{case.name}' is in no combination for strength.")
     if not any(case.kind != "permanent" for case in model.cases):
         found.append("There is no snow, no wind and no other load that comes and goes.")
     return found

@@ -8,6 +8,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.structural.files import FILES
+from freecad_ortho.structural.words import warnings
 from solver.errors import InputError
 from solver.mesh.primitives import primitive
 
@@ -49,6 +50,13 @@ def test_far_from_the_origin_it_is_the_same(dome, checked):
     assert other.utilisation == pytest.approx(checked.utilisation, rel=1e-3)
 
 
+def test_a_plate_of_beams_bends_and_a_dome_hardly(dome, checked):
+    flat = dome.with_vertices(dome.vertices * [1.0, 1.0, 1e-6])
+    level = api.check_structure(flat, unit="m", material="S355", snow=1.5)
+    assert [one.bent for one in level.strength] == pytest.approx([1.0] * 3, abs=1e-6)
+    assert max(one.bent for one in checked.strength) < 0.5
+
+
 def test_what_is_too_weak_does_not_pass(dome):
     found = api.check_structure(dome, unit="m", section="plate:3x30", material="S235", snow=20.0)
     assert not found.passed
@@ -68,6 +76,7 @@ def test_second_order_is_asked_for_and_done(dome):
     assert "deformed shape (second order)" not in second.verdict
     carried = [one.carried for one in second.strength]
     assert any(part is not None for part in carried)
+    assert [one.bent for one in second.strength] == [one.bent for one in first.strength]
 
 
 @pytest.mark.parametrize(
@@ -107,6 +116,16 @@ def test_files_say_what_was_found(checked, tmp_path):
     ]  # fmt: skip
     page = (tmp_path / "check.html").read_text(encoding="utf-8")
     assert checked.verdict in page and "Not checked" in page and page.count("<svg") == 4
+
+
+def test_a_load_that_no_combination_takes_is_remarked_on(dome, tmp_path):
+    path = tmp_path / "own.json"
+    row = {"name": "mine", "kind": "strength", "factors": {"self-weight": 1.35}}
+    path.write_text(json.dumps({"combinations": [row]}), encoding="utf-8")
+    found = api.check_structure(dome, unit="m", snow=1.0, panels=0.4, combinations=path)
+    missing = [words for words in warnings(found) if "is in no combination" in words]
+    assert [words.split("'")[1] for words in missing] == ["panels", "snow"]
+    assert "displacements are not checked" in found.verdict
 
 
 def test_the_combinations_that_were_written_are_read_again(dome, checked, tmp_path):
