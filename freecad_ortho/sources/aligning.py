@@ -13,6 +13,7 @@ from freecad_ortho.words import counted
 from solver.align.align import BORDERS, Aligned, aligned
 from solver.align.crosses import Singular
 from solver.align.guides import TURNED
+from solver.align.membrane import STANDS_ON
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -30,13 +31,16 @@ _PORTION = 200
 
 OPTIONS = (
     Option("net", "principal", "choice",
-           "What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature",
+           "What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, "
+           "stress lines as a shell carries its weight",
            tuple(TURNED)),
     Option("edge", 0.0, "length", "Wanted edge length", absent="for about 600 faces"),
     Option("ratio", 1.0, "number", "How many times as long edges of the other family of lines are"),
     Option("border", "trim", "choice",
            "At the border the net overhangs the surface, to be trimmed, or bends to follow it",
            BORDERS, title="At the border"),
+    Option("stands_on", "boundary", "choice",
+           "Stress nets: what the shell stands on whose stresses the lines follow", STANDS_ON),
     Option("singularities", None, "singular",
            "Where other than four lines meet: auto for the fewest that the surface needs, none, or "
            "a file of rows x y z and 3, 5 or 6 lines",
@@ -52,13 +56,14 @@ def _on_faces(
     edge: float,
     ratio: float,
     border: str,
+    stands_on: str,
     singularities: Singular | None,
     drawn_strokes: Sequence[FloatArray],
     waiting: Callable[[str], object],
     strokes: Sequence[FloatArray] = (),
 ) -> Made:
     lines = (*strokes, *drawn_strokes)
-    made = aligned_on(surfaces, net, edge, ratio, border, lines, singularities, waiting)
+    made = aligned_on(surfaces, net, edge, ratio, border, lines, singularities, waiting, stands_on)
     remarks = (*_irregular(made), *made.remarks)
     return Made(made.mesh, remarks, made.field, made.singular, made.border)
 
@@ -82,6 +87,7 @@ def aligned_on(
     strokes: Sequence[FloatArray] = (),
     singularities: Singular | None = None,
     waiting: Callable[[str], object] = lambda stage: None,
+    stands_on: str = "boundary",
 ) -> Aligned:
     """A net along lines of CAD faces that meet smoothly; vertices on the faces themselves.
 
@@ -96,6 +102,7 @@ def aligned_on(
             needs by default.
         waiting: called with the name of each stage, some of them several times; what it raises is
             passed on.
+        stands_on: ``boundary`` or ``corners``: what carries the shell that a stress net follows.
 
     Raises:
         InputError: faces that cannot be sampled, or a surface that has no such net.
@@ -113,6 +120,7 @@ def aligned_on(
         edge=edge,
         ratio=ratio,
         border=border,
+        stands_on=stands_on,
         strokes=strokes,
         singularities=singularities,
         waiting=waiting,

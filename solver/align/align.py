@@ -20,6 +20,7 @@ from solver.align.features import Features
 from solver.align.field import Field, Guide, smooth_field
 from solver.align.given import Wanted, given_field
 from solver.align.guides import TURNED, along_features, net_guide, with_strokes
+from solver.align.membrane import STANDS_ON
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
 from solver.align.seamless import FIRM, seamless_map
@@ -83,6 +84,7 @@ def aligned(
     edge: float,
     ratio: float = 1.0,
     border: str = "trim",
+    stands_on: str = "boundary",
     strokes: Sequence[FloatArray] = (),
     singularities: Singular | None = None,
     waiting: Callable[[str], object] = lambda stage: None,
@@ -93,10 +95,11 @@ def aligned(
         vertices: (V, 3) coordinates, in the model's unit.
         triangles: (T, 3) vertex numbers.
         net: ``principal`` or ``developable`` (along curvature), ``asymptotic`` or ``cmc`` (at 45
-            degrees to it).
+            degrees to it), ``stress`` (along the stresses of a shell under its weight).
         edge: wanted edge length.
         ratio: edge length of the other family of lines over that.
         border: ``trim`` lets the net overhang, ``follow`` bends it to the border.
+        stands_on: ``boundary`` or ``corners``: what carries the shell that a stress net follows.
         strokes: polylines (n, 3) on the surface along which lines of the net run.
         singularities: where the net has vertices with 3, 5 or 6 faces, and nowhere else; the
             fewest that it needs by default.
@@ -110,6 +113,8 @@ def aligned(
         raise InputError(f"net: expected one of {', '.join(TURNED)}, got {net}")
     if border not in BORDERS:
         raise InputError(f"border: expected one of {', '.join(BORDERS)}, got {border}")
+    if stands_on not in STANDS_ON:
+        raise InputError(f"stands_on: expected one of {', '.join(STANDS_ON)}, got {stands_on}")
     if not (np.isfinite(ratio) and 0.05 <= ratio <= 20):
         raise InputError(f"ratio: expected 0.05 to 20, got {ratio:g}")
     waiting("curvature")
@@ -121,7 +126,7 @@ def aligned(
     loops = openings(surface, edge, remarks)
     smooth, work = prepared(surface, edge, min(edge, edge * ratio), remarks)
     waiting("directions")
-    guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, remarks)
+    guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, stands_on, remarks)
     lines = [grain * np.round(np.asarray(stroke) / grain) for stroke in strokes]
     follows = border == "follow"
     asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities)

@@ -106,16 +106,10 @@ def creased(mesh: TriangleMesh, edge: float) -> BoolArray:
 
 def _directions(points: FloatArray, span: float) -> FloatArray:
     """(N, 3) direction of a closed polyline at the middle of each of its edges."""
-    steps = np.linalg.norm(np.roll(points, -1, axis=0) - points, axis=1)
-    total = float(steps.sum())
-    starts = np.concatenate([[0.0], steps.cumsum()])
-    closed = np.concatenate([points, points[:1]])
+    starts, at = _walked(points)
+    total = float(starts[-1])
     reach = min(span, total / 4) / 2
-
-    def at(places: FloatArray) -> FloatArray:
-        return np.stack([np.interp(places % total, starts, closed[:, k]) for k in range(3)], axis=1)
-
-    corners = _corners(starts[:-1], total, reach, at)
+    corners = starts[corners_of(points, span)]
     middle = (starts[1:] + starts[:-1]) / 2
     low, high = middle - reach, middle + reach
     if len(corners):
@@ -127,18 +121,37 @@ def _directions(points: FloatArray, span: float) -> FloatArray:
     return unit_rows(at(high) - at(low))
 
 
-def _corners(
-    places: FloatArray, total: float, reach: float, at: Callable[[FloatArray], FloatArray]
-) -> FloatArray:
-    """Which of the places (N,) along a closed polyline are corners: where it turns most."""
+def _walked(points: FloatArray) -> tuple[FloatArray, Callable[[FloatArray], FloatArray]]:
+    """(N + 1,) lengths along a closed polyline up to its points; points at such lengths."""
+    steps = np.linalg.norm(np.roll(points, -1, axis=0) - points, axis=1)
+    starts = np.concatenate([[0.0], steps.cumsum()])
+    closed = np.concatenate([points, points[:1]])
+
+    def at(places: FloatArray) -> FloatArray:
+        round_ = places % starts[-1]
+        return np.stack([np.interp(round_, starts, closed[:, k]) for k in range(3)], axis=1)
+
+    return starts, at
+
+
+def corners_of(points: FloatArray, span: float) -> IntArray:
+    """Which points (N, 3) of a closed polyline are corners: where it turns most.
+
+    Args:
+        points: of the polyline.
+        span: length over which its direction is taken; shorter teeth do not count.
+    """
+    starts, at = _walked(points)
+    total, places = float(starts[-1]), starts[:-1]
+    reach = min(span, total / 4) / 2
     here = at(places)
     came, goes = unit_rows(here - at(places - reach)), unit_rows(at(places + reach) - here)
     turn = np.arccos(np.clip((came * goes).sum(axis=1), -1, 1))
-    found: list[float] = []
+    found: list[int] = []
     for k in np.argsort(-turn).tolist():
         if turn[k] < _CORNER:
             break
-        apart = np.abs(np.array(found) - places[k])
+        apart = np.abs(places[found] - places[k])
         if (np.minimum(apart, total - apart) > reach).all():
-            found.append(float(places[k]))
-    return np.sort(found)
+            found.append(k)
+    return np.sort(np.array(found, dtype=np.int64))

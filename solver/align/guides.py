@@ -10,14 +10,23 @@ from scipy.spatial import cKDTree
 
 from solver.align.features import Features
 from solver.align.field import Guide, curvature_guide
+from solver.align.jets import face_tensors
+from solver.align.membrane import membrane_forces
 from solver.align.triangle_mesh import TriangleMesh
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
-# Nets that can be aligned, and by how much their lines are turned from those of curvature.
-TURNED = {"principal": 0.0, "developable": 0.0, "asymptotic": np.pi / 4, "cmc": np.pi / 4}
+# Nets that can be aligned, and by how much their lines are turned from those of curvature, or of
+# stress.
+TURNED = {
+    "principal": 0.0,
+    "developable": 0.0,
+    "asymptotic": np.pi / 4,
+    "cmc": np.pi / 4,
+    "stress": 0.0,
+}
 # Where curvatures differ by less than this part of what they are, or by less than this angle an
 # edge, on half of the surface, it is round or flat and any line is one of curvature.
 _ROUND, _FLAT = 0.02, 5e-4
@@ -38,6 +47,7 @@ def net_guide(
     tensors: FloatArray,
     net: str,
     edge: float,
+    stands_on: str,
     remarks: list[str],
 ) -> Guide:
     """Directions in which a net has its lines, where the surface has any.
@@ -48,11 +58,15 @@ def net_guide(
         tensors: (T, 2, 2) shape operators in the triangles' frames.
         net: one of :data:`TURNED`.
         edge: wanted edge length.
+        stands_on: what carries the shell whose stresses a stress net follows.
         remarks: gets a sentence where the surface has no lines of its own.
 
     Raises:
         InputError: a surface that has no such lines.
     """
+    if net == "stress":
+        forces = membrane_forces(mesh, inner, stands_on, edge)
+        return curvature_guide(mesh, face_tensors(mesh, forces), inner, TURNED[net])
     own, areas = tensors[:inner], mesh.areas[:inner]
     mean, gauss = np.trace(own, axis1=1, axis2=2) / 2, np.linalg.det(own)
     differ = np.sqrt(np.maximum(mean**2 - gauss, 0.0))

@@ -139,6 +139,7 @@ NETS = (
         options=("load", "load_area", "load_length", "forces", "singular"),
         supports="boundary",
         held="supports",
+        begins_as="stress",
         way=Way(
             easier=(
                 Easier("orthogonal", 10.0, evenness=1.0),
