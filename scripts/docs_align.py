@@ -20,6 +20,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -37,6 +38,7 @@ from solver import (  # noqa: E402
 )
 from solver.align.align import aligned  # noqa: E402
 from solver.align.reach import reaching  # noqa: E402
+from solver.align.triangle_mesh import TriangleMesh  # noqa: E402
 from solver.analysis import form, measures  # noqa: E402
 from solver.mesh.closest import TriangleSurface  # noqa: E402
 from solver.mesh.grid import grid_mesh  # noqa: E402
@@ -157,25 +159,59 @@ def table() -> str:
     return "\n".join(lines) + "\n"
 
 
-def random_row(seed: int) -> str:
-    """What became of one random surface, in one line; noise is not what a net is measured by."""
+class Attempt(NamedTuple):
+    """What became of one random surface.
+
+    Attributes:
+        seed: its number.
+        words: a line about it.
+        exact: whether the net is exact, without folded faces.
+        off: its largest distance from the surface without noise where it lies over that, in percent
+            of the diagonal; None without a net.
+    """
+
+    seed: int
+    words: str
+    exact: bool = False
+    off: float | None = None
+
+
+def random_row(seed: int) -> Attempt:
+    """Try one random surface; neither noise nor what is trimmed is what a net is measured by."""
     points, triangles = random_surface(seed)
     begun = time.process_time()
     try:
         made = aligned(points, triangles, edge=1.2)
     except InputError as error:
-        return f"{seed:2} refused: {error}"
+        return Attempt(seed, f"{seed:2} refused: {error}")
     spent = time.process_time() - begun
     given = Constraints(close_to=reaching(made.mesh, points, triangles))
     outcome = optimise(made.mesh, "principal", constraints=given)
     clean = TriangleSurface(*reaching(made.mesh, *random_surface(seed, noisy=False)))
     found = form.form_of(made.mesh, outcome.mesh, clean)
-    return (
+    over = off_over(outcome.mesh, TriangleSurface(*random_surface(seed, noisy=False)))
+    exact = outcome.report.status == "converged" and not outcome.report.flipped_faces
+    words = (
         f"{seed:2} {len(triangles):6} triangles, {len(made.mesh.faces):4} faces, "
         f"{len(made.irregular):2} irregular, {spent:3.0f} s; {outcome.report.status}, "
-        f"off {found.off_surface.percent:.3f} %, zigzag {found.zigzag:.2f}, folded "
-        f"{outcome.report.flipped_faces} {'; '.join(made.remarks)}"
+        f"off {over:.3f} %, with what is trimmed {found.off_surface.percent:.3f} %, zigzag "
+        f"{found.zigzag:.2f}, folded {outcome.report.flipped_faces} {'; '.join(made.remarks)}"
     )
+    return Attempt(seed, words, exact, over)
+
+
+def off_over(mesh: QuadMesh, surface: TriangleSurface) -> float:
+    """Largest distance of a net from a surface, in percent, where it does not overhang that.
+
+    Vertices and middles of faces whose closest point is on the border overhang.
+    """
+    places = np.concatenate([mesh.vertices, mesh.vertices[mesh.faces].mean(axis=1)])
+    feet, _ = surface.closest(places)
+    sheet_ = TriangleMesh(surface.vertices, surface.triangles)
+    rim = TriangleSurface(surface.vertices, sheet_.half_edges[sheet_.rim][:, [0, 1, 1]])
+    over = np.linalg.norm(feet - rim.closest(feet)[0], axis=1) > 1e-6 * mesh.mean_edge
+    far = np.linalg.norm(places - feet, axis=1)[over].max()
+    return float(100 * far / np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
 
 
 def picture(target: str) -> None:
@@ -199,7 +235,7 @@ def main() -> None:
     given = parser.parse_args()
     if given.random:
         for seed in range(given.random):
-            print(random_row(seed), flush=True)
+            print(random_row(seed).words, flush=True)
         return
     if given.picture:
         picture(given.picture)

@@ -3,6 +3,13 @@
 import numpy as np
 from scipy.spatial import Delaunay
 
+from solver import Constraints, optimise
+from solver.align.align import aligned
+from solver.align.reach import reaching
+from solver.analysis.form import form_of
+from solver.mesh.closest import TriangleSurface
+from solver.mesh.primitives import primitive
+
 
 def triangles(formula, nu=61, nv=37):
     """Points (V, 3) and triangles (T, 3) of a formula on the unit square."""
@@ -116,3 +123,42 @@ def _irregular(dice, size, step):
                 np.add.at(counts, corners[:, k], 1)
         places = np.where(free[:, None], sums / counts[:, None], places)
     return places, Delaunay(places).simplices
+
+
+# Surfaces that carry exact nets: primitive, its parameters, lines on it, net, faces.
+EXACT = {
+    "Enneper": ("enneper", {"lines": "principal"}, "asymptotic", "asymptotic", 400),
+    "Scherk": ("scherk", {"lines": "principal"}, "asymptotic", "asymptotic", 400),
+    "catenoid": ("catenoid", {"angles": (0, 200)}, "asymptotic", "asymptotic", 600),
+    "helicoid": ("helicoid", {"lines": "principal"}, "asymptotic", "asymptotic", 600),
+    "unduloid": ("unduloid", {}, "cmc", "cmc", 1200),
+    "cone": ("cone", {"angles": (0, 200)}, "developable", "principal", 600),
+    "tangent developable": ("tangent-developable", {}, "developable", "principal", 600),
+}
+
+
+def exact_patch(name, nu=81, nv=61):
+    """Points (V, 3) and triangles (T, 3) of one of ``EXACT``, without seams."""
+    kind, parameters, *_ = EXACT[name]
+    mesh = primitive(kind, nu, nv, **parameters)
+    points, quads = mesh.vertices, mesh.faces
+    faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    # A surface of revolution is halved.
+    round_ = kind == "unduloid"
+    return without(points, faces, lambda at: at[:, 1] < 0) if round_ else (points, faces)
+
+
+def net_on_patch(name):
+    """Align a net on one of ``EXACT`` and optimise it near to it.
+
+    Returns:
+        The aligned net, what became of it, and its form against a finer surface.
+    """
+    _, _, lines, net, count = EXACT[name]
+    points, faces = exact_patch(name)
+    one, two = (points[faces[:, k]] - points[faces[:, 0]] for k in (1, 2))
+    area = np.linalg.norm(np.cross(one, two), axis=1).sum() / 2
+    made = aligned(points, faces, net=lines, edge=float(np.sqrt(area / count)))
+    outcome = optimise(made.mesh, net, constraints=Constraints(close_to=(points, faces)))
+    surface = TriangleSurface(*reaching(made.mesh, *exact_patch(name, 321, 241)))
+    return made, outcome, form_of(made.mesh, outcome.mesh, surface)
