@@ -1,6 +1,7 @@
 """Nets along curvature in FreeCAD's window: made in the background. Run by FreeCAD."""
 
 import time
+from typing import ClassVar
 from unittest import mock
 
 import FreeCAD
@@ -209,13 +210,18 @@ class TestStrokes(AlignedCase):
 class TestByHand(AlignedCase):
     """The mouse on the surface: singular vertices are dragged, strokes are drawn."""
 
+    # All begin with the same net.
+    first: ClassVar = {}
+
     def setUp(self):
         super().setUp()
+        making._made.update(self.first)
         self.sheet.Shape = dome()
         self.document.recompute()
         self.opened_on("Face1")
         self.panel.fields["edge"].value = 2500.0
         self.until_made(self.panel)
+        self.first.update(making._made)
         self.hand = Hand(self.document)
 
     def given(self):
