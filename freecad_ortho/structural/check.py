@@ -134,6 +134,13 @@ class StructuralCheck:
         return self.model.span / self.model.design.deflection
 
     @property
+    def largest_reactions(self) -> tuple[float, float, float]:
+        """Largest force of one support down, up and sideways on the frame, for strength, N."""
+        forces = np.concatenate([one.response.reactions[:, :3] for one in self.strength])
+        sideways = float(np.hypot(forces[:, 0], forces[:, 1]).max())
+        return max(0.0, -float(forces[:, 2].min())), float(forces[:, 2].max()), sideways
+
+    @property
     def balance(self) -> float:
         """Largest imbalance of loads and reactions."""
         return max(one.balance for one in self.found)

@@ -14,6 +14,7 @@ from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
 def check_numbers(check: StructuralCheck) -> dict[str, Any]:
     """The report: verdict, combinations, assumptions; kN, m and mm as the names say."""
     model, worst = check.model, int(check.utilisation.argmax())
+    down, up, sideways = check.largest_reactions
     return {
         "program": f"freecad_ortho {__version__}",
         "verdict": {"passed": check.passed, "words": check.verdict, "failures": check.failures},
@@ -27,6 +28,11 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
         "buckling_factor": check.factor,
         "displacement_mm": check.deflection if check.service else None,
         "displacement_limit_mm": check.deflection_limit,
+        "largest_support_forces_kN": {
+            "down": down / 1e3,
+            "up": up / 1e3,
+            "sideways": sideways / 1e3,
+        },
         "imbalance": check.balance,
         "combinations": [
             {

@@ -40,6 +40,7 @@ def check_page(check: StructuralCheck, project: str = "") -> str:
         _pictures(check),
         _combinations(check),
         _governing(check),
+        _supports(check),
         _list("Assumptions", assumptions(check)),
         _list("Not checked", NOT_CHECKED),
         "<p>Imbalance of loads and reactions: "
@@ -149,6 +150,15 @@ def _governing(check: StructuralCheck) -> str:
         f"order.{second} All are in members.csv and forces.csv.</p>"
     )
     return "<h2>Governing members</h2>" + note + _table((*head, "Mz, kNm", "combination"), rows)
+
+
+def _supports(check: StructuralCheck) -> str:
+    down, up, sideways = (force / 1e3 for force in check.largest_reactions)
+    return (
+        f"<h2>Supports</h2><p>In combinations for strength one support pushes the shell up by "
+        f"{up:.1f} kN at most, holds it down by {down:.1f} kN and sideways by {sideways:.1f} kN. "
+        "What is below has to take that. All are in reactions.csv.</p>"
+    )
 
 
 def _table(head: Iterable[str], rows: Iterable[Sequence[str]]) -> str:

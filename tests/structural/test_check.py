@@ -32,6 +32,13 @@ def test_reactions_carry_the_loads(checked):
         assert np.abs(total + pushed).max() < 1e-9 * np.abs(case.loads.spread).sum() * 1e3
 
 
+def test_supports_carry_what_comes_to_them(checked):
+    down, up, sideways = checked.largest_reactions
+    reactions = np.stack([one.response.reactions for one in checked.strength])
+    assert up == reactions[:, :, 2].max() > 0 and down >= 0
+    assert sideways == pytest.approx(np.linalg.norm(reactions[:, :, :2], axis=2).max())
+
+
 def test_a_stout_dome_passes_and_says_so(checked):
     assert checked.passed and checked.verdict.startswith("Passes this check (first order)")
     assert 0 < checked.utilisation.max() < 0.2 and checked.factor > 10

@@ -38,6 +38,15 @@ def test_the_first_that_passes_from_the_lightest_on(dome, tmp_path):
     assert not written[-1].exists()
 
 
+def test_second_order_is_for_what_holds_by_the_first(dome):
+    flat = dome.with_vertices(dome.vertices * [1.0, 1.0, 0.1])
+    names = "tube:20x20x2+tube:60x40x4"
+    found = api.size_structure(flat, names, second_order=True, imperfection=10.0, **SETTINGS)
+    assert [one.passed for one in found.tries] == [False, True]
+    assert 1 < found.check.factor < 10 and found.check.model.design.second_order
+    assert any(one.carried == 1.0 for one in found.check.strength)
+
+
 def test_where_none_passes_it_says_so(dome):
     found = api.size_structure(dome, "plate:3x30", **SETTINGS)
     assert not found.check.passed and found.verdict.startswith("None of 1 sections passes.")
