@@ -5,6 +5,7 @@ import csv
 import numpy as np
 import pytest
 import shapely
+from cadquery import importers
 
 from freecad_ortho.fabrication import Beams, Panels, build
 from freecad_ortho.fabrication.clash import check_clashes
@@ -207,3 +208,7 @@ def test_its_files_list_length_and_bends(roof, border, tmp_path):
     assert lengths == pytest.approx([part.length for part in pieces], abs=0.01)
     assert all(0 < float(row["bend_deg"]) < 60 for row in rows)
     assert (tmp_path / "flat.dxf").read_text().count("E1-001") > 0
+    solids = importers.importStep(str(tmp_path / "structure.step")).solids().vals()
+    assert all(solid.isValid() for solid in solids)
+    volumes = sorted(solid.Volume() for solid in solids)
+    assert volumes == pytest.approx(sorted(part.volume for part in structure.parts), rel=1e-9)

@@ -65,11 +65,12 @@ class BorderEnds:
         edge_beam = site.geometry_of("edge-beam", EdgeGeometry)
         if site.trimming is None and edge_beam is None:
             return None
-        ends = cls._at_border(site, frames)
+        ends = cls.at_border(site, frames)
         return ends if edge_beam is None else ends._before(edge_beam, site, frames, levels, half)
 
     @classmethod
-    def _at_border(cls, site: Site, frames: Frames) -> BorderEnds:
+    def at_border(cls, site: Site, frames: Frames) -> BorderEnds:
+        """Ends at the border alone, all within where there is none."""
         edges = site.mesh.connectivity.edges
         count = len(edges)
         places = np.tile([0.0, 1.0], (count, 1))

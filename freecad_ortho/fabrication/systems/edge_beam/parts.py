@@ -51,9 +51,8 @@ def edge_parts(
             parts.append(_part(site, geometry, section, piece, name, beside, rings, ends))
             last = share == count - 1
             found = angles[piece] if last else np.zeros(len(_BENDS))
-            rows.append(
-                (name, section.words, parts[-1].length, beside[1], *np.round(found, 6).tolist())
-            )
+            sizes = round(parts[-1].length, 3), beside[1]
+            rows.append((name, section.words, *sizes, *np.round(found, 6).tolist()))
             number += 1
     columns = ("name", "section", "length_mm", "next", *_BENDS)
     return tuple(parts), Table("edge-beam.csv", columns, tuple(rows))

@@ -75,7 +75,7 @@ def spliced(lamella: Lamella, settings: LamellaSettings) -> tuple[list[Lamella],
         return [lamella], []
     bounds = [begin, *joints, end] if lamella.closed else [None, *joints, None]
     pieces = [
-        _piece(lamella, start, stop, f"{lamella.name}-{number}" if joints else "", settings)
+        piece_between(lamella, start, stop, f"{lamella.name}-{number}" if joints else "", settings)
         for number, (start, stop) in enumerate(pairwise(bounds), start=1)
     ]
     pairs = [*zip(joints, pairwise(pieces), strict=True)]
@@ -165,7 +165,7 @@ def _in_pattern(ribbon: Ribbon, joint: Joint, along: FloatArray, level: FloatArr
     return np.asarray(middle + along[:, None] * forwards + level[:, None] * across)
 
 
-def _piece(
+def piece_between(
     lamella: Lamella,
     start: Joint | None,
     end: Joint | None,

@@ -18,6 +18,7 @@ from freecad_ortho.fabrication.systems.lamellas.axis import (
     pattern_of,
 )
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
+from freecad_ortho.fabrication.systems.lamellas.border import Border
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
     Crossing,
     crossings,
@@ -38,6 +39,7 @@ from solver.mesh.lines import ParameterLine, ParameterLines
 class Lamellas(LamellaSettings, System):
     """Strips along the chosen parameter lines, one part a line or a piece of one."""
 
+    trims: ClassVar[bool] = True
     name: ClassVar[str] = "lamellas"
     excludes: ClassVar[Mapping[str, str]] = {
         "nodes": "cannot be built together: lamellas run through their crossings, where slots or "
@@ -61,11 +63,16 @@ class Lamellas(LamellaSettings, System):
                 "layers: the lines of this net cannot be told apart into families u and v, so two "
                 "layers cannot be made; take layers 1"
             )
+        border = Border(site)
+        runs = border.runs(lines)
+        if not runs:
+            return SystemParts(())
+        lines = [run.line for run in runs]
+        beyond = reaches(site.mesh, pattern.axes, lines, self)
+        names = [lamella_name(run.line) + run.suffix for run in runs]
         whole = [
-            lamella_on(site, line, self, pattern, lamella_name(line), beyond)
-            for line, beyond in zip(
-                lines, reaches(site.mesh, pattern.axes, lines, self), strict=True
-            )
+            border.trim(lamella_on(site, run.line, self, pattern, name, ends), run, self)
+            for run, name, ends in zip(runs, names, beyond, strict=True)
         ]
         lamellas, splices = pieces_of(whole, self)
         met = crossings(lamellas, self)
@@ -77,7 +84,9 @@ class Lamellas(LamellaSettings, System):
         report["splices"] = len(splices)
         report["not_put_on"] = sum(bool(part.assembly) for part in parts)
         messages = self._messages(lamellas, pattern) + self._said(whole, splices)
-        messages += self._said_of_layers(lamellas, met) + doubts
+        messages += self._said_of_layers(lamellas, met) + border.words() + doubts
+        if site.trimming is not None:
+            report |= {"trimmed": border.trimmed, "left_out": border.left_out}
         return SystemParts(parts, report, tuple(messages), lamellas)
 
     def _report(
