@@ -58,7 +58,10 @@ class Design:
             "joints", "rigid", "text",
             "Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad",
         ),
-        Option("self_weight", True, "flag", "Weight of the members is a load"),
+        Option(
+            "self_weight", True, "flag", "Weight of the members is a load",
+            brief="leave out the weight of the members",
+        ),
         Option("panels", 0.0, "number", "Weight of panels by their surface, kN/m2"),
         Option("snow", 0.0, "number", "Snow by the plan, kN/m2"),
         Option(

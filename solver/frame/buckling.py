@@ -6,16 +6,19 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import eigh
+from scipy.sparse import csc_array
 from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
 from solver.errors import OrthoError
 from solver.frame import elements
 from solver.frame.response import Response
-from solver.frame.system import System
+from solver.frame.system import System, negative_pivots
 from solver.mesh.quadmesh import FloatArray
 
 # Up to so many unknowns all modes are found at once.
 _FEW = 200
+# How often modes are looked for.
+_TRIES = 4
 # Factors that are larger than this mean that nothing buckles.
 _NEVER = 1e9
 
@@ -67,25 +70,47 @@ def buckling(system: System, under: Response, count: int = 5) -> Buckling:
     return Buckling(1.0 / values[order], own / np.where(largest > 0, largest, 1)[:, None, None])
 
 
-def _largest(system: System, loose: FloatArray, count: int) -> tuple[FloatArray, FloatArray]:
-    """Largest values m of loose v = m K v, one over the factors, and their vectors."""
+def _largest(system: System, loose: csc_array, count: int) -> tuple[FloatArray, FloatArray]:
+    """Largest values m of loose v = m K v, one over the factors, and their vectors.
+
+    The method of Lanczos can pass over one of two modes alike, so the factors below the last one
+    are counted by the signs of pivots; where some are missing, more are looked for.
+    """
     size = len(system.free)
     inverse = LinearOperator((size, size), matvec=system.solve_once, dtype=np.float64)
-    start = np.random.default_rng(3).standard_normal(size)
-    wanted = min(count, size - 1)
-    try:
-        return eigsh(  # type: ignore[no-any-return]
-            loose,
-            wanted,
-            system.kept,
-            Minv=inverse,
-            which="LA",
-            ncv=min(size, max(24, 4 * wanted)),
-            v0=system.solve_once(start),
-            tol=1e-8,
-        )
-    except ArpackNoConvergence as error:
-        raise OrthoError(
-            "buckling: the modes were not found; ask for fewer, or look for members that are much "
-            "weaker than the others"
-        ) from error
+    random = np.random.default_rng(3)
+    for tries in range(_TRIES):
+        wanted = min((tries + 1) * count, size - 1)
+        try:
+            values, vectors = eigsh(
+                loose,
+                wanted,
+                system.kept,
+                Minv=inverse,
+                which="LA",
+                ncv=min(size, max(24, 4 * wanted)),
+                v0=system.solve_once(random.standard_normal(size)),
+                tol=1e-8 if tries == 0 else 0,
+            )
+        except ArpackNoConvergence:
+            continue
+        if _complete(system, loose, values, count):
+            return values, vectors
+    raise OrthoError(
+        "buckling: the modes were not found; ask for fewer, or look for members that are much "
+        "weaker than the others"
+    )
+
+
+def _complete(system: System, loose: csc_array, values: FloatArray, count: int) -> bool:
+    """Whether no mode was passed over: as many pivots are negative as factors are below.
+
+    Source: Sylvester's law of inertia, as in Bathe (1996), Finite Element Procedures, 11.6.4.
+    """
+    found = np.sort(values)[::-1][:count]
+    last = found[found > 1 / _NEVER]
+    if not len(last):
+        return True
+    factor = (1 - 1e-6) / float(last[-1])
+    pivots = negative_pivots((system.kept - factor * loose).tocsc())
+    return pivots is None or pivots == int((last > 1 / factor).sum())

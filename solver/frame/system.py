@@ -218,6 +218,17 @@ def factored(matrix: csc_array) -> SuperLU:
         raise SingularSystemError("frame: the stiffness is singular; add supports") from error
 
 
+def negative_pivots(matrix: csc_array) -> int | None:
+    """How many values of a symmetric matrix are negative; None where its pivots cannot tell."""
+    try:
+        factors = factored(matrix)
+    except SingularSystemError:
+        return None
+    if not np.array_equal(factors.perm_r, factors.perm_c):
+        return None
+    return int((factors.U.diagonal() < 0).sum())
+
+
 def _free_words(nodes: IntArray) -> str:
     moves = "moves" if len(nodes) == 1 else "move"
     return (
