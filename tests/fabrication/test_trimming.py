@@ -145,6 +145,18 @@ def test_trimmed_panels_are_whole_parts(roof, border, edge):
     assert check_clashes(structure.parts).clashes == ()
 
 
+def test_round_tubes_end_at_the_border_and_only_their_nodes_have_a_misfit(roof, border):
+    beams = [Beams(200, 5, section="chs:88.9x5")]
+    whole, structure = build(roof, beams), build(roof, beams, border=border)
+    assert structure.report()["beams"]["trimmed"] > 20
+    assert check_clashes(structure.parts).clashes == ()
+    for part in structure.parts[::5]:
+        assert part.solid().isValid()
+        assert part.solid().Volume() == pytest.approx(part.volume, rel=1e-8)
+    most = whole.report()["beams"]["misfit_max_mm"]
+    assert 0 < structure.report()["beams"]["misfit_max_mm"] <= most
+
+
 def test_trimmed_panels_reach_the_border(roof, border):
     """Between panels the border is at most half of the gap away from a side."""
     structure = build(roof, [Panels(1, 2, "above")], border=border)
