@@ -128,7 +128,7 @@ def test_faces_of_a_step_file(tmp_path, capsys):
     ("options", "words"),
     [
         (["--edge", "500"], "leaves room for"),
-        (["--edge", "2.5", "--net", "stress"], "stress"),
+        (["--edge", "2.5", "--net", "snet"], "snet"),
         (["--edge", "2.5", "--ratio=-1"], "ratio"),
         (["--edge", "inf"], "edge"),
         (["--edge", "2.5", "--singularities", "nowhere.txt"], "nowhere.txt"),
