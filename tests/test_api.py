@@ -95,10 +95,12 @@ def test_settings_have_the_names_and_choices_of_their_tables(kind, options):
 
 def test_a_size_that_a_system_has_not_is_refused_by_naming_whose_it_is(barrel):
     with pytest.raises(
-        InputError, match=r"^height: panels has no such size, it is of beams, nodes"
+        InputError, match=r"^height: panels has no such size, it is of edge-beam, beams, nodes"
     ):
         api.fabricate(barrel, "panels", height=999)
-    with pytest.raises(InputError, match=r"^hight: no system has such a size; there are height, "):
+    with pytest.raises(
+        InputError, match=r"^hight: no system has such a size; there are edge_section, "
+    ):
         api.fabricate(barrel, "beams", hight=999)
     with pytest.raises(InputError, match=r"^sheets: the workshop has no such size; it has sheet, "):
         api.write_fabrication(None, "nowhere", sheets="3000x1500")
