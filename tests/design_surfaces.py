@@ -128,7 +128,7 @@ def _irregular(dice, size, step):
 # Surfaces that carry exact nets: primitive, its parameters, lines on it, net, faces.
 EXACT = {
     "Enneper": ("enneper", {"lines": "principal"}, "asymptotic", "asymptotic", 400),
-    "Scherk": ("scherk", {"lines": "principal"}, "asymptotic", "asymptotic", 400),
+    "Scherk": ("scherk", {"lines": "principal"}, "asymptotic", "asymptotic", 300),
     "catenoid": ("catenoid", {"angles": (0, 200)}, "asymptotic", "asymptotic", 600),
     "helicoid": ("helicoid", {"lines": "principal"}, "asymptotic", "asymptotic", 600),
     "unduloid": ("unduloid", {}, "cmc", "cmc", 1200),
@@ -137,14 +137,14 @@ EXACT = {
 }
 
 
-def exact_patch(name, nu=81, nv=61):
-    """Points (V, 3) and triangles (T, 3) of one of ``EXACT``, without seams."""
+def exact_patch(name, nu=81, nv=61, whole=False):
+    """Points (V, 3) and triangles (T, 3) of one of ``EXACT``, without seams unless it is whole."""
     kind, parameters, *_ = EXACT[name]
     mesh = primitive(kind, nu, nv, **parameters)
     points, quads = mesh.vertices, mesh.faces
     faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     # A surface of revolution is halved.
-    round_ = kind == "unduloid"
+    round_ = kind == "unduloid" and not whole
     return without(points, faces, lambda at: at[:, 1] < 0) if round_ else (points, faces)
 
 
@@ -160,5 +160,5 @@ def net_on_patch(name):
     area = np.linalg.norm(np.cross(one, two), axis=1).sum() / 2
     made = aligned(points, faces, net=lines, edge=float(np.sqrt(area / count)))
     outcome = optimise(made.mesh, net, constraints=Constraints(close_to=(points, faces)))
-    surface = TriangleSurface(*reaching(made.mesh, *exact_patch(name, 321, 241)))
+    surface = TriangleSurface(*reaching(made.mesh, *exact_patch(name, 161, 121, whole=True)))
     return made, outcome, form_of(made.mesh, outcome.mesh, surface)
