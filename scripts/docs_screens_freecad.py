@@ -94,11 +94,19 @@ def tutorial() -> None:
     def seen(name: str) -> None:
         if name == "drag":
             three_d_view().getCameraNode().scaleHeight(1.2)
+        elif name == "surface":
+            stand(1.0)
         elif name != "open":  # which is seen as it opens
             stand(1.35 if story.net.Visibility else 0.75)
         look(name)
 
     story = Tutorial(seen)
+    story.open_surface()
+    story.align(1200.0)
+    list(story.optimise(stop=False))
+    for command, name in (("Beams", "trimmed-beams"), ("Panels", "trimmed")):
+        story.structure(command, name)
+    close()
     story.open_mesh()
     story.check()
     list(story.optimise())

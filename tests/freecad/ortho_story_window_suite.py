@@ -1,5 +1,7 @@
 """The whole story in FreeCAD's window, as docs/tutorial.md tells it. Run by FreeCAD."""
 
+import json
+
 import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
@@ -65,6 +67,26 @@ class StoryCase(WindowCase):
 
 
 class TestTutorial(StoryCase):
+    def test_surface(self):
+        story = self.tutorial
+        story.open_surface()
+        story.align(1200.0)
+        list(story.optimise(stop=False))
+        document, net = story.document, story.net
+        report = json.loads(net.LastReport)
+        self.assertEqual((report["net"], report["status"]), ("principal", "converged"))
+        self.assertLess(report["off_surface"]["max"], 50)
+        story.structure("Beams", "trimmed-beams")
+        story.structure("Panels", "trimmed")
+        # Lines as far apart as was asked for, over all of the surface.
+        faces = document.Objects[0].Shape.Area / 1200**2
+        self.assertAlmostEqual(len(document.Panels.PartNames) / faces, 1.0, delta=0.15)
+        self.assertGreater(len(document.Beams.PartNames), 1.8 * faces)
+        self.assertIs(document.Panels.OnBeams, document.Beams)
+        self.assertEqual(self.errors, [])
+        settings, _ = self.undone_and_redone(4)
+        self.assertEqual({name for name, _ in settings}, {document.Objects[0].Name})
+
     def test_roof(self):
         story = self.tutorial
         story.open_mesh()

@@ -17,6 +17,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho import convert
 
+SURFACE = tools.ROOT / "examples" / "data" / "demo_roof.step"
 ROOF = tools.ROOT / "examples" / "data" / "demo_roof.obj"
 
 
@@ -33,6 +34,30 @@ class Tutorial:
     @property
     def net(self):
         return self.document.Net
+
+    def open_surface(self, path=SURFACE):
+        """File > Open, the file."""
+        FreeCADGui.activateWorkbench("OrthoWorkbench")
+        with Answers(str(path)):
+            FreeCADGui.runCommand("Std_Open")
+        wait(lambda: self.document is not None and self.document.Objects, 30)
+        wait()
+        self.look("surface")
+
+    def align(self, edge):
+        """Select the surface, Net along curvature, the edge length; OK when the net is there."""
+        self.select(self.document.Objects[0])
+        FreeCADGui.runCommand("Ortho_AlignedNet")
+        wait()
+        tools.field("Edge").setProperty("rawValue", edge)
+        # The field settles before a net is begun anew.
+        wait(seconds=1.0)
+        if not wait(lambda: not shown("Stop"), 120):
+            raise AssertionError("no net comes")
+        wait()
+        self.look("aligned")
+        press("Ok")
+        wait()
 
     def open_mesh(self, path=ROOF):
         """File > Open, the file, and the module that FreeCAD asks for."""
@@ -162,6 +187,12 @@ class Tutorial:
         FreeCADGui.Selection.clearSelection()
         for item in items:
             FreeCADGui.Selection.addSelection(item)
+
+
+def shown(text):
+    """Whether a button with this text is seen."""
+    buttons = FreeCADGui.getMainWindow().findChildren(QtGui.QPushButton)
+    return any(button.text() == text and button.isVisible() for button in buttons)
 
 
 def corners(mesh):
