@@ -32,10 +32,14 @@ def main() -> None:
         subprocess.run(
             [sys.executable, "-m", f"examples.{name}", str(target)], cwd=ROOT, check=True
         )
-        with Image.open(target) as picture:
-            # As few colours as the eye needs: a quarter of the size.
-            small = picture.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE)
-        small.save(target, optimize=True)
+        shrink(target)
+
+
+def shrink(target: Path) -> None:
+    """Save a picture with as few colours as the eye needs: a quarter of the size."""
+    with Image.open(target) as picture:
+        small = picture.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE)
+    small.save(target, optimize=True)
 
 
 if __name__ == "__main__":
