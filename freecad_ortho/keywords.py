@@ -96,6 +96,7 @@ class WorkshopSettings(TypedDict, total=False):
     dxf_text: Literal["text", "strokes", "none"]
     step: Literal["one", "systems"]
     step_tolerance: Length
+    write: str
 
 
 class DesignSettings(TypedDict, total=False):

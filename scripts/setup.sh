@@ -93,7 +93,7 @@ find_freecad() {
 # A checksum of everything that decides what gets installed.
 wish() {
   {
-    cat "$root/scripts/setup.sh" "$root/requirements-fast.txt" "$root/requirements-remesh.txt" "${requirements[@]}"
+    cat "$root/scripts/setup.sh" "$root"/requirements-{exchange,fast,remesh}.txt "${requirements[@]}"
     ls -lL "$freecadcmd"
     printf '%s\n' "$freecad" "${ORTHO_PYTHON:-}"
   } | cksum
@@ -169,6 +169,10 @@ install_python_packages() {
     pip_install "$package" >"$scratch/log" 2>&1 ||
       say "$package (requirements-fast.txt) does not install here; something slower or simpler takes its place"
   done < <(grep -v '^#' "$root/requirements-fast.txt")
+  while read -r package; do
+    pip_install "$package" >"$scratch/log" 2>&1 ||
+      say "$package (requirements-exchange.txt) does not install here; its files for other programs are not written"
+  done < <(grep -v '^#' "$root/requirements-exchange.txt")
   if [ "$dev" = yes ]; then
     pip_install -r "$root/requirements-remesh.txt" >"$scratch/log" 2>&1 ||
       say "the library that makes quads of triangles (requirements-remesh.txt) does not install here; its tests are skipped"

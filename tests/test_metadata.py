@@ -32,7 +32,7 @@ def test_dependencies():
     depends = {item.text for item in PACKAGE.findall("p:depend", SPACE)}
     assert depends == names([*project["dependencies"], *extras["fabrication"]])
     files = {"requirements": depends} | {
-        f"requirements-{extra}": names(extras[extra]) for extra in ("fast", "remesh")
+        f"requirements-{extra}": names(extras[extra]) for extra in ("exchange", "fast", "remesh")
     }
     for name, wanted in files.items():
         pins = (ROOT / f"{name}.txt").read_text(encoding="utf-8")

@@ -13,6 +13,8 @@ from tempfile import TemporaryDirectory
 
 from freecad_ortho.fabrication.different import different_patterns
 from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
+from freecad_ortho.fabrication.exchange import WRITERS
+from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.nesting.sheet import file_words
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production, produce
@@ -23,12 +25,10 @@ from freecad_ortho.fabrication.stl import write_stl
 from freecad_ortho.fabrication.structure import Progress, Structure, build
 from freecad_ortho.fabrication.systems.system import System
 from freecad_ortho.fabrication.tables import (
+    lists,
     write_bends,
     write_bevels,
-    write_nodes,
-    write_parts,
     write_report,
-    write_stock,
     write_table,
 )
 from freecad_ortho.fabrication.workshop import Workshop
@@ -55,6 +55,7 @@ PARTS = "parts"
 # What an earlier report may name for removal: nothing but such names is ever written beside FILES.
 _REMOVABLE = re.compile(
     rf"{re.escape(_FLAT)}|structure(-[^/\\]+)?\.step|[^/\\]+\.csv"
+    rf"|{'|'.join(re.escape(each.file) for each in FORMATS.values())}"
     rf"|({SHEETS}|{JOINTS}|{PARTS})/[^/\\]+\.(dxf|svg|stl)"
 )
 
@@ -95,7 +96,8 @@ def write(
     say = progress or (lambda fraction, words: None)
     target = Path(folder)
     solids = _step_files(structure, workshop or Workshop())
-    for name in (*FILES, *solids, f"{SHEETS}/*", f"{JOINTS}/*", f"{PARTS}/*"):
+    formats = [each.file for each in FORMATS.values()]
+    for name in (*FILES, *formats, *solids, f"{SHEETS}/*", f"{JOINTS}/*", f"{PARTS}/*"):
         refuse_in_the_way(target, name)
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
     with no_new_folders_on_failure(target), staged_folder(target, earlier(target)) as staging:
@@ -110,6 +112,7 @@ def write(
         if production.sheets:
             say(0.9, SHEETS)
             _write_sheets(staging / SHEETS, production)
+        _write_formats(staging, production, project, say)
         say(0.95, "lists and reports")
         _write_joints(staging / JOINTS, structure)
         names = write_lists(staging, production, project, way)
@@ -130,9 +133,10 @@ def _step_files(structure: Structure, workshop: Workshop) -> dict[str, Sequence[
 def _beside(folder: Path, structure: Structure) -> list[str]:
     """Names of the files beside those that every structure has."""
     tables = [table.name for result in structure.results.values() for table in result.tables]
-    lists = [name for name in (BENDS, *tables) if (folder / name).exists()]
-    lists += sorted(path.name for path in folder.glob("structure-*.step"))
-    return lists + [
+    formats = [each.file for each in FORMATS.values()]
+    found = [name for name in (BENDS, *tables, *formats) if (folder / name).exists()]
+    found += sorted(path.name for path in folder.glob("structure-*.step"))
+    return found + [
         f"{folder_name}/{path.name}"
         for folder_name in (SHEETS, JOINTS, PARTS)
         for path in sorted((folder / folder_name).glob("*"))
@@ -166,12 +170,8 @@ def write_lists(
     Raises:
         OSError: a file cannot be written.
     """
-    equal_to = production.groups.equal_to
-    parts = production.structure.parts
-    write_parts(folder / "parts.csv", parts, production.verdicts, equal_to, production.places)
-    place = production.structure.place
-    write_nodes(folder / "nodes.csv", production.nodes, equal_to, place)
-    write_stock(folder / "stock.csv", production.bars)
+    for name, (columns, rows) in lists(production).items():
+        write_table(folder / f"{name}.csv", columns, rows)
     if any(pattern.bends for pattern in production.named_patterns.values()):
         write_bends(folder / BENDS, production.named_patterns)
     write_bevels(folder / "bevels.csv", production.named_patterns)
@@ -184,6 +184,17 @@ def write_lists(
     before = {} if way is None else way.numbers
     write_report(folder / REPORT, {**before, **production.report(), "files": names})
     return names
+
+
+def _write_formats(folder: Path, production: Production, project: str, say: Progress) -> None:
+    """Write what other programs read; a format whose package is missing is said by the report."""
+    wanted = [each for each in production.workshop.formats if not each.missing]
+    for number, each in enumerate(wanted):
+
+        def go_on(done: float, name: str = each.file, before: int = number) -> None:
+            say(0.9 + 0.05 * (before + done) / len(wanted), name)
+
+        WRITERS[each.name](folder / each.file, production, project, go_on)
 
 
 def _write_joints(folder: Path, structure: Structure) -> None:

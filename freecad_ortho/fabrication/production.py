@@ -107,6 +107,12 @@ class Production:
                 f"sheets leave out {units} insulating units: they are ordered to size, by their "
                 "flat patterns"
             )
+        words += [
+            f"{each.file} is not written: the Python package '{each.installed_as}' is missing; "
+            f"install it with pip, or leave out {each.name}"
+            for each in self.workshop.formats
+            if each.missing
+        ]
         return (*words, *self._about_stock())
 
     def _about_stock(self) -> list[str]:

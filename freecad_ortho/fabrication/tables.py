@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.nodes import Node
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import Bend, Bevel, FlatPattern
 from freecad_ortho.fabrication.place import Place
+from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.stock import Bar
 
 _LENGTHS, _AMOUNTS = ("length", "width", "section_height", "thickness"), ("area", "volume", "mass")
@@ -70,14 +71,16 @@ STOCK_COLUMNS = (
 )
 
 
-def write_parts(
-    path: Path,
+Table = tuple[Sequence[str], list[list[object]]]
+
+
+def parts_table(
     parts: Sequence[Part],
     verdicts: Sequence[str],
     equal_to: Mapping[str, str],
     places: Mapping[str, str],
-) -> None:
-    """Write one row a part.
+) -> Table:
+    """One row a part.
 
     Length and width are those of the flat pattern's box (a beam: of its plate), the height that of
     the section, the area is one face of the plate. Vertices, faces and lines are counted from 0 in
@@ -85,16 +88,12 @@ def write_parts(
     empty.
 
     Args:
-        path: file to write.
         parts: in the order of the rows.
         verdicts: one a part.
         equal_to: the first of the parts that are cut alike, by the names of the parts.
         places: the sheet or bar that it is cut from, by the names of the parts.
-
-    Raises:
-        OSError: the file cannot be written.
     """
-    rows = (
+    rows: list[list[object]] = [
         [
             part.name,
             part.kind,
@@ -114,25 +113,19 @@ def write_parts(
             verdict,
         ]
         for part, verdict in zip(parts, verdicts, strict=True)
-    )
-    write_table(path, COLUMNS, rows)
+    ]
+    return COLUMNS, rows
 
 
-def write_nodes(
-    path: Path, nodes: Sequence[Node], equal_to: Mapping[str, str], place: Place
-) -> None:
-    """Write one row a node: place in mm, axis, parts, angles and slopes of its edges in degrees.
+def nodes_table(nodes: Sequence[Node], equal_to: Mapping[str, str], place: Place) -> Table:
+    """One row a node: place in mm, axis, parts, angles and slopes of its edges in degrees.
 
     Args:
-        path: file to write.
         nodes: in the order of the rows.
         equal_to: the first of the nodes that are alike, by the names of the nodes.
         place: puts points and axes where they stand in the files.
-
-    Raises:
-        OSError: the file cannot be written.
     """
-    rows = (
+    rows: list[list[object]] = [
         [
             node.name,
             node.vertex,
@@ -145,17 +138,13 @@ def write_nodes(
             equal_to.get(node.name, ""),
         ]
         for node in nodes
-    )
-    write_table(path, NODE_COLUMNS, rows)
+    ]
+    return NODE_COLUMNS, rows
 
 
-def write_stock(path: Path, bars: Sequence[Bar]) -> None:
-    """Write one row a bar: its section and length, the parts sawn from it, what is left over; mm.
-
-    Raises:
-        OSError: the file cannot be written.
-    """
-    rows = (
+def stock_table(bars: Sequence[Bar]) -> Table:
+    """One row a bar: its section and length, the parts sawn from it, what is left over; mm."""
+    rows: list[list[object]] = [
         [
             bar.name,
             bar.kind,
@@ -168,8 +157,18 @@ def write_stock(path: Path, bars: Sequence[Bar]) -> None:
             "kept" if bar.usable else "scrap",
         ]
         for bar in bars
-    )
-    write_table(path, STOCK_COLUMNS, rows)
+    ]
+    return STOCK_COLUMNS, rows
+
+
+def lists(production: Production) -> dict[str, Table]:
+    """The lists that every structure has, by the names of their files without endings."""
+    structure, equal_to = production.structure, production.groups.equal_to
+    return {
+        "parts": parts_table(structure.parts, production.verdicts, equal_to, production.places),
+        "nodes": nodes_table(production.nodes, equal_to, structure.place),
+        "stock": stock_table(production.bars),
+    }
 
 
 def write_bends(path: Path, patterns: Mapping[str, FlatPattern]) -> None:

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
 from freecad_ortho.fabrication.equal import TOLERANCE_MM
+from freecad_ortho.fabrication.formats import FORMATS, Format, formats_of
 from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
 from solver.errors import InputError
 from solver.option import Option
@@ -44,6 +45,7 @@ class Workshop:
         step: solids in "one" file, or in one for each of the "systems".
         step_tolerance: distance within which solids agree that are written once and placed several
             times; 0 writes each by itself.
+        write: names of ``formats.FORMATS`` to be written besides, with commas between them.
 
     Raises:
         InputError: a size that cannot be used, an unknown word.
@@ -65,6 +67,7 @@ class Workshop:
     dxf_text: str = "text"
     step: str = "one"
     step_tolerance: float = 0.0
+    write: str = ""
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -91,6 +94,10 @@ class Workshop:
             "solids that agree within this are one product of the file with several places",
             absent="none",
         ),
+        Option(
+            *("write", "", "text", f"files for other programs too: {', '.join(FORMATS)}"),
+            written="NAME,...",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -111,12 +118,17 @@ class Workshop:
             )
         one_of("nesting", self.nesting, NESTINGS)
         one_of("step", self.step, STEP_FILES)
-        _ = self.dxf_form
+        _ = self.dxf_form, self.formats
 
     @property
     def dxf_form(self) -> DxfForm:
         """How drawings are written."""
         return DxfForm(self.dxf, self.dxf_version, self.dxf_text)
+
+    @property
+    def formats(self) -> tuple[Format, ...]:
+        """Files for other programs."""
+        return formats_of(self.write)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Workshop:

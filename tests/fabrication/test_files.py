@@ -248,9 +248,7 @@ def test_report_reads_back(structure, folder, roof):
     assert [message for message in report["messages"] if f"{shrunk} sides" in message]
 
 
-@pytest.mark.parametrize(
-    "failing", ["write_step", "write_dxf", "write_parts", "write_stock", "write_report"]
-)
+@pytest.mark.parametrize("failing", ["write_step", "write_dxf", "write_table", "write_report"])
 def test_failure_leaves_nothing(small, tmp_path, monkeypatch, failing):
     def fail(path, *rest):
         path.write_text("half of it")

@@ -83,6 +83,7 @@ def project(tmp_path):
     for name in (
         "requirements.txt",
         "requirements-dev.txt",
+        "requirements-exchange.txt",
         "requirements-fast.txt",
         "requirements-remesh.txt",
     ):

@@ -1,0 +1,22 @@
+"""What writes the files for other programs, by the names of ``formats.FORMATS``."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from freecad_ortho.fabrication.exchange.ifc import write_ifc
+from freecad_ortho.fabrication.exchange.labels import write_labels
+from freecad_ortho.fabrication.exchange.spreadsheet import write_xlsx
+from freecad_ortho.fabrication.exchange.viewer import write_glb
+from freecad_ortho.fabrication.production import Production
+
+# Takes the path, the production, the project's name, and what is called with the fraction done.
+Writer = Callable[[Path, Production, str, Callable[[float], None]], None]
+
+WRITERS: dict[str, Writer] = {
+    "ifc": write_ifc,
+    "glb": write_glb,
+    "xlsx": write_xlsx,
+    "labels": write_labels,
+}
+
+__all__ = ["WRITERS", "Writer"]

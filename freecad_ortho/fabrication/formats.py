@@ -1,0 +1,68 @@
+"""The files for other programs that are written where they are asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib.util import find_spec
+
+from solver.errors import InputError
+
+
+@dataclass(frozen=True)
+class Format:
+    """One such file.
+
+    Attributes:
+        name: as it is asked for.
+        file: its name in the folder.
+        package: the Python package that writes it, by the name it is imported by.
+        installed_as: the same as pip calls it.
+        contents: what is in it, in a few words.
+    """
+
+    name: str
+    file: str
+    package: str
+    installed_as: str
+    contents: str
+
+    @property
+    def missing(self) -> bool:
+        """Whether its package is not there."""
+        return find_spec(self.package) is None
+
+
+FORMATS = {
+    each.name: each
+    for each in (
+        Format(
+            *("ifc", "structure.ifc", "ifcopenshell", "ifcopenshell"),
+            "IFC 4: all parts, with quantities and properties",
+        ),
+        Format(
+            *("glb", "structure.glb", "trimesh", "trimesh"),
+            "glTF: all parts, with names and colours, for viewers",
+        ),
+        Format(
+            *("xlsx", "lists.xlsx", "xlsxwriter", "XlsxWriter"),
+            "all lists, and masses with a column for prices",
+        ),
+        Format(
+            *("labels", "labels.pdf", "reportlab", "reportlab"),
+            "a label for each part, with a QR code of its name",
+        ),
+    )
+}
+
+
+def formats_of(words: str) -> tuple[Format, ...]:
+    """Formats by their names, which commas part, each once and in the order of the table.
+
+    Raises:
+        InputError: an unknown name.
+    """
+    names = [word.strip().lower() for word in words.split(",") if word.strip()]
+    for name in names:
+        if name not in FORMATS:
+            raise InputError(f"write: expected some of {','.join(FORMATS)}, got '{name[:40]}'")
+    return tuple(each for name, each in FORMATS.items() if name in names)
