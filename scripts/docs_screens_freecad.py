@@ -94,7 +94,7 @@ def tutorial() -> None:
     def seen(name: str) -> None:
         if name == "drag":
             three_d_view().getCameraNode().scaleHeight(1.2)
-        elif name == "surface":
+        elif name in ("surface", "aligned"):
             stand(1.0)
         elif name != "open":  # which is seen as it opens
             stand(1.35 if story.net.Visibility else 0.75)

@@ -50,9 +50,9 @@ class Tutorial:
         FreeCADGui.runCommand("Ortho_AlignedNet")
         wait()
         tools.field("Edge").setProperty("rawValue", edge)
-        # The field settles before a net is begun anew.
-        wait(seconds=1.0)
-        if not wait(lambda: not shown("Stop"), 120):
+        # The net for the length that stood there goes, the one for the new length comes.
+        wait(lambda: not shown(" vertices, "), 5)
+        if not wait(lambda: shown(" vertices, "), 120):
             raise AssertionError("no net comes")
         wait()
         self.look("aligned")
@@ -190,9 +190,9 @@ class Tutorial:
 
 
 def shown(text):
-    """Whether a button with this text is seen."""
-    buttons = FreeCADGui.getMainWindow().findChildren(QtGui.QPushButton)
-    return any(button.text() == text and button.isVisible() for button in buttons)
+    """Whether a label with this text is seen."""
+    labels = FreeCADGui.getMainWindow().findChildren(QtGui.QLabel)
+    return any(text in label.text() and label.isVisible() for label in labels)
 
 
 def corners(mesh):

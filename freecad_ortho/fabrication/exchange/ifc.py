@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 _CLASSES = {
     "beam": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
     "web": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
+    "edge-beam": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
     "flange": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
     "lamella": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
     "panel": ("IfcPlate", "CURTAIN_PANEL", "Qto_PlateBaseQuantities"),
