@@ -11,6 +11,7 @@ from PySide import QtGui
 
 from freecad_ortho import preferences
 from freecad_ortho.documents.structures import lost_on_bars
+from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows, shortened
@@ -168,6 +169,7 @@ class ExportPanel(_WorkshopPanel):
         self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
         self._add_bar_fields(structures)
         self._add_drawing_fields()
+        self._add_formats()
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
         measured = {
             "local": translate("Ortho", "near the net"),
@@ -239,6 +241,21 @@ class ExportPanel(_WorkshopPanel):
         for title, field in zip(titles, self.drawing.values(), strict=True):
             self.rows.addRow(title, field.widget)
 
+    def _add_formats(self) -> None:
+        """A box to tick for each file for another program; what is not installed cannot be."""
+        titles = {"labels": translate("Ortho", "Labels")}
+        self.formats = {name: QtGui.QCheckBox(titles.get(name, name.upper())) for name in FORMATS}
+        missing = translate("Ortho", "The Python package {} is not installed")
+        boxes = QtGui.QWidget()
+        grid = QtGui.QGridLayout(boxes)
+        grid.setContentsMargins(0, 0, 0, 0)
+        for number, (name, box) in enumerate(self.formats.items()):
+            each = FORMATS[name]
+            box.setEnabled(not each.missing)
+            box.setToolTip(missing.format(each.installed_as) if each.missing else each.contents)
+            grid.addWidget(box, number // 2, number % 2)
+        self.rows.addRow(translate("Ortho", "Also write"), boxes)
+
     def _take_over(self, structures: list[FreeCAD.DocumentObject]) -> None:
         """Begin with the sheets of the flat patterns that the same structures have already."""
         wanted = set(self._names)
@@ -259,6 +276,7 @@ class ExportPanel(_WorkshopPanel):
         chosen |= {name: field.millimetres for name, field in self.bars.items()}
         if self.tolerance.number is not None:
             chosen["section_tolerance"] = self.tolerance.number
+        chosen["write"] = ",".join(name for name, box in self.formats.items() if box.isChecked())
         settings |= {name: value for name, value in chosen.items() if value != self._usual[name]}
         if (self.workers.number or 1) > 1:
             settings["workers"] = self.workers.number

@@ -258,15 +258,18 @@ class TestStock(WindowCase):
                 for name, value in (("saw", 4.0), ("trim", 25.0), ("rest", 900.0)):
                     self.panel.bars[name].millimetres = value
                 self.panel.tolerance.widget.setText("3")
+                # Of these the package is always there.
+                self.panel.formats["glb"].setChecked(True)
             press("Ok")
             self.assertEqual(self.errors, [])
             lines.append(self.lines[-1])
-        names = ("saw=4.0", "trim=25.0", "rest=900.0", "section_tolerance=3.0")
+        names = ("saw=4.0", "trim=25.0", "rest=900.0", "section_tolerance=3.0", "write='glb'")
         for name in names:
             self.assertNotIn(name.partition("=")[0], lines[0])
             self.assertIn(name, lines[1])
         stock = json.loads((folder / "report.json").read_text())["stock"]
         self.assertEqual((stock["saw_mm"], stock["trim_mm"]), (4.0, 25.0))
+        self.assertTrue((folder / "structure.glb").is_file())
 
 
 class TestFlatPatterns(WindowCase):

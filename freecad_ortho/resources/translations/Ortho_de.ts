@@ -154,6 +154,31 @@
    <translation>Jedes Mal werden aus einer Masche vier</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Edge beam that the parts end at or lie on</source>
+   <translation>Randträger, an dem die Teile enden oder auf dem sie liegen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge height: the edge beam is this high, by default as high as the beams</source>
+   <translation>Randhöhe: so hoch ist der Randträger, sonst so hoch wie die Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge section: the edge beam has this cross section</source>
+   <translation>Randprofil: der Randträger hat diesen Querschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge wall: the walls of a tube along the edge are this thick</source>
+   <translation>Rohrwand: so dick sind die Wände eines Rohrs am Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge width: the edge beam is this wide, by default as thick as the plates or 60 mm</source>
+   <translation>Randbreite: so breit ist der Randträger, sonst so dick wie die Bleche oder 60 mm</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Kanten und Flächen, auf denen Ecken exakt gleiten</translation>
@@ -420,8 +445,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Least width: pieces of panels at the border that are narrower than this are left out</source>
-   <translation>Mindestbreite: Stücke von Platten am Rand, die schmaler sind, werden weggelassen</translation>
+   <source>Least width: pieces of panels at the border that are narrower than this are slivers</source>
+   <translation>Mindestbreite: Stücke von Platten am Rand, die schmaler sind, sind Splitter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -442,6 +467,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Less than 1 moves the centre away</source>
    <translation>Weniger als 1 rückt das Zentrum weg</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines drawn on the surface that the net runs along</source>
+   <translation>Auf die Fläche gezeichnete Linien, an denen das Netz entlangläuft</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -795,6 +825,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rounded: solids have the rounded corners and roots of a section of the catalogue</source>
+   <translation>Gerundet: Körper haben die runden Ecken und Ausrundungen eines Querschnitts des Katalogs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rows at the starts and ends of u and v</source>
    <translation>Reihen an Anfang und Ende von u und v</translation>
   </message>
@@ -815,8 +850,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Section: the beams have this cross section</source>
-   <translation>Querschnitt: die Träger haben diesen Querschnitt</translation>
+   <source>Section: the beams have this cross section, or one of the catalogue such as HEB160</source>
+   <translation>Querschnitt: die Träger haben diesen Querschnitt oder einen des Katalogs wie HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -910,6 +945,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slivers: slivers at the border become part of their neighbours where they can, or are left out</source>
+   <translation>Splitter: Splitter am Rand werden, wo es geht, Teil ihrer Nachbarn oder weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth: the solids are smooth instead of faceted</source>
    <translation>Glatt: die Körper sind glatt statt facettiert</translation>
   </message>
@@ -962,6 +1002,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
    <translation>Spannungsnetze: was die Lasten trägt: der Rand (boundary), der außer an seinen Ecken entlang seiner eigenen Kurve gleitet; Ecken (corners) oder Ecken wie 0,5,12, die bleiben; leer: wie das Netz es braucht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
+   <translation>Spannungsnetze: worauf die Schale steht, deren Spannungen die Linien folgen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1135,8 +1180,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
-   <translation>Was das Netz werden soll; Linien für asymptotic und cmc laufen unter 45 Grad zur Krümmung</translation>
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Was das Netz werden soll; asymptotische und CMC-Linien laufen unter 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -1147,6 +1192,11 @@
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>What was taken off the coordinates of a file far from the origin; export puts it back</source>
    <translation>Was von den Koordinaten einer Datei weit vom Ursprung abgezogen wurde; der Export fügt es wieder hinzu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Wo sich nicht vier Linien treffen: auto für die wenigsten, die die Fläche braucht, none, oder eine Datei mit Zeilen x y z und 3, 5 oder 6 Linien</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1287,6 +1337,11 @@
    <translation>Entlang</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Also write</source>
+   <translation>Auch schreiben</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Angle</source>
    <translation>Winkel</translation>
@@ -1410,6 +1465,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore</source>
    <translation>Bohrung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>C24</source>
+   <translation>C24</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>C30</source>
+   <translation>C30</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1702,6 +1767,11 @@
    <translation>Eine Ecke ziehen. Klick: wählen; Strg: mehrere; Umschalt und ziehen: alle in einem Rahmen; Entf: kein Griff mehr; Esc: zurück. Griffe, die nicht gezogen werden, bleiben genau, wo sie sind. Jedes Ziehen ist ein Schritt für Rückgängig.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Drag the points along the surface; dropped onto each other, one with 3 and one with 5 lines vanish, and two with 5 become one with 6</source>
+   <translation>Ziehen Sie die Punkte auf der Fläche; aufeinander abgelegt verschwinden einer mit 3 und einer mit 5 Linien, und zwei mit 5 werden einer mit 6</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Drag vertices</source>
    <translation>Ecken ziehen</translation>
@@ -1723,6 +1793,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Drawn strokes</source>
+   <translation>Gezeichnete Kurven</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Each time four faces are made of one</source>
    <translation>Jedes Mal werden aus einer Masche vier</translation>
   </message>
@@ -1737,6 +1812,11 @@
    <translation>Kante</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge height</source>
+   <translation>Randhöhe</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
    <source>Edge length</source>
    <translation>Kantenlänge</translation>
@@ -1748,8 +1828,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge section</source>
+   <translation>Randprofil</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge vectors</source>
    <translation>Kantenvektoren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge wall</source>
+   <translation>Rohrwand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge width</source>
+   <translation>Randbreite</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2013,6 +2108,26 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL24h</source>
+   <translation>GL24h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL28h</source>
+   <translation>GL28h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL30h</source>
+   <translation>GL30h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL32h</source>
+   <translation>GL32h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap</source>
    <translation>Fuge</translation>
   </message>
@@ -2070,6 +2185,11 @@
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>Hardly possible: {}</source>
    <translation>Kaum möglich: {}</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Have them found: the fewest that the surface needs</source>
+   <translation>Sie finden lassen: die wenigsten, die die Fläche braucht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2212,6 +2332,11 @@
    <translation>Art</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Labels</source>
+   <translation>Etiketten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest residual that counts as zero</source>
    <translation>Größter Rest, der als null gilt</translation>
@@ -2280,6 +2405,11 @@
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Lines</source>
    <translation>Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines drawn on the surface that the net runs along</source>
+   <translation>Auf die Fläche gezeichnete Linien, an denen das Netz entlangläuft</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2742,6 +2872,11 @@
    <translation>Stellung</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
+   <translation>Drücken Sie die Maus auf der Fläche und zeichnen Sie eine Linie, an der das Netz entlangläuft; Esc verwirft sie</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Druck</translation>
@@ -2842,6 +2977,11 @@
    <translation>Entfernen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Reset</source>
+   <translation>Zurücksetzen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Rests of bars from this length on are kept.</source>
    <translation>Reste von Stangen ab dieser Länge werden aufgehoben.</translation>
@@ -2878,6 +3018,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rounded</source>
+   <translation>Gerundet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rows</source>
    <translation>Reihen</translation>
   </message>
@@ -2900,6 +3045,21 @@
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>Running ...</source>
    <translation>Läuft ...</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>S235</source>
+   <translation>S235</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>S275</source>
+   <translation>S275</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>S355</source>
+   <translation>S355</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3022,9 +3182,24 @@
    <translation>Die Skala zeigen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Singular vertices</source>
+   <translation>Singuläre Ecken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Singularities</source>
+   <translation>Singularitäten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Size</source>
    <translation>Größe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slivers</source>
+   <translation>Splitter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3075,6 +3250,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Spine</source>
    <translation>Leitkurve</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stands on</source>
+   <translation>Steht auf</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -3168,6 +3348,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
+   <translation>Spannungsnetze: worauf die Schale steht, deren Spannungen die Linien folgen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Spannung der Membran, Kraft / Länge</translation>
   </message>
@@ -3228,6 +3413,11 @@ Nothing else on this computer is changed.</source>
 Installieren lädt sie und was sie brauchen, bis zu 2 GB auf der Platte, in FreeCADs eigenen Ordner für Erweiterungen:
 {folder}
 Sonst wird auf diesem Rechner nichts verändert.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>The Python package {} is not installed</source>
+   <translation>Das Python-Paket {} ist nicht installiert</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3506,8 +3696,13 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
-   <translation>Was das Netz werden soll; Linien für asymptotic und cmc laufen unter 45 Grad zur Krümmung</translation>
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Was das Netz werden soll; asymptotische und CMC-Linien laufen unter 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Wo sich nicht vier Linien treffen: auto für die wenigsten, die die Fläche braucht, none, oder eine Datei mit Zeilen x y z und 3, 5 oder 6 Linien</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3693,6 +3888,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/fields.py" />
    <source>automatic</source>
    <translation>automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>automatic: {}</source>
+   <translation>automatisch: {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3970,6 +4170,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>GFK</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>given: {}</source>
+   <translation>vorgegeben: {}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>glass</source>
    <translation>Glas</translation>
@@ -4036,6 +4241,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>join</source>
+   <translation>anschließen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>lambda</source>
    <translation>lambda</translation>
   </message>
@@ -4043,6 +4253,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>lapped</source>
    <translation>verblattet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>leave-out</source>
+   <translation>weglassen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4125,7 +4340,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>längs des Randes entstehen keine Träger</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>none</source>
    <translation>keine</translation>
   </message>
@@ -4231,8 +4446,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>pieces of panels at the border that are narrower than this are left out</source>
-   <translation>Stücke von Platten am Rand, die schmaler sind, werden weggelassen</translation>
+   <source>pieces of panels at the border that are narrower than this are slivers</source>
+   <translation>Stücke von Platten am Rand, die schmaler sind, sind Splitter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4311,6 +4526,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>round</source>
+   <translation>rund</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>scherk</source>
    <translation>Scherk</translation>
   </message>
@@ -4318,6 +4538,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>zweites</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>slivers at the border become part of their neighbours where they can, or are left out</source>
+   <translation>Splitter am Rand werden, wo es geht, Teil ihrer Nachbarn oder weggelassen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4338,6 +4563,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>socket</source>
    <translation>Hülse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids have the rounded corners and roots of a section of the catalogue</source>
+   <translation>Körper haben die runden Ecken und Ausrundungen eines Querschnitts des Katalogs</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4431,8 +4661,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>the beams have this cross section</source>
-   <translation>die Träger haben diesen Querschnitt</translation>
+   <source>the beams have this cross section, or one of the catalogue such as HEB160</source>
+   <translation>die Träger haben diesen Querschnitt oder einen des Katalogs wie HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4448,6 +4678,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the border that is held twists the surface by {:.1f} degrees between the vertices {} and {}, where this net allows hardly any: let the border leave its curve and trim it afterwards</source>
    <translation>der gehaltene Rand verwindet die Fläche um {:.1f} Grad zwischen den Ecken {} und {}, wo dieses Netz kaum etwas zulässt: den Rand seine Kurve verlassen lassen und danach beschneiden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the edge beam has this cross section</source>
+   <translation>der Randträger hat diesen Querschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the edge beam is this high, by default as high as the beams</source>
+   <translation>so hoch ist der Randträger, sonst so hoch wie die Träger</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the edge beam is this wide, by default as thick as the plates or 60 mm</source>
+   <translation>so breit ist der Randträger, sonst so dick wie die Bleche oder 60 mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4575,6 +4820,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>die Streifen stehen auf der Fläche oder liegen in ihr</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the walls of a tube along the edge are this thick</source>
+   <translation>so dick sind die Wände eines Rohrs am Rand</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>those of its file</source>
    <translation>die seiner Datei</translation>
@@ -4613,6 +4863,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>trim</source>
    <translation>beschneiden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tube</source>
+   <translation>Rohr</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4700,6 +4955,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} kann nicht gestartet werden.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <source>{} drawn</source>
+   <translation>{} gezeichnet</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>{} edges</source>
    <translation>{} Kanten</translation>
@@ -4768,6 +5028,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>{} waits to be built anew: Refresh or Update structures does it</source>
    <translation>{} wartet darauf, neu gebaut zu werden: mit Aktualisieren oder Tragwerke aktualisieren</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>{} with {} lines</source>
+   <translation>{} mit {} Linien</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -5095,6 +5360,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Show each sheet of the selected flat patterns on a page to print</source>
    <translation>Jede Tafel der gewählten Abwicklungen auf einem Blatt zum Drucken zeigen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_EdgeBeam</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Edge beam</source>
+   <translation>Randträger</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a beam along the border of the selected net, at which beams and panels end</source>
+   <translation>Einen Träger an den Rand des gewählten Netzes setzen, an dem Träger und Platten enden</translation>
   </message>
  </context>
  <context>

@@ -154,6 +154,31 @@
    <translation>Chaque fois, quatre faces sont faites d'une</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structure.py" />
+   <source>Edge beam that the parts end at or lie on</source>
+   <translation>Poutre de rive à laquelle les pièces s'arrêtent ou sur laquelle elles posent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge height: the edge beam is this high, by default as high as the beams</source>
+   <translation>Hauteur de rive : hauteur de la poutre de rive, sinon celle des poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge section: the edge beam has this cross section</source>
+   <translation>Profil de rive : la poutre de rive a cette section</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge wall: the walls of a tube along the edge are this thick</source>
+   <translation>Paroi du tube : épaisseur des parois d'un tube de rive</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge width: the edge beam is this wide, by default as thick as the plates or 60 mm</source>
+   <translation>Largeur de rive : largeur de la poutre de rive, sinon l'épaisseur des plaques ou 60 mm</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Arêtes et faces sur lesquelles les sommets glissent exactement</translation>
@@ -420,8 +445,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Least width: pieces of panels at the border that are narrower than this are left out</source>
-   <translation>Largeur minimale : les morceaux de panneaux plus étroits au bord sont laissés de côté</translation>
+   <source>Least width: pieces of panels at the border that are narrower than this are slivers</source>
+   <translation>Largeur minimale : les morceaux de panneaux plus étroits au bord sont des chutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -442,6 +467,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Less than 1 moves the centre away</source>
    <translation>Moins de 1 éloigne le centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines drawn on the surface that the net runs along</source>
+   <translation>Lignes dessinées sur la surface, que le réseau suit</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -795,6 +825,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rounded: solids have the rounded corners and roots of a section of the catalogue</source>
+   <translation>Arrondi : les solides ont les coins et congés arrondis d'une section du catalogue</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rows at the starts and ends of u and v</source>
    <translation>Rangées au début et à la fin de u et v</translation>
   </message>
@@ -815,8 +850,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Section: the beams have this cross section</source>
-   <translation>Section : les poutres ont cette section transversale</translation>
+   <source>Section: the beams have this cross section, or one of the catalogue such as HEB160</source>
+   <translation>Section : les poutres ont cette section, ou une du catalogue comme HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -910,6 +945,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slivers: slivers at the border become part of their neighbours where they can, or are left out</source>
+   <translation>Chutes : les chutes au bord rejoignent leurs voisines si possible, ou sont omises</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth: the solids are smooth instead of faceted</source>
    <translation>Lisse : les solides sont lisses au lieu de facettés</translation>
   </message>
@@ -962,6 +1002,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
    <translation>Réseaux de contraintes : ce qui porte les charges : le bord (boundary), qui glisse sur sa propre courbe sauf à ses coins ; les coins (corners) ou des sommets comme 0,5,12, qui restent ; vide : selon le besoin du réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
+   <translation>Réseaux de contraintes : appuis de la coque dont les lignes suivent les contraintes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1135,8 +1180,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
-   <translation>Ce que le réseau doit devenir ; les lignes asymptotic et cmc vont à 45 degrés de la courbure</translation>
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Ce que le réseau doit devenir ; les lignes asymptotiques et CMC vont à 45 degrés de la courbure, celles de contrainte comme une coque porte son poids</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -1147,6 +1192,11 @@
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>What was taken off the coordinates of a file far from the origin; export puts it back</source>
    <translation>Ce qui a été retiré des coordonnées d'un fichier loin de l'origine ; l'export le rajoute</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Où ne se croisent pas quatre lignes : auto pour le minimum qu'exige la surface, none, ou un fichier de lignes x y z et 3, 5 ou 6</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1287,6 +1337,11 @@
    <translation>Le long de</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Also write</source>
+   <translation>Écrire aussi</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Angle</source>
    <translation>Angle</translation>
@@ -1410,6 +1465,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore</source>
    <translation>Alésage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>C24</source>
+   <translation>C24</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>C30</source>
+   <translation>C30</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1702,6 +1767,11 @@
    <translation>Tirer un sommet. Clic : choisir ; Ctrl : plusieurs ; Maj et tirer : tous dans un cadre ; Suppr : plus de poignée ; Échap : remettre. Les poignées qui ne sont pas tirées restent exactement où elles sont. Chaque tirage est un pas pour Annuler.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Drag the points along the surface; dropped onto each other, one with 3 and one with 5 lines vanish, and two with 5 become one with 6</source>
+   <translation>Glissez les points sur la surface ; posés l'un sur l'autre, un à 3 et un à 5 lignes disparaissent, et deux à 5 en font un à 6</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Drag vertices</source>
    <translation>Tirer des sommets</translation>
@@ -1723,6 +1793,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Drawn strokes</source>
+   <translation>Courbes dessinées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Each time four faces are made of one</source>
    <translation>Chaque fois, quatre faces sont faites d'une</translation>
   </message>
@@ -1737,6 +1812,11 @@
    <translation>Arête</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge height</source>
+   <translation>Hauteur de rive</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
    <source>Edge length</source>
    <translation>Longueur d'arête</translation>
@@ -1748,8 +1828,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge section</source>
+   <translation>Profil de rive</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge vectors</source>
    <translation>Vecteurs d'arêtes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge wall</source>
+   <translation>Paroi du tube</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge width</source>
+   <translation>Largeur de rive</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2013,6 +2108,26 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL24h</source>
+   <translation>GL24h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL28h</source>
+   <translation>GL28h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL30h</source>
+   <translation>GL30h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>GL32h</source>
+   <translation>GL32h</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap</source>
    <translation>Joint</translation>
   </message>
@@ -2070,6 +2185,11 @@
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>Hardly possible: {}</source>
    <translation>Guère possible : {}</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Have them found: the fewest that the surface needs</source>
+   <translation>Les faire trouver : le minimum qu'exige la surface</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2212,6 +2332,11 @@
    <translation>Type</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Labels</source>
+   <translation>Étiquettes</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest residual that counts as zero</source>
    <translation>Plus grand résidu qui compte pour zéro</translation>
@@ -2280,6 +2405,11 @@
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Lines</source>
    <translation>Lignes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines drawn on the surface that the net runs along</source>
+   <translation>Lignes dessinées sur la surface, que le réseau suit</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2742,6 +2872,11 @@
    <translation>Position</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
+   <translation>Pressez la souris sur la surface et dessinez une ligne que le réseau suit ; Échap l'abandonne</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Pression</translation>
@@ -2842,6 +2977,11 @@
    <translation>Enlever</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Reset</source>
+   <translation>Réinitialiser</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Rests of bars from this length on are kept.</source>
    <translation>Les chutes de barres sont gardées à partir de cette longueur.</translation>
@@ -2878,6 +3018,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Rounded</source>
+   <translation>Arrondi</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rows</source>
    <translation>Rangées</translation>
   </message>
@@ -2900,6 +3045,21 @@
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>Running ...</source>
    <translation>En cours ...</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>S235</source>
+   <translation>S235</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>S275</source>
+   <translation>S275</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>S355</source>
+   <translation>S355</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3022,9 +3182,24 @@
    <translation>Montrer l'échelle</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
+   <source>Singular vertices</source>
+   <translation>Sommets singuliers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Singularities</source>
+   <translation>Singularités</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Size</source>
    <translation>Taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slivers</source>
+   <translation>Chutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3075,6 +3250,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Spine</source>
    <translation>Courbe directrice</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stands on</source>
+   <translation>Appuis</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -3168,6 +3348,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
+   <translation>Réseaux de contraintes : appuis de la coque dont les lignes suivent les contraintes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stress of the membrane, force / length</source>
    <translation>Contrainte de la membrane, force / longueur</translation>
   </message>
@@ -3228,6 +3413,11 @@ Nothing else on this computer is changed.</source>
 Installer les télécharge avec ce dont ils dépendent, jusqu'à 2 Go sur le disque, dans le dossier de FreeCAD pour les extensions :
 {folder}
 Rien d'autre n'est modifié sur cet ordinateur.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>The Python package {} is not installed</source>
+   <translation>Le paquet Python {} n'est pas installé</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -3506,8 +3696,13 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature</source>
-   <translation>Ce que le réseau doit devenir ; les lignes asymptotic et cmc vont à 45 degrés de la courbure</translation>
+   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Ce que le réseau doit devenir ; les lignes asymptotiques et CMC vont à 45 degrés de la courbure, celles de contrainte comme une coque porte son poids</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Où ne se croisent pas quatre lignes : auto pour le minimum qu'exige la surface, none, ou un fichier de lignes x y z et 3, 5 ou 6</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3693,6 +3888,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/fields.py" />
    <source>automatic</source>
    <translation>automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>automatic: {}</source>
+   <translation>automatique : {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3970,6 +4170,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>PRV</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>given: {}</source>
+   <translation>donnés : {}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>glass</source>
    <translation>verre</translation>
@@ -4036,6 +4241,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>join</source>
+   <translation>joindre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>lambda</source>
    <translation>lambda</translation>
   </message>
@@ -4043,6 +4253,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>lapped</source>
    <translation>à mi-bois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>leave-out</source>
+   <translation>omettre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4125,7 +4340,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>aucune poutre n'est faite le long du bord</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>none</source>
    <translation>aucun</translation>
   </message>
@@ -4231,8 +4446,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>pieces of panels at the border that are narrower than this are left out</source>
-   <translation>les morceaux de panneaux plus étroits au bord sont laissés de côté</translation>
+   <source>pieces of panels at the border that are narrower than this are slivers</source>
+   <translation>les morceaux de panneaux plus étroits au bord sont des chutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4311,6 +4526,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>round</source>
+   <translation>rond</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>scherk</source>
    <translation>Scherk</translation>
   </message>
@@ -4318,6 +4538,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>second</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>slivers at the border become part of their neighbours where they can, or are left out</source>
+   <translation>les chutes au bord rejoignent leurs voisines si possible, ou sont omises</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4338,6 +4563,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>socket</source>
    <translation>douille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids have the rounded corners and roots of a section of the catalogue</source>
+   <translation>les solides ont les coins et congés arrondis d'une section du catalogue</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4431,8 +4661,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>the beams have this cross section</source>
-   <translation>les poutres ont cette section transversale</translation>
+   <source>the beams have this cross section, or one of the catalogue such as HEB160</source>
+   <translation>les poutres ont cette section, ou une du catalogue comme HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4448,6 +4678,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the border that is held twists the surface by {:.1f} degrees between the vertices {} and {}, where this net allows hardly any: let the border leave its curve and trim it afterwards</source>
    <translation>le bord tenu tord la surface de {:.1f} degrés entre les sommets {} et {}, là où ce réseau n'en admet guère : laisser le bord quitter sa courbe et le rogner ensuite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the edge beam has this cross section</source>
+   <translation>la poutre de rive a cette section</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the edge beam is this high, by default as high as the beams</source>
+   <translation>hauteur de la poutre de rive, sinon celle des poutres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the edge beam is this wide, by default as thick as the plates or 60 mm</source>
+   <translation>largeur de la poutre de rive, sinon l'épaisseur des plaques ou 60 mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4575,6 +4820,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>les bandes sont debout sur la surface ou couchées dedans</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the walls of a tube along the edge are this thick</source>
+   <translation>épaisseur des parois d'un tube de rive</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>those of its file</source>
    <translation>celles de son fichier</translation>
@@ -4613,6 +4863,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>trim</source>
    <translation>rogner</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tube</source>
+   <translation>tube</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4700,6 +4955,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} ne peut pas être démarré.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/stroke_box.py" />
+   <source>{} drawn</source>
+   <translation>{} dessinées</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>{} edges</source>
    <translation>{} arêtes</translation>
@@ -4768,6 +5028,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>{} waits to be built anew: Refresh or Update structures does it</source>
    <translation>{} attend d'être reconstruit : par Rafraîchir ou Mettre à jour les structures</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>{} with {} lines</source>
+   <translation>{} à {} lignes</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
@@ -5095,6 +5360,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
    <source>Show each sheet of the selected flat patterns on a page to print</source>
    <translation>Montrer chaque tôle des développés sélectionnés sur une page à imprimer</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_EdgeBeam</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Edge beam</source>
+   <translation>Poutre de rive</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a beam along the border of the selected net, at which beams and panels end</source>
+   <translation>Poser une poutre le long du bord du réseau choisi, où s'arrêtent poutres et panneaux</translation>
   </message>
  </context>
  <context>
