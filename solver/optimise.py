@@ -222,6 +222,15 @@ def refuse_no_end(tolerance: float, max_steps: int) -> None:
     """
     if not math.isfinite(tolerance) or tolerance <= 0:
         raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
+    refuse_no_steps(max_steps)
+
+
+def refuse_no_steps(max_steps: int) -> None:
+    """Refuse a run of no steps.
+
+    Raises:
+        InputError: a number below 1.
+    """
     if max_steps < 1:
         raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
 

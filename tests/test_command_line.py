@@ -88,7 +88,7 @@ def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
         (["optimise", "MESH", "-o", "out.obj", "--fix", "9999"], "fix: vertex 9999"),
         (["optimise", "MESH", "-o", "absent/out.obj"], "does not exist"),
         (["optimise", "MESH", "-o", "out.obj", "--report", "absent/r.json"], "does not exist"),
-        (["optimise", "MESH", "-o", "out.obj", "--report", "out.obj"], "both mesh and report"),
+        (["optimise", "MESH", "-o", "out.obj", "--report", "out.obj"], "is to hold two files"),
         (["fabricate", "MESH", "-o", "out", "--height", "-1"], "height: expected a number above 0"),
         (
             ["fabricate", "MESH", "-o", "out", "--thickness", "nan"],
@@ -300,7 +300,9 @@ def test_unknown_ending_of_the_output_is_refused_first(mesh_file, tmp_path, caps
 def test_size_that_no_chosen_system_has_is_refused(mesh_file, tmp_path, capsys):
     words = ["fabricate", str(mesh_file), "--system", "panels", "-o", str(tmp_path / "files")]
     assert main([*words, "--height", "60", "--gap", "12"]) == 2
-    refusal = "error: height: panels has no such size, it is of beams, nodes; leave it out"
+    refusal = (
+        "error: height: panels has no such size, it is of edge-beam, beams, nodes; leave it out"
+    )
     assert one_line(capsys) == refusal
     assert not (tmp_path / "files").exists()
     # Stock is the workshop's as well.

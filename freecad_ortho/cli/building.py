@@ -80,6 +80,7 @@ def run(options: argparse.Namespace) -> int:
     # What no surface is needed for is refused before minutes are spent on one.
     lines = _lines(options.net)
     net_options.refuse_unfit(options)
+    net_options.refuse_unreadable(options)
     fabricating.refuse_unfit(options)
     folder = Path(options.output)
     head = {"surface": Path(options.input).name, "version": __version__}

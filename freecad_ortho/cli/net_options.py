@@ -31,6 +31,7 @@ from solver.nets.constraints import (
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
 from solver.nets.supports import SUPPORTS
+from solver.optimise import refuse_no_steps
 
 # Points (V, 3) and triangles (T, 3) of a surface.
 Triangles = tuple[FloatArray, IntArray]
@@ -84,9 +85,10 @@ def refuse_unfit(options: argparse.Namespace) -> Net:
     """Refuse options that the net does not have; return the net.
 
     Raises:
-        InputError: naming the option and the nets that have it, or no such net.
+        InputError: naming the option and the nets that have it, or no such net, or no steps.
     """
     asked = net_named(options.net)
+    refuse_no_steps(options.max_steps)
     arguments.given(WEIGHTS.values(), options)
     for name in arguments.given(OPTIONS.values(), options):
         if name not in asked.options:
@@ -168,7 +170,22 @@ def _constraints(
     options: argparse.Namespace, loaded: api.LoadedMesh, near: Triangles | None
 ) -> Constraints | None:
     """What the options hold, about the local origin of the mesh."""
-    unit = loaded.unit
+    wanted = _read_constraints(options, loaded.unit, near)
+    return None if wanted is None else wanted.about(loaded.origin)
+
+
+def refuse_unreadable(options: argparse.Namespace) -> None:
+    """Refuse, before any net is there, what can be read of no net.
+
+    Raises:
+        InputError: a handle or a curve that cannot be read.
+    """
+    _read_constraints(options, "m", None)
+
+
+def _read_constraints(
+    options: argparse.Namespace, unit: str, near: Triangles | None
+) -> Constraints | None:
     handles = dict(_handle(text) for text in options.handle)
     glide = tuple(_glide(text, unit, options.up) for text in options.glide)
     if options.close_to:
@@ -176,8 +193,7 @@ def _constraints(
     symmetry = options.symmetry.replace(",", "").replace(" ", "").lower()
     if not (handles or glide or near or symmetry):
         return None
-    wanted = Constraints(handles=handles, glide=glide, close_to=near, symmetry=symmetry)
-    return wanted.about(loaded.origin)
+    return Constraints(handles=handles, glide=glide, close_to=near, symmetry=symmetry)
 
 
 def _handle(text: str) -> tuple[int, FloatArray]:

@@ -137,7 +137,7 @@ def refuse_unwritable(output: str, *others: str | None) -> None:
     paths = [output, *(path for path in others if path is not None)]
     for number, path in enumerate(paths):
         if os.path.realpath(path) in map(os.path.realpath, paths[:number]):
-            raise InputError(f"{path}: is to hold two files; name two")
+            raise InputError(f"{path}: is to hold two files; name two files")
         folder = os.path.dirname(os.path.abspath(path))
         if os.path.isdir(path):
             raise InputError(f"{path}: is a folder; name a file in it")

@@ -163,7 +163,11 @@ def test_lists_of_points(tmp_path):
     obj = tmp_path / "line.obj"
     obj.write_text("o line\nv 0 0 0\nv 1 0 0\nl 1 2\n")
     assert read_points(obj).shape == (2, 3)
-    for text, words in (("1 2\n", "3 numbers"), ("1 2 x\n", "line 1"), ("1 2 3\n", "two points")):
+    for text, words in (
+        ("1 2\n", "3 numbers"),
+        ("1 2 x\n", "line 1"),
+        ("1 2 3\n", "at least 2 points, got 1"),
+    ):
         path.write_text(text)
         with pytest.raises(InputError, match=words):
             read_points(path)
