@@ -38,7 +38,8 @@ from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
-from solver.mesh.lines import ParameterLines
+from solver.mesh.lines import ParameterLine, ParameterLines
+from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
 
 # Twist above which a beam is visibly not a plane plate, degrees.
@@ -220,20 +221,11 @@ class Beams(System):
             misfit = rolled.misfit(site, geometry, meeting)
             geometry = replace(geometry, height=np.full_like(geometry.height, rolled.height))
         parts = edge_beams(site, geometry, section, wanted & ~folded, border, misfit)
-        along = folded & built
-        if border is None:
-            lines = tuple(line for line in site.chosen_lines if along[line.edges].all())
-        else:
-            ends = site.mesh.connectivity.edges
-            lines = tuple(
-                run for line in site.chosen_lines for run in border.runs(line, along, ends)
-            )
+        lines = _runs(site, folded & built, border)
         folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
-        if misfit is not None:
-            node = part_names("N", len(misfit))[int(misfit.argmax())]
-            report |= {"misfit_max_mm": float(misfit.max()), "misfit_worst": node}
+        report |= {} if misfit is None else _misfit_report(misfit)
         if border is not None:
             report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
             doubts += stub_words(stubs, self.least_length)
@@ -308,6 +300,21 @@ class Beams(System):
             "height_deviation_max": float(np.abs(site.axes.heights[chosen] - 1).max()),
             **sums(parts),
         }
+
+
+def _runs(site: Site, along: BoolArray, border: BorderEnds | None) -> tuple[ParameterLine, ...]:
+    """The stretches of lines whose edges (E,) are beams along lines, between the border's ends."""
+    if border is None:
+        return tuple(line for line in site.chosen_lines if along[line.edges].all())
+    ends = site.mesh.connectivity.edges
+    return tuple(run for line in site.chosen_lines for run in border.runs(line, along, ends))
+
+
+def _misfit_report(misfit: FloatArray) -> dict[str, Any]:
+    """How far lower sides lie apart at most, (V,) mm, and where."""
+    worst = int(misfit.argmax())
+    names = part_names("N", len(misfit))
+    return {"misfit_max_mm": float(misfit[worst]), "misfit_worst": names[worst]}
 
 
 def _messages(report: dict[str, Any], parts: tuple[Part, ...]) -> tuple[str, ...]:
