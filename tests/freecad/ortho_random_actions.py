@@ -34,6 +34,10 @@ class Sequence:
             action = self.dice.choice(ACTIONS)
             if action(self) is not False:
                 self.done.append(action.__name__)
+        # So each comes up in some of the sequences, however the dice fall.
+        action = ACTIONS[self.seed % len(ACTIONS)]
+        if action(self) is not False:
+            self.done.append(action.__name__)
 
     def nets(self):
         return [item for item in self.document.Objects if is_net(item)]
@@ -352,7 +356,7 @@ class Sequence:
         self.document.undo()
 
     def redo(self):
-        if not self.document.RedoCount:
+        if not self.document.RedoCount and self.undo() is False:
             return False
         self.document.redo()
 
