@@ -7,6 +7,7 @@ from unittest import mock
 
 import FreeCAD
 import FreeCADGui
+import ImportGui
 import numpy as np
 import ortho_suite_tools as tools
 from ortho_dialog_tools import Answers
@@ -36,10 +37,9 @@ class Tutorial:
         return self.document.Net
 
     def open_surface(self, path=SURFACE):
-        """File > Open, the file."""
+        """What File > Open does, without FreeCAD's own questions on STEP, which newer ones ask."""
         FreeCADGui.activateWorkbench("OrthoWorkbench")
-        with Answers(str(path)):
-            FreeCADGui.runCommand("Std_Open")
+        ImportGui.open(str(path))
         wait(lambda: self.document is not None and self.document.Objects, 30)
         wait()
         self.look("surface")
