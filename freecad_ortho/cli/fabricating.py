@@ -12,7 +12,7 @@ from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_OK, kept_whole
 from freecad_ortho.fabrication.limits import Limits
-from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.material import BUILD_UPS, MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
@@ -75,7 +75,7 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
         default="steel",
         metavar="NAME[,SYSTEM=NAME...]",
         help="of everything, and of single systems, as steel,panels=glass (default: steel); there "
-        f"are {', '.join(MATERIALS)}, and other build-ups of insulating glass",
+        f"are {', '.join(MATERIALS)}, and build-ups of glass such as {BUILD_UPS[3]}",
     )
     parser.add_argument(
         "--density",

@@ -72,7 +72,7 @@ def add_structure(
         lines: numbers of these lines; empty for all.
         trimmed: whether parts are cut along the border of the surface, where the net has one.
         material: of all parts, as on the command line; parts of a build-up, such as
-            ``"insulating-glass-8-16-6"``, have its thickness.
+            ``"glass:8+1.52+8"`` or ``"glass:6/16/44.2"``, have its thickness.
         density: kg/m3, 0 for the material's own.
         sizes: settings of the system by name (``height="0.2 m"``), see
             :class:`freecad_ortho.keywords.Sizes`; lengths as numbers of mm,

@@ -2,7 +2,13 @@
 
 from freecad_ortho.fabrication.files import FILES, stage_seconds, write
 from freecad_ortho.fabrication.limits import Limits
-from freecad_ortho.fabrication.material import MATERIALS, Material, material, materials_of
+from freecad_ortho.fabrication.material import (
+    BUILD_UPS,
+    MATERIALS,
+    Material,
+    material,
+    materials_of,
+)
 from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Hole, Mark
 from freecad_ortho.fabrication.place import Place
@@ -25,6 +31,7 @@ from freecad_ortho.fabrication.workers import local_pool
 from freecad_ortho.fabrication.workshop import Workshop
 
 __all__ = [
+    "BUILD_UPS",
     "FILES",
     "MATERIALS",
     "OFFSETS",

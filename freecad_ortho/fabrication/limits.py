@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 from typing import ClassVar
 
 from freecad_ortho.fabrication.part import Part, measure_words
+from freecad_ortho.fabrication.plate_limits import complaints as plate_complaints
 from freecad_ortho.fabrication.sizes import positive
 from solver.option import Option
 
@@ -120,6 +121,10 @@ def verdict(part: Part, limits: Limits) -> str:
         complaints.append(f"{where}, {material.name} needs {material.bearing:g} mm of bearing")
     if part.assembly:
         complaints.append(part.assembly)
+    if part.pattern is not None and material.plate_limits is not None:
+        complaints += plate_complaints(
+            part.pattern, part.thickness, part.mass, material.name, material.plate_limits
+        )
     return "; ".join(complaints) or OK
 
 

@@ -6,23 +6,34 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from freecad_ortho.fabrication.build_up import (
+    GLASS_DENSITY,
+    STRENGTHS,
+    Layer,
+    cavity,
+    density_of,
+    layers_of,
+    pane,
+    panes_of,
+    thickness_of,
+)
+from freecad_ortho.fabrication.plate_limits import LIMITS, PlateLimits
 from freecad_ortho.fabrication.sizes import positive
 from solver.errors import InputError
 
-# Float glass: density, kg/m3, modulus, MPa, and Poisson's ratio of EN 572-1 (EN 16612 has 0.23,
-# which gives 2 % less shear).
-_GLASS_DENSITY, _GLASS_MODULUS, _GLASS_POISSON = 2500.0, 70_000.0, 0.2
-# Characteristic bending strengths of glass, MPa: annealed (EN 572-1, EN 16612), heat strengthened
-# (EN 1863-1) and thermally toughened (EN 12150-1); all for short loads.
-_ANNEALED, _STRENGTHENED, _TOUGHENED = 45.0, 70.0, 120.0
+# Float glass: modulus, MPa, and Poisson's ratio of EN 572-1 (EN 16612 has 0.23, which gives 2 %
+# less shear).
+_GLASS_MODULUS, _GLASS_POISSON = 70_000.0, 0.2
 # Least bearing, mm: of glass the edge cover of DIN 18008-2 on lines; of metals and wood for want of
 # a rule what leaves room for a screw's edge or a bead of glue, with tolerances.
 _ON_GLASS, _ON_METAL, _ON_WOOD = 10.0, 5.0, 10.0
 # Yield strengths of structural steels up to 40 mm, MPa: EN 1993-1-1, table 3.1.
 _GRADES = {"S235": 235.0, "S275": 275.0, "S355": 355.0}
-# Insulating units are named after their build-up: glass, cavity, glass ... in mm (EN 1279).
+# Insulating units may be named by their panes and cavities alone, in mm (EN 1279).
 _UNIT = "insulating-glass"
-_BUILD_UP = re.compile(rf"{_UNIT}((?:-\d{{1,3}}(?:\.\d{{1,2}})?)+)")
+_UNIT_NAME = re.compile(rf"{_UNIT}((?:-\d{{1,3}}(?:\.\d{{1,2}})?)+)")
+# Build-ups that a form offers to begin with; there are as many as one likes.
+BUILD_UPS = ("glass:8", "glass:8+1.52+8", "glass:44.2", "glass:6/16/44.2", "glass:8t/16ar/88.4")
 
 
 @dataclass(frozen=True)
@@ -35,10 +46,11 @@ class Material:
         youngs_modulus: MPa, in the direction of bending.
         bending_limit: largest bending stress allowed, MPa.
         bearing: least width that a panel lies on its beams, mm.
-        layers: of a build-up, thicknesses from one face to the other, pane and cavity in turn, mm;
-            empty for what is solid and cut from sheets of any thickness.
+        layers: of a build-up, the outermost first; empty for what is solid and cut from sheets of
+            any thickness.
         poisson: Poisson's ratio.
         own_shear_modulus: MPa, where it does not follow from these two, as in what has fibres.
+        plate_limits: what plates of it can be made, None where nothing is known of that.
 
     Raises:
         InputError: a number that is not positive and finite.
@@ -49,9 +61,10 @@ class Material:
     youngs_modulus: float
     bending_limit: float
     bearing: float
-    layers: tuple[float, ...] = ()
+    layers: tuple[Layer, ...] = ()
     poisson: float = 0.3
     own_shear_modulus: float | None = None
+    plate_limits: PlateLimits | None = None
 
     def __post_init__(self) -> None:
         positive("density", self.density, "kg/m3")
@@ -62,12 +75,17 @@ class Material:
             positive("shear modulus", self.own_shear_modulus, "MPa")
         positive("bearing", self.bearing, "mm")
         for layer in self.layers:
-            positive("layer", layer, "mm")
+            positive("layer", layer.thickness, "mm")
 
     @property
     def thickness(self) -> float | None:
         """Of a build-up, mm; None for what comes in any thickness."""
-        return sum(self.layers) if self.layers else None
+        return thickness_of(self.layers) if self.layers else None
+
+    @property
+    def stepped(self) -> bool:
+        """Whether the layers of a build-up are not all of one size."""
+        return any(layer.step > 0 for layer in self.layers)
 
     def mass(self, volume: float) -> float:
         """Mass of a volume in mm3, kg."""
@@ -105,12 +123,19 @@ class Material:
         return self.shear_modulus * self._bent(thickness) * abs(twist)
 
     def _bent(self, thickness: float) -> float:
-        return max(self.layers[::2]) if self.layers else thickness
+        panes = panes_of(self.layers)
+        return max(each.thickness for each in panes) if panes else thickness
 
 
-def _glass(name: str, strength: float) -> Material:
+def _glass(name: str) -> Material:
     return Material(
-        name, _GLASS_DENSITY, _GLASS_MODULUS, strength, _ON_GLASS, poisson=_GLASS_POISSON
+        name,
+        GLASS_DENSITY,
+        _GLASS_MODULUS,
+        STRENGTHS[name],
+        _ON_GLASS,
+        poisson=_GLASS_POISSON,
+        plate_limits=LIMITS[name],
     )
 
 
@@ -118,10 +143,26 @@ def _steel(grade: str, strength: float) -> Material:
     return Material(grade, 7850.0, 210_000.0, strength, _ON_METAL)
 
 
+def build_up(name: str, layers: Sequence[Layer]) -> Material:
+    """Glass in layers: as heavy as they are by its whole volume, as strong as the weakest pane.
+
+    Panes bend each by itself: interlayers creep under what lasts, and shear is not counted on.
+    """
+    kinds = {each.of for each in panes_of(layers)}
+    return Material(
+        name,
+        density_of(layers),
+        _GLASS_MODULUS,
+        min(STRENGTHS[kind] for kind in kinds),
+        _ON_GLASS,
+        tuple(layers),
+        _GLASS_POISSON,
+        plate_limits=LIMITS["glass"].strictest(*(LIMITS[kind] for kind in kinds)),
+    )
+
+
 def insulating_unit(*layers: float) -> Material:
     """An insulating glass unit of annealed panes: pane, cavity, pane ..., mm (EN 1279).
-
-    Its density is that of its panes over its whole thickness, so parts weigh what their panes do.
 
     Raises:
         InputError: a build-up that does not begin and end with a pane.
@@ -134,8 +175,8 @@ def insulating_unit(*layers: float) -> Material:
         )
     for layer in layers:
         positive("layer", layer, "mm")
-    density = _GLASS_DENSITY * sum(layers[::2]) / sum(layers)
-    return Material(name, density, _GLASS_MODULUS, _ANNEALED, _ON_GLASS, layers, _GLASS_POISSON)
+    made = [cavity(size) if number % 2 else pane(size) for number, size in enumerate(layers)]
+    return build_up(name, made)
 
 
 # Strengths are characteristic values of common grades, without partial safety factors.
@@ -163,9 +204,7 @@ MATERIALS = {
         Material("GL32h", 490.0, 14_200.0, 32.0, _ON_WOOD, own_shear_modulus=650.0),
         # Pultruded, E23: EN 13706-3; density and shear modulus of the Fiberline Design Manual.
         Material("gfrp", 1900.0, 23_000.0, 240.0, _ON_METAL, own_shear_modulus=3_000.0),
-        _glass("glass", _ANNEALED),
-        _glass("strengthened-glass", _STRENGTHENED),
-        _glass("toughened-glass", _TOUGHENED),
+        *(_glass(name) for name in STRENGTHS),
         insulating_unit(6, 16, 6),
         insulating_unit(4, 12, 4, 12, 4),
     )
@@ -173,24 +212,31 @@ MATERIALS = {
 
 
 def material(name: str = "steel", density: float | None = None) -> Material:
-    """Look a material up, or make an insulating unit from its name, ``insulating-glass-8-16-6``.
+    """Look a material up, or make a build-up from its name, ``glass:6/16/44.2``.
 
     Args:
-        name: of a preset or an insulating unit, in capital or small letters.
+        name: of a preset, a build-up after ``glass:``, ``strengthened-glass:`` or
+            ``toughened-glass:``, or an insulating unit such as ``insulating-glass-8-16-6``; in
+            capital or small letters.
         density: kg/m3, to override the preset's.
 
     Raises:
         InputError: an unknown name or a density that cannot be used.
     """
-    word = name.lower()
-    unit = _BUILD_UP.fullmatch(word)
-    preset = next((known for key, known in MATERIALS.items() if key.lower() == word), None)
-    if preset is None and unit is None:
-        raise InputError(f"material: expected one of {', '.join(MATERIALS)}, got '{name}'")
-    if preset is None:
-        assert unit is not None
-        preset = insulating_unit(*map(float, unit[1][1:].split("-")))
-    return preset if density is None else replace(preset, density=density)
+    word = "".join(name.lower().split())
+    made = next((known for key, known in MATERIALS.items() if key.lower() == word), None)
+    glass, colon, layers = word.partition(":")
+    if made is None and colon and glass in STRENGTHS:
+        made = build_up(word, layers_of(layers, glass))
+    unit = _UNIT_NAME.fullmatch(word)
+    if made is None and unit is not None:
+        made = insulating_unit(*map(float, unit[1][1:].split("-")))
+    if made is None:
+        raise InputError(
+            f"material: expected one of {', '.join(MATERIALS)}, or a build-up such as "
+            f"{BUILD_UPS[1]} or {BUILD_UPS[3]}, got '{name}'"
+        )
+    return made if density is None else replace(made, density=density)
 
 
 def materials_of(

@@ -26,6 +26,7 @@ def plate_part(
     line: int | None = None,
     measures: Measures = _UNMEASURED,
     height: float | None = None,
+    weighed: float | None = None,
 ) -> Part:
     """Return the part of a plate, its length and width those of its pattern's box.
 
@@ -44,6 +45,7 @@ def plate_part(
         line: its number.
         measures: how true the part is.
         height: of the section, where the pattern is curved.
+        weighed: volume by which it weighs, where that is not its own, mm3.
     """
     length, width = pattern.size.tolist()
     origin, frame = place
@@ -66,4 +68,5 @@ def plate_part(
         line=line,
         measures=measures,
         height=height,
+        weighed=weighed,
     )

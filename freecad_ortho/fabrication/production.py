@@ -104,8 +104,8 @@ class Production:
         units = sum(part.material.thickness is not None for part in self.structure.parts)
         if units and self.workshop.sheet is not None:
             words.append(
-                f"sheets leave out {units} insulating units: they are ordered to size, by their "
-                "flat patterns"
+                f"sheets leave out {units} of a build-up: they are ordered to size, by their flat "
+                "patterns"
             )
         words += [
             f"{each.file} is not written: the Python package '{each.installed_as}' is missing; "

@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_ortho import answers, convert
-from freecad_ortho.fabrication import MATERIALS
+from freecad_ortho.fabrication import BUILD_UPS, MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, outdated, places
 from freecad_ortho.objects.kinds import (
@@ -38,7 +38,7 @@ _MATERIAL = Property(
     "Material",
     "Material",
     QT_TRANSLATE_NOOP("App::Property", "Material of all parts"),
-    choices=tuple(map(with_capital, MATERIALS)),
+    choices=tuple(map(with_capital, (*MATERIALS, *BUILD_UPS))),
 )
 _PROPERTIES = (
     Property(
@@ -191,7 +191,7 @@ def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD
 
 def set_properties(feature: FreeCAD.DocumentObject, properties: Mapping[str, Any]) -> None:
     """Set properties by name."""
-    # Build-ups of insulating glass are as many as one likes, and so are sections.
+    # Build-ups of glass are as many as one likes, and so are sections.
     own = {_MATERIAL.name: _MATERIAL, **own_words(TITLES[feature.System])}
     for name, value in properties.items():
         if name in own:

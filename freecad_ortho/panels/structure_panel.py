@@ -8,7 +8,7 @@ import FreeCAD
 from PySide import QtGui
 
 from freecad_ortho import preferences
-from freecad_ortho.fabrication import MATERIALS, material
+from freecad_ortho.fabrication import BUILD_UPS, MATERIALS, material
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of, values
 from freecad_ortho.panels.fields import ChoiceField, TextField, elided, form_rows, leave_room
@@ -151,7 +151,9 @@ class StructurePanel(WorkPanel):
         self.lines.widget.setToolTip(
             translate("Ortho", "Parts are made along these lines only, numbered such as 0, 3.")
         )
-        self.material = ChoiceField({name: translate("Ortho", name) for name in MATERIALS}, "steel")
+        words = {name: translate("Ortho", name) for name in MATERIALS}
+        words |= {name: name for name in BUILD_UPS}
+        self.material = ChoiceField(words, "steel", editable=True)
         self._rows.addRow(translate("Ortho", "Along"), self.family.widget)
         self._rows.addRow(translate("Ortho", "Lines"), self.lines.widget)
         self._rows.addRow(translate("Ortho", "Material"), self.material.widget)

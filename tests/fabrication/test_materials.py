@@ -70,7 +70,8 @@ def test_materials_that_cannot_be_are_refused(text, words):
 
 def test_an_insulating_unit_weighs_what_its_panes_do():
     unit = material("insulating-glass-8-16-4")
-    assert unit.layers == (8.0, 16.0, 4.0)
+    assert [layer.thickness for layer in unit.layers] == [8.0, 16.0, 4.0]
+    assert [layer.kind for layer in unit.layers] == ["pane", "cavity", "pane"]
     assert unit.thickness == 28.0
     # One square metre: 12 mm of glass, 30 kg.
     assert unit.mass(1e6 * unit.thickness) == pytest.approx(30.0)

@@ -76,7 +76,7 @@ class TestSettings(StructureCase):
 
     def test_structures_of_different_materials_go_into_one_export(self):
         beams = api.add_structure(self.net, "beams")
-        unit = "insulating-glass-5-14-5"
+        unit = "glass:5/14/5"
         panels = api.add_structure(self.net, "panels", beams=beams, material=unit)
         self.assertEqual((panels.Material, panels.Thickness.Value), (unit.capitalize(), 24.0))
         panels.LimitGap = 5.0

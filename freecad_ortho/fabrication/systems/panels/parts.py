@@ -3,22 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
 from freecad_ortho.fabrication.bevels import bevels_of
-from freecad_ortho.fabrication.bodies import Body, Polyhedron, prism_sides
+from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
-from freecad_ortho.fabrication.plate_bodies import Pierced, plate_body
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
+from freecad_ortho.fabrication.systems.panels.layers import Layered, layers_table
 from freecad_ortho.fabrication.systems.panels.slivers import Pieces, join_slivers
 from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, trimmed, trimmed_pattern
+from freecad_ortho.fabrication.systems.system import Table
 from solver.mesh.quadmesh import FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class PanelParts:
+    """Panels, and what the border made of the faces.
+
+    Attributes:
+        parts: one a face or piece of one, in the order of the faces.
+        layers: of these.
+        left_out: narrow pieces by their names.
+        joined: pieces that are part of others by theirs, with the names of these and how far they
+            stand above the net there, mm.
+    """
+
+    parts: tuple[Part, ...]
+    layers: tuple[Layered, ...]
+    left_out: dict[str, Trimmed]
+    joined: dict[str, tuple[str, float]]
+
+    @property
+    def table(self) -> Table:
+        """The list of layers."""
+        return layers_table([part.name for part in self.parts], self.layers)
 
 
 def panel_parts(
@@ -29,8 +53,8 @@ def panel_parts(
     bearing: FloatArray | None,
     least_width: float = 0.0,
     join: bool = False,
-) -> tuple[tuple[Part, ...], dict[str, Trimmed], dict[str, tuple[str, float]]]:
-    """Return one part a face, in the order of the faces, or what the border leaves of it.
+) -> PanelParts:
+    """Return one part a face, or what the border leaves of it.
 
     Args:
         site: the net.
@@ -41,9 +65,8 @@ def panel_parts(
         least_width: pieces at the border that are narrower are left out, mm,
         join: or part of their neighbours where they fit on.
 
-    Returns:
-        The parts, the pieces that are left out by their names, and those that are part of others by
-        theirs, with the names of these and how far they stand above the net there, mm.
+    Raises:
+        InputError: layers that are set back too far.
     """
     faces = site.mesh.faces
     plates, pieces = _plates(site, geometry, thickness, least_width, join)
@@ -55,7 +78,7 @@ def panel_parts(
             site,
             plate.name,
             "panel",
-            plate.body,
+            plate.layered.body(),
             (plate.origin, geometry.planes.frame[plate.face]),
             plate.pattern,
             thickness,
@@ -65,10 +88,11 @@ def panel_parts(
                 gap_mm=float(gaps[plate.face]),
                 bearing_mm=None if bearing is None else float(bearing[plate.face]),
             ),
+            weighed=plate.layered.weighed(site.material.density),
         )
         for plate in plates
     )
-    return parts, left_out, joined
+    return PanelParts(parts, tuple(plate.layered for plate in plates), left_out, joined)
 
 
 class _Plate(NamedTuple):
@@ -76,7 +100,7 @@ class _Plate(NamedTuple):
 
     name: str
     face: int
-    body: Body
+    layered: Layered
     pattern: FlatPattern
     origin: FloatArray
 
@@ -100,13 +124,14 @@ def _plates(
     if join:
         join_slivers(pieces, geometry, rings, across)
     made, plates = pieces.made, []
+    made_of = thickness, site.material
     for face in np.flatnonzero(made).tolist():
         beside = [names[k] if k >= 0 and made[k] else "" for k in across[face].tolist()]
         if face not in pieces.wide:
-            plates.append(_plate(names[face], geometry, rings, face, thickness, beside))
+            plates.append(_plate(names[face], geometry, rings, face, made_of, beside))
         for number, piece in enumerate(pieces.wide.get(face, ())):
             name = _piece_name(names[face], number)
-            plates.append(_cut_plate(name, geometry, face, piece, thickness, beside))
+            plates.append(_cut_plate(name, geometry, face, piece, made_of, beside))
     return plates, pieces
 
 
@@ -134,17 +159,15 @@ def _plate(
     geometry: PanelGeometry,
     rings: Sequence[FloatArray],
     face: int,
-    thickness: float,
+    made_of: tuple[float, Material],
     beside: list[str],
 ) -> _Plate:
     low = geometry.outline[face].min(axis=0)
     under, over, outline = (geometry.corners.outline(face, ring[face]) - low for ring in rings)
-    count = len(outline)
-    corners = np.column_stack([np.concatenate([under, over]), np.repeat([0.0, thickness], count)])
-    body = Polyhedron(corners, prism_sides(count))
+    layered = Layered.of((under, over), *made_of, name)
     pattern = _flat_pattern(name, outline, geometry.outline[face] - low, beside)
-    pattern = replace(pattern, bevels=bevels_of(body), seen="above")
-    return _Plate(name, face, body, pattern, geometry.origin[face])
+    pattern = replace(pattern, bevels=bevels_of(layered.whole), seen="above")
+    return _Plate(name, face, layered, pattern, geometry.origin[face])
 
 
 def _cut_plate(
@@ -152,20 +175,19 @@ def _cut_plate(
     geometry: PanelGeometry,
     face: int,
     piece: Trimmed,
-    thickness: float,
+    made_of: tuple[float, Material],
     beside: list[str],
 ) -> _Plate:
     """A piece that the border leaves."""
     low = piece.outline.min(axis=0)
     piece = piece.moved(-low)
-    body = plate_body(piece.under, piece.over, thickness, piece.cutouts)
+    layered = Layered.of((piece.under, piece.over), *made_of, name, piece.cutouts)
     told = ["" if side is None else beside[side] for side in geometry.corners.sides(face)]
     pattern = trimmed_pattern(name, piece, told)
-    sides = body.whole if isinstance(body, Pierced) else body
-    pattern = replace(pattern, bevels=bevels_of(sides), seen="above")
+    pattern = replace(pattern, bevels=bevels_of(layered.whole), seen="above")
     corner = np.append(low, geometry.levels[0, face])
     origin = geometry.planes.middle[face] + corner @ geometry.planes.frame[face]
-    return _Plate(name, face, body, pattern, origin)
+    return _Plate(name, face, layered, pattern, origin)
 
 
 def _flat_pattern(

@@ -29,6 +29,7 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
     panel_geometry,
 )
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
+from freecad_ortho.fabrication.systems.panels.layers import build_up_report
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.panels.trimmed import (
     joined_words,
@@ -37,7 +38,7 @@ from freecad_ortho.fabrication.systems.panels.trimmed import (
     uncarried_words,
 )
 from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
-from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -181,12 +182,15 @@ class Panels(System):
             widths = bearings(mesh.connectivity, beams, geometry.lower_edges())
             if edge_beam is not None:
                 widths = np.concatenate([widths, at_the_edge(site, edge_beam, self.gap)], axis=1)
+            if site.material.layers:
+                widths = widths - site.material.layers[-1].step
         gaps = diagonal_distances(site.mesh)
         least = None if widths is None else least_bearing(widths)
         join = self.slivers == "join" and self.edge == "square"
-        parts, left_out, joined = panel_parts(
+        made_parts = panel_parts(
             site, geometry, self.thickness, gaps, least, self.least_width, join
         )
+        parts, left_out, joined = made_parts.parts, made_parts.left_out, made_parts.joined
         faces = [part.face for part in parts if part.face is not None]
         made = np.zeros(len(wanted), dtype=bool)
         made[faces] = True
@@ -215,7 +219,11 @@ class Panels(System):
                 "panels: they lie under the beams, because the upper side of the net faces down; "
                 "turn it over (Flip net, or orient on the command line)",
             )
-        return SystemParts(parts, report, messages, geometry)
+        tables: tuple[Table, ...] = ()
+        if site.material.layers:
+            report |= build_up_report(site.material, parts)
+            tables = (made_parts.table,)
+        return SystemParts(parts, report, messages, geometry, tables=tables)
 
     def _bed(
         self, site: Site, beams: BeamGeometry | None, edge_beam: EdgeGeometry | None
