@@ -53,9 +53,9 @@ SHEETS = "sheets"
 JOINTS = "joints"
 PARTS = "parts"
 # What an earlier report may name for removal: nothing but such names is ever written beside FILES.
+_OF_FORMATS = "|".join(re.escape(each.file).replace(r"\*", r"[^/\\]+") for each in FORMATS.values())
 _REMOVABLE = re.compile(
-    rf"{re.escape(_FLAT)}|structure(-[^/\\]+)?\.step|[^/\\]+\.csv"
-    rf"|{'|'.join(re.escape(each.file) for each in FORMATS.values())}"
+    rf"{re.escape(_FLAT)}|structure(-[^/\\]+)?\.step|[^/\\]+\.csv|{_OF_FORMATS}"
     rf"|({SHEETS}|{JOINTS}|{PARTS})/[^/\\]+\.(dxf|svg|stl)"
 )
 
@@ -133,8 +133,9 @@ def _step_files(structure: Structure, workshop: Workshop) -> dict[str, Sequence[
 def _beside(folder: Path, structure: Structure) -> list[str]:
     """Names of the files beside those that every structure has."""
     tables = [table.name for result in structure.results.values() for table in result.tables]
-    formats = [each.file for each in FORMATS.values()]
-    found = [name for name in (BENDS, *tables, *formats) if (folder / name).exists()]
+    found = [name for name in (BENDS, *tables) if (folder / name).exists()]
+    for each in FORMATS.values():
+        found += sorted(path.relative_to(folder).as_posix() for path in folder.glob(each.file))
     found += sorted(path.name for path in folder.glob("structure-*.step"))
     return found + [
         f"{folder_name}/{path.name}"
@@ -191,10 +192,10 @@ def _write_formats(folder: Path, production: Production, project: str, say: Prog
     wanted = [each for each in production.workshop.formats if not each.missing]
     for number, each in enumerate(wanted):
 
-        def go_on(done: float, name: str = each.file, before: int = number) -> None:
+        def go_on(done: float, name: str = each.place, before: int = number) -> None:
             say(0.9 + 0.05 * (before + done) / len(wanted), name)
 
-        WRITERS[each.name](folder / each.file, production, project, go_on)
+        WRITERS[each.name](folder / each.place, production, project, go_on)
 
 
 def _write_joints(folder: Path, structure: Structure) -> None:

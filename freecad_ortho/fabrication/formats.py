@@ -10,12 +10,14 @@ from solver.errors import InputError
 
 @dataclass(frozen=True)
 class Format:
-    """One such file.
+    """One such file, or a folder of them.
 
     Attributes:
         name: as it is asked for.
-        file: its name in the folder.
-        package: the Python package that writes it, by the name it is imported by.
+        file: its name in the folder; a folder of files with the names that the pattern after the
+            slash stands for, ``saw-list/*``.
+        package: the Python package that writes it, by the name it is imported by; empty where none
+            is needed.
         installed_as: the same as pip calls it.
         contents: what is in it, in a few words.
     """
@@ -29,7 +31,12 @@ class Format:
     @property
     def missing(self) -> bool:
         """Whether its package is not there."""
-        return find_spec(self.package) is None
+        return bool(self.package) and find_spec(self.package) is None
+
+    @property
+    def place(self) -> str:
+        """The file, or the folder of the files."""
+        return self.file.partition("/")[0]
 
 
 FORMATS = {
@@ -50,6 +57,10 @@ FORMATS = {
         Format(
             *("labels", "labels.pdf", "reportlab", "reportlab"),
             "a label for each part, with a QR code of its name",
+        ),
+        Format(
+            *("saw", "saw-list/*", "", ""),
+            "bars with lengths and angles of both ends, and how to read them",
         ),
     )
 }

@@ -243,7 +243,10 @@ class ExportPanel(_WorkshopPanel):
 
     def _add_formats(self) -> None:
         """A box to tick for each file for another program; what is not installed cannot be."""
-        titles = {"labels": translate("Ortho", "Labels")}
+        titles = {
+            "labels": translate("Ortho", "Labels"),
+            "saw": translate("Ortho", "Saw list"),
+        }
         self.formats = {name: QtGui.QCheckBox(titles.get(name, name.upper())) for name in FORMATS}
         missing = translate("Ortho", "The Python package {} is not installed")
         boxes = QtGui.QWidget()

@@ -5,11 +5,13 @@ from pathlib import Path
 
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.exchange.labels import write_labels
+from freecad_ortho.fabrication.exchange.saw_list import write_saw_list
 from freecad_ortho.fabrication.exchange.spreadsheet import write_xlsx
 from freecad_ortho.fabrication.exchange.viewer import write_glb
 from freecad_ortho.fabrication.production import Production
 
-# Takes the path, the production, the project's name, and what is called with the fraction done.
+# Takes the path of its file or folder, the production, the project's name, and what is called with
+# the fraction done.
 Writer = Callable[[Path, Production, str, Callable[[float], None]], None]
 
 WRITERS: dict[str, Writer] = {
@@ -17,6 +19,7 @@ WRITERS: dict[str, Writer] = {
     "glb": write_glb,
     "xlsx": write_xlsx,
     "labels": write_labels,
+    "saw": write_saw_list,
 }
 
 __all__ = ["WRITERS", "Writer"]

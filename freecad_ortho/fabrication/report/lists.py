@@ -50,7 +50,7 @@ def groups_of_parts(production: Production) -> str:
             )
         )
     head = ("parts", "material", "thickness, mm", "number", "different", "length, mm")
-    return "<h2>Parts in groups</h2>" + _table((*head, "mass, kg", "not ok"), rows)
+    return "<h2>Parts in groups</h2>" + table((*head, "mass, kg", "not ok"), rows)
 
 
 def equal_parts(production: Production) -> str:
@@ -61,10 +61,10 @@ def equal_parts(production: Production) -> str:
         for kind, entry in report[what].items():
             rows.append((f"{what} of {plural(kind)}", entry))
     rows.append(("nodes", report["nodes"]))
-    table = [(name, entry["different"], _largest(entry["groups"])) for name, entry in rows]
+    largest = [(name, entry["different"], _largest(entry["groups"])) for name, entry in rows]
     words = f"Equal within {report['tolerance_mm']:g} mm and {report['tolerance_deg']:g} degrees."
-    return f"<h2>Equal parts</h2><p>{words}</p>" + _table(
-        ("what", "different ones", "largest groups"), table
+    return f"<h2>Equal parts</h2><p>{words}</p>" + table(
+        ("what", "different ones", "largest groups"), largest
     )
 
 
@@ -86,7 +86,7 @@ def sheets(production: Production) -> str:
     return (
         f"<h2>Sheets</h2><p>{counted(len(production.sheets), 'sheet')} of {width:g} x "
         f"{height:g} mm, waste {100 * waste:.1f} %.</p>"
-        + _table(("material", "thickness, mm", "sheets"), rows)
+        + table(("material", "thickness, mm", "sheets"), rows)
         + f'<div class="row sheets">{"".join(figures)}</div>'
         + _more(len(production.sheets), _PICTURES, "sheet", "sheets/overview.svg")
     )
@@ -114,7 +114,7 @@ def stock(production: Production) -> str:
     return (
         f"<h2>Stock</h2><p>{shop.trim:g} mm are cut off at each end of a bar and {shop.saw:g} mm "
         f"lost behind each part; rests from {shop.rest:g} mm on are kept. Bar by bar: stock.csv."
-        "</p>" + _table((*head, "rests kept, m", "waste, %"), rows)
+        "</p>" + table((*head, "rests kept, m", "waste, %"), rows)
     )
 
 
@@ -150,7 +150,7 @@ def clashes(production: Production) -> str:
     rows = [(clash.first, clash.second, f"{clash.volume:.1f}") for clash in worst]
     return (
         f"<h2>Clash check</h2><p>{words}; {len(rows)} share{'s' * (len(rows) == 1)} volume:</p>"
-        + _table(("part", "cuts", "by mm3"), rows[:_ROWS])
+        + table(("part", "cuts", "by mm3"), rows[:_ROWS])
         + _more(len(rows), _ROWS, "pair", "report.json")
     )
 
@@ -175,7 +175,7 @@ def parts_list(production: Production) -> str:
     head = ("part", "line", "size, mm", "mass, kg", *titles, "verdict")
     return (
         "<h2>Parts</h2>"
-        + _table(head, rows, classes)
+        + table(head, rows, classes)
         + _more(len(parts), _ROWS, "part", "parts.csv")
     )
 
@@ -195,9 +195,10 @@ def _largest(groups: Sequence[Sequence[str]]) -> str:
     return "; ".join(f"{len(group)} like {group[0]}" for group in groups[:6]) or "none"
 
 
-def _table(
+def table(
     head: Iterable[str], rows: Iterable[Sequence[object]], classes: Sequence[str] = ()
 ) -> str:
+    """A table of texts in HTML, its rows of the classes that are given."""
     top = "".join(f"<th>{escape(word)}</th>" for word in head)
     lines = []
     for number, row in enumerate(rows):
