@@ -62,6 +62,10 @@ FORMATS = {
             *("saw", "saw-list/*", "", ""),
             "bars with lengths and angles of both ends, and how to read them",
         ),
+        Format(
+            *("nc1", "nc1/*", "", ""),
+            "a file a part for machines that saw, drill and cut steel (DSTV)",
+        ),
     )
 }
 

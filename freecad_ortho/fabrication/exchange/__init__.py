@@ -5,6 +5,7 @@ from pathlib import Path
 
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.exchange.labels import write_labels
+from freecad_ortho.fabrication.exchange.nc1 import write_nc1
 from freecad_ortho.fabrication.exchange.saw_list import write_saw_list
 from freecad_ortho.fabrication.exchange.spreadsheet import write_xlsx
 from freecad_ortho.fabrication.exchange.viewer import write_glb
@@ -20,6 +21,7 @@ WRITERS: dict[str, Writer] = {
     "xlsx": write_xlsx,
     "labels": write_labels,
     "saw": write_saw_list,
+    "nc1": write_nc1,
 }
 
 __all__ = ["WRITERS", "Writer"]

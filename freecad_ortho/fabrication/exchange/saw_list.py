@@ -72,13 +72,21 @@ def _row(part: Part, bar: Bar | None, production: Production) -> list[str] | Non
         return None
     return [
         *(part.name, part.kind, part.material.name, bar.section if bar else _stock(part)),
-        *(bar.name if bar else "", f"{part.length:.2f}"),
+        *(bar.name if bar else "", f"{_length(part, member):.2f}"),
         *_cuts(member),
         _holes(part.pattern),
         _marks(part, production),
         f"{part.mass:.2f}",
         "saw" if member is not None else "flat pattern",
     ]
+
+
+def _length(part: Part, member: Member | None) -> float:
+    """From tip to tip, mm."""
+    if member is None:
+        return part.length
+    low, high = member.reach
+    return high - low
 
 
 def _stock(part: Part) -> str:
