@@ -1,4 +1,4 @@
-"""The first steps of a user: examples, preferences, languages, installing packages. By FreeCAD."""
+"""The first steps of a user: macro, examples, preferences, languages, packages. By FreeCAD."""
 
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -37,6 +37,22 @@ class FirstStepsCase(WindowCase):
         if and_press:
             press(and_press)
         return list(self.lines)
+
+
+class TestReadme(FirstStepsCase):
+    def test_first_macro(self):
+        text = (tools.ROOT / "README.md").read_text(encoding="utf-8")
+        macro = text.split("```python\n")[1].split("```")[0]
+        home = tools.SCRATCH / "home of a reader"
+        home.mkdir()
+        roof = tools.ROOT / "examples" / "data" / "demo_roof.obj"
+        (home / "roof.obj").write_bytes(roof.read_bytes())
+        with mock.patch.dict("os.environ", HOME=str(home)):
+            exec(macro, {"__name__": "__main__"})
+        self.assertLess(macro.count("\n"), 13)
+        names = {path.name for path in (home / "roof-files").iterdir()}
+        self.assertLessEqual({"structure.step", "flat.dxf", "parts.csv", "report.json"}, names)
+        self.assertGreater(QtGui.QImage(str(home / "roof.png")).width(), 1000)
 
 
 class TestExamples(FirstStepsCase):

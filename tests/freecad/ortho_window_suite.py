@@ -267,22 +267,6 @@ class TestExport(WorkbenchCase):
         self.assertEqual(sorted(folder.iterdir()), sorted(written))
 
 
-class TestReadme(WorkbenchCase):
-    def test_first_macro(self):
-        text = (tools.ROOT / "README.md").read_text(encoding="utf-8")
-        macro = text.split("```python\n")[1].split("```")[0]
-        home = tools.SCRATCH / "home of a reader"
-        home.mkdir()
-        roof = tools.ROOT / "examples" / "data" / "demo_roof.obj"
-        (home / "roof.obj").write_bytes(roof.read_bytes())
-        with mock.patch.dict("os.environ", HOME=str(home)):
-            exec(macro, {"__name__": "__main__"})
-        self.assertLess(macro.count("\n"), 13)
-        names = {path.name for path in (home / "roof-files").iterdir()}
-        self.assertLessEqual({"structure.step", "flat.dxf", "parts.csv", "report.json"}, names)
-        self.assertGreater(QtGui.QImage(str(home / "roof.png")).width(), 1000)
-
-
 class TestOptimisePanel(WorkbenchCase):
     def started(self, rows=30):
         """A run that is in the middle of its work."""

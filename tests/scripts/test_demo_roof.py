@@ -1,4 +1,4 @@
-"""The demo roof is the roof that its formula and the issue promise."""
+"""The demo roof is the roof that its formula and its description promise."""
 
 import importlib.util
 from pathlib import Path
