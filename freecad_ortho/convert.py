@@ -129,8 +129,9 @@ def option_value(option: Option, value: Any) -> Any:
         return tuple(tuple(map(tuple, rows(line).tolist())) for line in value)
     if option.kind == "singular":
         return singular_rows(value)
-    if option.kind in ("length", "distance", "angle", "area"):
-        read = {"angle": degrees, "area": square_millimetres}.get(option.kind, millimetres)
+    if option.kind in ("length", "distance", "angle", "area", "pressure"):
+        own = {"angle": degrees, "area": square_millimetres, "pressure": kilopascals}
+        read = own.get(option.kind, millimetres)
         if option.several and isinstance(value, (tuple, list)):
             return tuple(read(item, option.name) for item in value)
         return read(value, option.name)
@@ -144,6 +145,15 @@ def square_millimetres(value: float | str | FreeCAD.Units.Quantity, name: str) -
         InputError: not an area.
     """
     return _number_of(value, name, FreeCAD.Units.Area, "an area", "2 m^2")
+
+
+def kilopascals(value: float | str | FreeCAD.Units.Quantity, name: str) -> float:
+    """Read a load by its area: a number of kN/m2, a quantity, or a text such as ``"1.5 kPa"``.
+
+    Raises:
+        InputError: not a pressure.
+    """
+    return _number_of(value, name, FreeCAD.Units.Pressure, "a pressure", "1.5 kPa")
 
 
 def singular_rows(given: Any) -> tuple[tuple[float, ...], ...] | None:

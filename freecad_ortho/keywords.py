@@ -120,6 +120,14 @@ class DesignSettings(TypedDict, total=False):
     imperfection: float | None
 
 
+class CheckSettings(DesignSettings, total=False):
+    """What a structural check of a document can be told."""
+
+    beams: Feature | None
+    cladding: Feature | None
+    combinations: Sequence[str]
+
+
 class PassedSettings(TypedDict, total=False):
     """What the solver is told in one call, and the Net of a document does not keep."""
 

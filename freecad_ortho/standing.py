@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from freecad_ortho.keywords import DesignSettings
 from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.structural.check import StructuralCheck, check_model
-from freecad_ortho.structural.combinations import read_combinations, usual
+from freecad_ortho.structural.combinations import combinations_of
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.files import write_check
 from freecad_ortho.structural.model import model_of
@@ -28,7 +28,7 @@ def check_structure(
     mesh: QuadMesh,
     *,
     unit: str = DEFAULT_UNIT,
-    combinations: str | os.PathLike[str] | None = None,
+    combinations: str | os.PathLike[str] | Sequence[str] | None = None,
     progress: Callable[[float, str], None] | None = None,
     **design: Unpack[DesignSettings],
 ) -> StructuralCheck:
@@ -37,7 +37,8 @@ def check_structure(
     Args:
         mesh: the net, z upwards, in ``unit``.
         unit: of its coordinates.
-        combinations: a JSON file of combinations of the load cases; those of EN 1990 by default.
+        combinations: of the load cases: a JSON file, or lines as ``"strength: 1.35 self-weight +
+            1.5 snow"``; those of EN 1990 by default.
         progress: called with a fraction and words; may raise to stop.
         design: members, supports and loads by name (``section="tube:100x60x5", snow=1.5,
             wind=["0.6@x"]``), see :class:`freecad_ortho.keywords.DesignSettings`; kN and m,
@@ -49,10 +50,7 @@ def check_structure(
     chosen = Design.of(design)
     near = LocalOrigin.of_mesh(mesh).near_mesh(mesh).scaled(millimetres_per(unit))
     model = model_of(near, chosen)
-    rows = (
-        usual(model.cases) if combinations is None else read_combinations(combinations, model.cases)
-    )
-    return check_model(model, rows, progress)
+    return check_model(model, combinations_of(combinations, model.cases), progress)
 
 
 def size_structure(
@@ -60,7 +58,7 @@ def size_structure(
     sections: str,
     *,
     unit: str = DEFAULT_UNIT,
-    combinations: str | os.PathLike[str] | None = None,
+    combinations: str | os.PathLike[str] | Sequence[str] | None = None,
     progress: Callable[[float, str], None] | None = None,
     **design: Unpack[DesignSettings],
 ) -> Sizing:
@@ -72,7 +70,7 @@ def size_structure(
         mesh: the net, z upwards, in ``unit``.
         sections: a list (tubes, plates, glulam) or names of sections joined by "+".
         unit: of its coordinates.
-        combinations: a JSON file of combinations of the load cases.
+        combinations: as of ``check_structure``.
         progress: called with a fraction and words; may raise to stop.
         design: as of ``check_structure``, but the section.
 

@@ -11,12 +11,13 @@ import numpy as np
 from solver.errors import InputError
 
 Kind = Literal[
-    "length", "distance", "area", "angle", "percent", "number", "weight", "direction",
+    "length", "distance", "area", "angle", "pressure", "percent", "number", "weight", "direction",
     "count", "choice", "flag", "text", "points", "polylines", "singular", "placement", "mesh",
 ]  # fmt: skip
 # Kinds of one number; an option that is a tuple has several of them.
 NUMBERS = (
-    "length", "distance", "area", "angle", "percent", "number", "weight", "direction", "count",
+    "length", "distance", "area", "angle", "pressure", "percent", "number", "weight", "direction",
+    "count",
 )  # fmt: skip
 # Words for directions.
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -49,12 +50,12 @@ class Option:
         name: keyword in Python, ``panel_thickness``; ``--panel-thickness`` on the command line.
         default: value, a tuple where there are several numbers; None where there is none, and of a
             length that is found where none is given.
-        kind: ``length`` (not negative), ``distance``, ``area``, ``angle`` (degrees), ``percent``,
-            ``number``, ``weight`` (not negative), ``count`` (whole), ``direction`` (three numbers,
-            or ``x``, ``y``, ``z``), ``choice``, ``flag``, ``text``, ``points`` ((n, 3)),
-            ``polylines`` (any number of those), ``singular`` (rows x, y, z, number of lines; none,
-            or None to have them found), ``placement`` (rotation (3, 3), origin (3,)) or ``mesh``
-            (one with the same faces).
+        kind: ``length`` (not negative), ``distance``, ``area``, ``angle`` (degrees), ``pressure``
+            (kN/m2), ``percent``, ``number``, ``weight`` (not negative), ``count`` (whole),
+            ``direction`` (three numbers, or ``x``, ``y``, ``z``), ``choice``, ``flag``, ``text``,
+            ``points`` ((n, 3)), ``polylines`` (any number of those), ``singular`` (rows x, y, z,
+            number of lines; none, or None to have them found), ``placement`` (rotation (3, 3),
+            origin (3,)) or ``mesh`` (one with the same faces).
             Defaults with a length are in mm.
         meaning: what it does, a sentence without its full stop.
         choices: words of a choice.

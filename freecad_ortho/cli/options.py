@@ -20,9 +20,9 @@ from solver.option import NUMBERS, Option
 
 # What stands for a value in the help, a letter for each where there are several.
 _WRITTEN = {
-    "length": "L", "distance": "L", "area": "A", "angle": "DEG", "percent": "PERCENT",
-    "number": "N", "weight": "W", "direction": "x|y|z|X,Y,Z", "count": "N", "text": "TEXT",
-    "points": "FILE", "singular": "auto|none|FILE", "mesh": "FILE",
+    "length": "L", "distance": "L", "area": "A", "angle": "DEG", "pressure": "KN/M2",
+    "percent": "PERCENT", "number": "N", "weight": "W", "direction": "x|y|z|X,Y,Z", "count": "N",
+    "text": "TEXT", "points": "FILE", "singular": "auto|none|FILE", "mesh": "FILE",
 }  # fmt: skip
 _LETTERS = {2: "A,B", 3: "X,Y,Z"}
 _PLACING = {"rotate": "turn by angles about x, then y, then z", "centre": "where it is put"}

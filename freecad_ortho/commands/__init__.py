@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 TOOLBARS = {
     "Design": ("ImportNet", "MultiNet", "NewNet", "ChangeNet"),
     "Optimise": ("Optimise", "OptimiseAgain", "EditNet", "FlipNet"),
-    "Analyse": ("Display", "Check", "SavePicture"),
+    "Analyse": ("Display", "Check", "StructuralCheck", "SavePicture"),
     "Fabricate": (
         "Beams",
         "EdgeBeam",
@@ -37,6 +37,7 @@ _FILES = (
     "remesh",
     "optimise",
     "display",
+    "structural_check",
     "structures",
     "flat_patterns",
     "export_fabrication",
@@ -61,7 +62,7 @@ def for_selection() -> list[str]:
     if not context.selected_nets_and_structures():
         return []
     offered = ("EditNet", "Optimise", "OptimiseAgain", "FlipNet", "Display", "Check")
-    offered += ("Beams", "Lamellas", "Panels")
+    offered += ("StructuralCheck", "Beams", "Lamellas", "Panels")
     offered += ("UpdateStructures", "FlatPatterns", "ExportFabrication", "Bake")
     found = [f"Ortho_{name}" for name in offered]
     return [name for name in found if FreeCADGui.isCommandActive(name)]

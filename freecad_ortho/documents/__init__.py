@@ -38,6 +38,11 @@ from freecad_ortho.documents.sources import (
     quads_from_mesh,
     weld_nets,
 )
+from freecad_ortho.documents.structural_checks import (
+    add_structural_check,
+    change_structural_check,
+    write_check_files,
+)
 from freecad_ortho.documents.structures import (
     add_structure,
     change_structure,
@@ -75,11 +80,13 @@ __all__ = [
     "add_patches",
     "add_primitive",
     "add_source",
+    "add_structural_check",
     "add_structure",
     "bake",
     "change_flat_patterns",
     "change_net",
     "change_source",
+    "change_structural_check",
     "change_structure",
     "drag_net",
     "dragging",
@@ -100,6 +107,7 @@ __all__ = [
     "show_net",
     "update_structures",
     "weld_nets",
+    "write_check_files",
 ]
 
 list_keywords(__all__, globals())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -54,6 +54,31 @@ def unmarked_on_failure(target: FreeCAD.DocumentObject) -> Iterator[None]:
         if not marked:
             target.purgeTouched()
         raise
+
+
+@contextmanager
+def changing(target: FreeCAD.DocumentObject, properties: Mapping[str, Any]) -> Iterator[None]:
+    """Set properties of an object, as one undo step with what happens inside; none if that fails.
+
+    Args:
+        target: the object.
+        properties: values by name.
+    """
+    before = {name: getattr(target, name) for name in properties}
+    title = FreeCAD.Qt.translate("Ortho", "Change {}").format(target.Label)
+    with unmarked_on_failure(target), transaction(target.Document, title):
+        try:
+            _set(target, properties)
+            yield
+        except BaseException:
+            _set(target, before)
+            raise
+        target.purgeTouched()
+
+
+def _set(target: FreeCAD.DocumentObject, properties: Mapping[str, Any]) -> None:
+    for name, value in properties.items():
+        setattr(target, name, value)
 
 
 def require_net(feature: Any) -> None:

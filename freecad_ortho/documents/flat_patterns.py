@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.documents.common import removed_on_failure, transaction, unmarked_on_failure
+from freecad_ortho.documents.common import changing, removed_on_failure, transaction
 from freecad_ortho.fabrication.workshop import GRAINS, NESTINGS
 from freecad_ortho.objects import flat_patterns, places
 from freecad_ortho.objects.structure import is_structure
@@ -87,16 +87,8 @@ def change_flat_patterns(
         label = getattr(target, "Label", target)
         raise InputError(f"flat patterns: {label} is none; select flat patterns first")
     properties = _properties(sheet, spacing, grain, nesting, seed, kerf)
-    before = {name: getattr(target, name) for name in properties}
-    title = FreeCAD.Qt.translate("Ortho", "Change {}").format(target.Label)
-    with unmarked_on_failure(target), transaction(target.Document, title):
-        try:
-            _set(target, properties)
-            flat_patterns.rebuild(target)
-        except BaseException:
-            _set(target, before)
-            raise
-        target.purgeTouched()
+    with changing(target, properties):
+        flat_patterns.rebuild(target)
 
 
 def _properties(
@@ -127,8 +119,3 @@ def _properties(
         if word is not None:
             found[name] = word.capitalize()
     return found if seed is None else {**found, "Seed": seed}
-
-
-def _set(target: FreeCAD.DocumentObject, properties: dict[str, Any]) -> None:
-    for name, value in properties.items():
-        setattr(target, name, value)

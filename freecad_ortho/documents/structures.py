@@ -23,7 +23,7 @@ from freecad_ortho.fabricating import write_fabrication
 from freecad_ortho.fabrication import SYSTEMS, Selection, Workshop
 from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
-from freecad_ortho.objects import build, flat_patterns, outdated, places
+from freecad_ortho.objects import build, outdated, places
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.option_properties import stored, with_capital
 from freecad_ortho.objects.system_properties import options_of, values
@@ -192,7 +192,7 @@ def _change(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
 
 
 def update_structures(document: FreeCAD.Document | None = None) -> list[FreeCAD.DocumentObject]:
-    """Build those structures and flat patterns anew that wait to be asked.
+    """Build those structures, flat patterns and checks anew that wait to be asked.
 
     They wait because they take long, because they do not follow automatically, or because what they
     stand on waits.
@@ -209,10 +209,7 @@ def update_structures(document: FreeCAD.Document | None = None) -> list[FreeCAD.
     title = FreeCAD.Qt.translate("Ortho", "Update structures")
     with transaction(target, title), progress(title) as say:
         for number, feature in enumerate(chosen):
-            if structure_object.is_structure(feature):
-                structure_object.rebuild(feature, _share(say, number, len(chosen)))
-            else:
-                flat_patterns.rebuild(feature)
+            feature.Proxy.rebuild(feature, _share(say, number, len(chosen)))
             feature.purgeTouched()
     return chosen
 

@@ -140,7 +140,7 @@ def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
     return _Plan(
         convert.quad_mesh(net),
         [system_of(by_system[name], name) for name in ordered],
-        {name: _material(by_system[name]) for name in ordered},
+        {name: material_of(by_system[name]) for name in ordered},
         {name: limits_of(by_system[name]) for name in ordered},
         Selection(lines[0].lower(), lines[1] or None),
         [name for name in ordered if name in wanted],
@@ -152,7 +152,8 @@ def _is_trimmed(feature: FreeCAD.DocumentObject) -> bool:
     return bool(feature.Trimmed)
 
 
-def _material(feature: FreeCAD.DocumentObject) -> Material:
+def material_of(feature: FreeCAD.DocumentObject) -> Material:
+    """The material of the parts of a structure."""
     return material(feature.Material, feature.Density or None)
 
 

@@ -137,7 +137,9 @@ class FlatPatterns(outdated.Following):
     properties = _PROPERTIES
     version = VERSION
 
-    def rebuild(self, feature: FreeCAD.DocumentObject) -> None:
+    def rebuild(
+        self, feature: FreeCAD.DocumentObject, progress: outdated.Progress | None = None
+    ) -> None:
         """Lay the patterns out."""
         rebuild(feature)
 

@@ -18,6 +18,8 @@ _KINDS = {
     # FreeCAD's area cannot be negative, t can.
     "area": "App::PropertyFloat",
     "angle": "App::PropertyAngle",
+    # FreeCAD's own unit of it is kPa, which is kN/m2.
+    "pressure": "App::PropertyPressure",
     "number": "App::PropertyFloat",
     "weight": "App::PropertyFloat",
     "direction": "App::PropertyFloat",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -19,6 +19,8 @@ from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persiste
 from solver.errors import OrthoError
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+Progress = Callable[[float, str], None]
 
 # What building takes about, for shapes that have not been built in this session.
 _SECONDS_AN_EDGE = 1.5e-4
@@ -96,9 +98,22 @@ class Following(Persistent):
             # The report view shows where an exception came from; the inner frames help nobody.
             raise type(error)(str(error)) from None
 
-    def rebuild(self, feature: FreeCAD.DocumentObject) -> None:
-        """Build the shape."""
+    def rebuild(self, feature: FreeCAD.DocumentObject, progress: Progress | None = None) -> None:
+        """Build the shape.
+
+        Args:
+            feature: the object.
+            progress: called with a fraction and words; may raise to stop.
+        """
         raise NotImplementedError
+
+    def is_built(self, feature: FreeCAD.DocumentObject) -> bool:
+        """Tell whether there is something to go on with while it waits."""
+        return not feature.Shape.isNull()
+
+    def seconds_about(self, feature: FreeCAD.DocumentObject) -> float:
+        """What building takes about, where it has not been built in this session."""
+        return _SECONDS_AN_EDGE * len(feature.Shape.Edges)
 
     def fingerprint(self, feature: FreeCAD.DocumentObject) -> str:
         """A word that stands for all that the shape is built from."""
@@ -113,14 +128,14 @@ class Following(Persistent):
         return bool(feature.Notice == known and feature.BuiltFrom == self.fingerprint(feature))
 
     def _waits(self, feature: FreeCAD.DocumentObject) -> bool:
-        if feature.Shape.isNull():
+        if not self.is_built(feature):
             return False
         if not feature.AutomaticUpdate:
             return True
         if any(item.Outdated for item in self.stands_on(feature)):
             return True
         if self.seconds is None:
-            self.seconds = _SECONDS_AN_EDGE * len(feature.Shape.Edges)
+            self.seconds = self.seconds_about(feature)
         return self.seconds > preferences.at_once()
 
     def _mark(self, feature: FreeCAD.DocumentObject) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import FreeCAD
@@ -154,9 +154,11 @@ class Structure(Built):
         super().onDocumentRestored(feature)
         ensure_options(feature)
 
-    def rebuild(self, feature: FreeCAD.DocumentObject) -> None:
+    def rebuild(
+        self, feature: FreeCAD.DocumentObject, progress: outdated.Progress | None = None
+    ) -> None:
         """Build the solids."""
-        rebuild(feature)
+        rebuild(feature, progress)
 
     def fingerprint(self, feature: FreeCAD.DocumentObject) -> str:
         """A word that stands for all that the solids are built from."""
@@ -255,9 +257,7 @@ def ensure_options(feature: FreeCAD.DocumentObject) -> None:
     feature.setPropertyStatus("AtEdgeBeam", status)
 
 
-def rebuild(
-    feature: FreeCAD.DocumentObject, progress: Callable[[float, str], None] | None = None
-) -> None:
+def rebuild(feature: FreeCAD.DocumentObject, progress: outdated.Progress | None = None) -> None:
     """Set the shape and what is known of the parts from the properties.
 
     Args:

@@ -15,7 +15,7 @@ from solver.option import Option
 translate = FreeCAD.Qt.translate
 
 _UNITS = {"length": "mm", "distance": "mm", "area": "mm^2", "angle": "deg"}
-_PLAIN = ("number", "direction", "percent")
+_PLAIN = ("number", "direction", "percent", "pressure")
 _MOST = 1e12
 # Room for a length of some metres with its unit, for a formula.
 _LEGIBLE = 120
@@ -108,6 +108,9 @@ class OptionField:
             return self._quantity()
         if kind in _PLAIN:
             widget = _NumberBox()
+            if kind == "pressure":
+                # FreeCAD's own field shows 0 in Pa, and takes a number without a unit for such.
+                widget.setSuffix(" kN/m²")
             if option.several:
                 widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
         elif kind == "weight":

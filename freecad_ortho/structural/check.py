@@ -17,7 +17,7 @@ from solver.frame.model import Loads
 from solver.frame.response import Response, imbalance, response
 from solver.frame.second_order import imperfect, second_order
 from solver.frame.system import System
-from solver.mesh.connectivity import IntArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 Progress = Callable[[float, str], None]
@@ -40,6 +40,10 @@ class Found:
         balance: imbalance of loads and reactions.
         section: (M,) utilisation of sections; zero for service.
         member: (M,) utilisation of members with buckling between their ends.
+        forces: (M, 6) N, Vy, Vz, T, My, Mz that govern each member: those of the section that is
+            used most, or where buckling between its ends governs the most compression and the
+            largest others along it.
+        deformed: (M,) whether these are those of balance in the deformed shape.
         buckling: modes under it, for strength.
         bent: share of the strain energy that is not of axial forces, first order; 0 is a shell
             that carries by its form alone.
@@ -52,6 +56,8 @@ class Found:
     balance: float
     section: FloatArray
     member: FloatArray
+    forces: FloatArray
+    deformed: BoolArray
     buckling: Buckling | None = None
     bent: float | None = None
     carried: float | None = None
@@ -110,6 +116,18 @@ class StructuralCheck:
     def governing(self) -> IntArray:
         """(M,) number among ``strength`` of the combination that uses each member most."""
         return np.asarray(np.argmax([one.utilisation for one in self.strength], axis=0))
+
+    @cached_property
+    def governing_forces(self) -> FloatArray:
+        """(M, 6) N, Vy, Vz, T, My, Mz by which each member is used most, N and Nmm."""
+        each = np.stack([one.forces for one in self.strength])
+        return np.asarray(each[self.governing, np.arange(each.shape[1])])
+
+    @cached_property
+    def governed_deformed(self) -> BoolArray:
+        """(M,) whether these forces are those of balance in the deformed shape."""
+        each = np.stack([one.deformed for one in self.strength])
+        return np.asarray(each[self.governing, np.arange(each.shape[1])])
 
     @property
     def factor(self) -> float | None:
@@ -262,13 +280,16 @@ def _one(
     whole = _summed(factors, cases)
     loads = _summed(factors, [case.loads for case in model.cases])
     balance = imbalance(model.frame, loads, whole.reactions)
-    none = np.zeros(len(model.frame.members))
+    count = len(model.frame.members)
     if combination.kind == SERVICE:
-        return Found(combination, whole, balance, none, none)
+        none = np.zeros(count)
+        return Found(
+            combination, whole, balance, none, none, np.zeros((count, 6)), np.zeros(count, bool)
+        )
     mode = buckling(pieces.system, _summed(factors, pieces.cases), model.design.modes)
     carried = None
     forces = np.stack([whole.forces_at(model.frame, part) for part in STATIONS])
-    share = _bent(model, forces)
+    share, drawn = _bent(model, forces), len(forces)
     # What buckles under its load does not pass anyway.
     if model.design.second_order and len(mode.factors) and 1 < mode.factors[0] < ENOUGH:
         carried, deformed = pieces.second_order(mode, _summed(factors, pieces.loads))
@@ -277,7 +298,18 @@ def _one(
     permanent = combination.permanent(model.cases)
     section = model.rules.section(forces, permanent)
     member = model.rules.member(forces, lengths, permanent)
-    return Found(combination, whole, balance, section, member, mode, share, carried)
+    most, at = section.max(axis=0), _governing(section, member, forces)
+    governing = np.take_along_axis(forces, at[None], axis=0)[0]
+    second = np.asarray((at >= drawn).any(axis=1))
+    return Found(combination, whole, balance, most, member, governing, second, mode, share, carried)
+
+
+def _governing(section: FloatArray, member: FloatArray, forces: FloatArray) -> IntArray:
+    """(M, 6) in which of the sections (K, M) the forces are that govern each member."""
+    own = np.repeat(section.argmax(axis=0)[:, None], 6, axis=1)
+    along = np.abs(forces).argmax(axis=0)
+    along[:, 0] = forces[:, :, 0].argmin(axis=0)
+    return np.asarray(np.where((member > section.max(axis=0))[:, None], along, own))
 
 
 def _bent(model: Model, forces: FloatArray) -> float:

@@ -83,6 +83,40 @@ def _named(kind: str, factors: Mapping[str, float]) -> Combination:
     return Combination(f"{kind}: {words}", kind, factors)
 
 
+def combinations_of(
+    given: str | os.PathLike[str] | Sequence[str] | None, cases: Sequence[Case]
+) -> tuple[Combination, ...]:
+    """The combinations that are asked for.
+
+    Args:
+        given: a JSON file; or lines as ``strength: 1.35 self-weight + 1.5 snow``; those of EN 1990
+            where there are none.
+        cases: that there are.
+
+    Raises:
+        InputError: a file or a line that says no combination.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        return read_combinations(given, cases)
+    return tuple(_of_line(line, cases) for line in given) if given else usual(cases)
+
+
+def _of_line(line: str, cases: Sequence[Case]) -> Combination:
+    kind, colon, sum_ = (word.strip() for word in line.partition(":"))
+    pairs = [part.strip().partition(" ") for part in sum_.split(" + ")]
+    try:
+        factors = {name.strip(): float(number) for number, _, name in pairs}
+    except ValueError:
+        factors = {}
+    if not colon or not factors or len(factors) < len(pairs):
+        raise InputError(
+            "combinations: expected lines as 'strength: 1.35 self-weight + 1.5 snow', got "
+            f"'{line[:60]}'"
+        )
+    row = {"name": line.strip(), "kind": kind, "factors": factors}
+    return _read("combinations", row, [case.name for case in cases])
+
+
 def read_combinations(
     path: str | os.PathLike[str], cases: Sequence[Case]
 ) -> tuple[Combination, ...]:

@@ -62,8 +62,8 @@ class Design:
             "self_weight", True, "flag", "Weight of the members is a load",
             brief="leave out the weight of the members",
         ),
-        Option("panels", 0.0, "number", "Weight of panels by their surface, kN/m2"),
-        Option("snow", 0.0, "number", "Snow by the plan, kN/m2"),
+        Option("panels", 0.0, "pressure", "Weight of panels by their surface, kN/m2"),
+        Option("snow", 0.0, "pressure", "Snow by the plan, kN/m2"),
         Option(
             "snow_side", (0.0, 0.0, 0.0), "direction",
             "Snow on one half as a case of its own: the half towards a direction", absent="none",

@@ -18,7 +18,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.offset.axes import torsion_free_axes
 
 # Acceleration of gravity, m/s2, as EN 1991-1-1, annex A, has weights.
-_GRAVITY = 9.81
+GRAVITY = 9.81
 # kN/m2 in MPa.
 _MPA = 1e-3
 PERMANENT, SNOW, WIND, IMPOSED = "permanent", "snow", "wind", "imposed"
@@ -135,7 +135,7 @@ def _cases(
     size = np.linalg.norm(area, axis=1)
     down = np.array([0.0, 0.0, -1.0])
     if design.self_weight:
-        weight = material.mass(1.0) * section.area * _GRAVITY
+        weight = material.mass(1.0) * section.area * GRAVITY
         loads = Loads.none(frame)
         loads.spread[:] = weight * down
         found.append(Case("self-weight", PERMANENT, loads))

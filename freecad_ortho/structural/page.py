@@ -131,25 +131,28 @@ def _governing(check: StructuralCheck) -> str:
     rows = []
     for member in order.tolist():
         by = check.strength[int(check.governing[member])]
-        values = [by.response.forces_at(check.model.frame, part)[member] for part in (0, 0.5, 1)]
-        worst = np.array(values)[np.argmax(np.abs(values), axis=0), np.arange(6)]
+        forces = check.governing_forces[member]
         rows.append(
             (
                 f"{member} ({check.model.families[member]})",
                 f"{100 * check.utilisation[member]:.0f} %",
                 "section" if by.section[member] >= by.member[member] else "buckling",
-                *(f"{worst[k] / 1e3:.2f}" for k in range(3)),
-                *(f"{worst[k] / 1e6:.3f}" for k in range(3, 6)),
+                *(f"{forces[k] / 1e3:.2f}" for k in range(3)),
+                *(f"{forces[k] / 1e6:.3f}" for k in range(3, 6)),
+                "deformed" if check.governed_deformed[member] else "as drawn",
                 by.combination.name,
             )
         )
     head = ("member", "utilisation", "by", "N, kN", "Vy, kN", "Vz, kN", "T, kNm", "My, kNm")
-    second = " Utilisation is the larger one of both orders." if check.imperfection else ""
     note = (
-        "<p>The most used members; forces are the largest of both ends and the middle, by first "
-        f"order.{second} All are in members.csv and forces.csv.</p>"
+        "<p>The most used members, with the forces that govern them: those of the section that is "
+        "used most, or where the member buckles between its ends the most compression and the "
+        "largest of the others along it. Shape: as drawn (first order), or deformed from an "
+        "imperfect one (second order). All are in members.csv, those of first order in "
+        "forces.csv.</p>"
     )
-    return "<h2>Governing members</h2>" + note + _table((*head, "Mz, kNm", "combination"), rows)
+    more = ("Mz, kNm", "shape", "combination")
+    return "<h2>Governing members</h2>" + note + _table((*head, *more), rows)
 
 
 def _supports(check: StructuralCheck) -> str:

@@ -31,7 +31,7 @@ class Rules(Protocol):
         """The rules by name."""
 
     def section(self, forces: FloatArray, permanent: bool) -> FloatArray:
-        """(M,) how far forces (K, M, 6) in sections along members use these up, 1 for wholly."""
+        """(K, M) how far forces (K, M, 6) in sections along members use these up, 1 for wholly."""
 
     def member(self, forces: FloatArray, lengths: FloatArray, permanent: bool) -> FloatArray:
         """(M,) the same with buckling between the ends, for buckling lengths (M,), mm."""
@@ -61,7 +61,7 @@ class Metal:
         """By the stresses of Mises: EN 1993-1-1, 6.2.1 (5); the largest ones are taken together."""
         normal, shear = _stresses(self.profile, forces)
         mises = np.sqrt(normal**2 + 3 * shear**2)
-        return np.asarray(mises.max(axis=0) * self.factor / self.material.bending_limit)
+        return np.asarray(mises * self.factor / self.material.bending_limit)
 
     def member(self, forces: FloatArray, lengths: FloatArray, permanent: bool) -> FloatArray:
         """By EN 1993-1-1, 6.3.3, annex B for elastic sections, with moments taken as even.
@@ -130,7 +130,7 @@ class Timber:
         stretched, pressed = np.maximum(area, 0) / pull, np.maximum(-area, 0) / push
         along = stretched + pressed**2 + _both(y / bend, z / bend)
         _, sheared = _stresses(self.profile, forces, _CRACKED)
-        return np.asarray(np.maximum(along, sheared / shear).max(axis=0))
+        return np.asarray(np.maximum(along, sheared / shear))
 
     def member(self, forces: FloatArray, lengths: FloatArray, permanent: bool) -> FloatArray:
         """By EN 1995-1-1, 6.3.2, and 6.3.3 for beams that may tip over."""

@@ -23,10 +23,13 @@ Row = tuple[Any, ...]
 
 
 def members(check: StructuralCheck) -> tuple[tuple[str, ...], Iterator[Row]]:
-    """Every member with its utilisation and, in the combination that governs it, its forces."""
+    """Every member with its utilisation and, in the combination that governs it, its forces.
+
+    First those that govern, then those of first order at both ends and in the middle.
+    """
     named = ("member", "first_node", "second_node", "family", "length_mm")
-    used = ("utilisation", "section", "member_buckling", "governing")
-    places = (f"{name}_{place}" for place, _ in _AT for name in _NAMES)
+    used = ("utilisation", "section", "member_buckling", "governing", "shape")
+    places = (f"{name}_{place}" for place in ("governing", *dict(_AT)) for name in _NAMES)
     return (*named, *used, *places), _members(check)
 
 
@@ -36,11 +39,13 @@ def _members(check: StructuralCheck) -> Iterator[Row]:
     for member, ((one, two), length) in enumerate(zip(frame.members, frame.lengths, strict=True)):
         number = int(check.governing[member])
         by = found[number]
-        row = np.concatenate([values[member] * _KILO for values in forces[number]])
+        values = (check.governing_forces, *forces[number])
+        row = np.concatenate([each[member] * _KILO for each in values])
+        shape = "deformed" if check.governed_deformed[member] else "drawn"
         yield (
             *(member, int(one), int(two), check.model.families[member], f"{length:.1f}"),
             *(f"{check.utilisation[member]:.4f}", f"{by.section[member]:.4f}"),
-            *(f"{by.member[member]:.4f}", by.combination.name, *_shown(row)),
+            *(f"{by.member[member]:.4f}", by.combination.name, shape, *_shown(row)),
         )
 
 

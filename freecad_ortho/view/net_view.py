@@ -153,8 +153,8 @@ class NetView(Stateless):
             self._stand.translation = tuple(self._origin.shift.tolist())
             self._coordinates.point.deleteValues(0)
             self._coordinates.point.setValues(0, len(mesh.vertices), self._mesh.vertices)
-            _set_indices(self._face_set, mesh.faces)
-            _set_indices(self._line_set, mesh.connectivity.edges)
+            nodes.set_indices(self._face_set, mesh.faces)
+            nodes.set_indices(self._line_set, mesh.connectivity.edges)
         self._colour()
         self._draw_overlays()
 
@@ -284,10 +284,3 @@ class NetView(Stateless):
 def _set_colours(material: Any, rows: FloatArray) -> None:
     material.diffuseColor.deleteValues(len(rows))
     material.diffuseColor.setValues(0, len(rows), rows)
-
-
-def _set_indices(shape: Any, rows: Any) -> None:
-    """Write (N, k) vertex numbers into an indexed shape, each row closed by -1."""
-    ends = np.full((len(rows), 1), -1)
-    indices = np.hstack([rows, ends]).ravel().astype(np.int32)
-    shape.coordIndex.setValues(0, len(indices), indices)

@@ -6,7 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 import FreeCAD
+import numpy as np
 from pivy import coin
+
+from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray
 
 # Part of the depth of a scene: far above rounding, too little to be seen through anything.
 _NEARER = 2e-5
@@ -70,6 +74,20 @@ def standing(place: FreeCAD.Placement) -> coin.SoTransform:
     node.translation = tuple(place.Base)
     node.rotation = coin.SbRotation(*place.Rotation.Q)
     return node
+
+
+def set_indices(shape: Any, rows: IntArray) -> None:
+    """Write (N, k) numbers of points into an indexed shape, each row closed by -1."""
+    ends = np.full((len(rows), 1), -1)
+    indices = np.hstack([rows, ends]).ravel().astype(np.int32)
+    shape.coordIndex.setValues(0, len(indices), indices)
+
+
+def set_points(node: coin.SoCoordinate3, points: FloatArray) -> None:
+    """Give coordinates (N, 3) and no others."""
+    node.point.deleteValues(len(points))
+    if len(points):
+        node.point.setValues(0, len(points), points)
 
 
 def left_out_of_fitting() -> coin.SoGroup:

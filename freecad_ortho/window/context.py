@@ -10,6 +10,7 @@ import FreeCADGui
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.places import is_link
+from freecad_ortho.objects.structural_check import is_check
 from freecad_ortho.objects.structure import is_structure
 
 
@@ -86,7 +87,7 @@ def run(function: str, *arguments: Any, **settings: Any) -> None:
 def _net_of(feature: Any) -> FreeCAD.DocumentObject | None:
     if is_net(feature):
         return feature
-    return feature.Net if is_structure(feature) else None
+    return feature.Net if is_structure(feature) or is_check(feature) else None
 
 
 def _source(value: Any) -> str:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from freecad_ortho.fabrication import MATERIALS
+from freecad_ortho.fabrication import MATERIALS, Beams
 from freecad_ortho.fabrication.profiles import FAMILIES, names, polygon, profile
 from freecad_ortho.fabrication.profiles.rolled import HEA, HEB, HEM, IPE, UPE
 from solver.errors import InputError
@@ -190,3 +190,22 @@ def test_what_is_no_section_is_refused(text, words):
         profile(text)
     assert words in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("section", "area"),
+    [
+        ("plate", 10 * 160),
+        ("hollow", 160 * 60 - 140 * 40 - (4 - math.pi) * (15**2 - 10**2)),
+        ("I", 2 * 60 * 9 + 10 * 142),
+        ("T", 60 * 9 + 10 * 151),
+        ("HEB160", profile("HEB160").area),
+    ],
+)
+def test_beams_name_the_section_that_statics_take_for_theirs(section, area):
+    beams = Beams(160, 10, section=section, section_width=60.0, flange_thickness=9.0)
+    found = profile(beams.profile_name)
+    assert found.area == pytest.approx(area)
+    assert found.height == pytest.approx(160)
+    if section == "I":
+        assert found.inertia_y == pytest.approx((60 * 160**3 - 50 * 142**3) / 12)

@@ -27,6 +27,7 @@ PANELS = {
     "EditNet": ("Net",),
     "Display": ("Net",),
     "Check": ("Net",),
+    "StructuralCheck": ("Net",),
     "Beams": ("Net",),
     "EdgeBeam": ("Net",),
     "Lamellas": ("Net",),

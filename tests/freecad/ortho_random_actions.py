@@ -11,6 +11,7 @@ import Part
 from freecad_ortho import api
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.objects.net import COLOUR_MAPS, is_net
+from freecad_ortho.objects.structural_check import is_check
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
 from solver.io.polygons import read_polygons
@@ -279,6 +280,33 @@ class Sequence:
             return False
         self.allowed_to_fail(api.add_drawing_pages, self.dice.choice(patterns))
 
+    def checks(self):
+        return [item for item in self.document.Objects if is_check(item)]
+
+    def add_structural_check(self):
+        net = self.any_net()
+        if net is None or self.checks():
+            return False
+        beams = next((item for item in self.structures("Beams") if item.Net is net), None)
+        chosen = self.dice.choice([None, beams])
+        self.allowed_to_fail(partial(api.add_structural_check, beams=chosen, snow=1.0), net)
+
+    def change_structural_check(self):
+        if not self.checks():
+            self.add_structural_check()
+        if not self.checks():
+            return False
+        supports = self.dice.choice(["boundary", "corners:fixed", "3:pinned"])
+        change = partial(api.change_structural_check, supports=supports, pieces=2)
+        self.allowed_to_fail(change, self.dice.choice(self.checks()))
+
+    def write_check_files(self):
+        checks = [item for item in self.checks() if "Invalid" not in item.State]
+        if not checks or self.dice.random() < 0.5:
+            return False
+        folder = tools.SCRATCH / "random-check"
+        self.allowed_to_fail(api.write_check_files, self.dice.choice(checks), folder)
+
     def flip_net(self):
         net = self.any_net()
         if net is None:
@@ -403,6 +431,7 @@ HELPERS = (
     "add_one",
     "allowed_to_fail",
     "any_net",
+    "checks",
     "crowded",
     "nets",
     "run",
@@ -433,6 +462,8 @@ def snapshot(document):
             found[item.Name] = (tuple(item.PartNames), *links, *words), numbers
         elif is_flat_patterns(item):
             found[item.Name] = tuple(item.PartNames), [item.Shape.Length, item.Shape.Area]
+        elif is_check(item):
+            found[item.Name] = (item.Supports, item.Verdict), [*item.MemberUtilisation]
     return found
 
 

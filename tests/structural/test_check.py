@@ -86,6 +86,25 @@ def test_second_order_is_asked_for_and_done(dome):
     assert [one.bent for one in second.strength] == [one.bent for one in first.strength]
 
 
+def test_the_forces_that_are_listed_are_those_that_govern(dome):
+    """Put into the rules again they use each member up as far as it is said to be."""
+    flat = dome.with_vertices(dome.vertices * [1.0, 1.0, 0.1])
+    settings = {"unit": "m", "section": "tube:40x40x3", "material": "S355", "snow": 1.0}
+    first = api.check_structure(flat, **settings)
+    second = api.check_structure(flat, second_order=True, imperfection=20.0, **settings)
+    assert not first.governed_deformed.any() and second.governed_deformed.any()
+    for found in (first, second):
+        model = found.model
+        lengths, forces = model.frame.lengths, found.governing_forces[None]
+        by = np.array([one.section for one in found.strength])
+        section = by[found.governing, np.arange(by.shape[1])] == found.utilisation
+        again = model.rules.section(forces, False)[0]
+        assert again[section] == pytest.approx(found.utilisation[section])
+        again = model.rules.member(forces, lengths, False)
+        assert again[~section] == pytest.approx(found.utilisation[~section])
+        assert 0 < section.sum() < len(section)
+
+
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
@@ -114,6 +133,9 @@ def test_files_say_what_was_found(checked, tmp_path):
     by = checked.strength[checked.governing[member]]
     thrust = by.response.forces_at(checked.model.frame, 0.5)[member, 0]
     assert float(rows[member]["N_kN_middle"]) == pytest.approx(thrust / 1000, abs=1e-4)
+    governing = [float(rows[member][f"{name}_governing"]) for name in ("N_kN", "My_kNm", "Mz_kNm")]
+    expected = checked.governing_forces[member, [0, 4, 5]] / [1e3, 1e6, 1e6]
+    assert governing == pytest.approx(expected, abs=1e-4)
     numbers = json.loads((tmp_path / "check.json").read_text(encoding="utf-8"))
     assert numbers["verdict"]["passed"] and numbers["not_checked"]
     model = json.loads((tmp_path / "model.json").read_text(encoding="utf-8"))

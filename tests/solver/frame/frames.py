@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from solver.frame.model import Frame, Stiffness, Supports
+from solver.frame.model import Frame, Loads, Stiffness, Supports
 from solver.frame.system import System
 
 AREA, ABOUT_Y, ABOUT_Z, TORSION = 1684.0, 2.2e6, 0.9e6, 2.0e6
@@ -57,3 +57,23 @@ def dome(sides, radius, rise):
     nodes = np.concatenate([[[0.0, 0.0, rise]], ring])
     members = [(0, k + 1) for k in range(sides)]
     return frame(nodes, members, springs=hinged(sides))
+
+
+def star_dome():
+    """The 24 bars of Levy, Spillers (2003), Analysis of geometrically nonlinear structures, 2.4.2.
+
+    Inches and pounds; crown, ring and feet; the load of 220.46 lb on the crown is one.
+    """
+    ring, feet = np.radians(60 * np.arange(6)), np.radians(60 * np.arange(6) + 30)
+    rows = [(0.0, 0.0, 3.2346)]
+    rows += [(9.8425 * np.cos(a), 9.8425 * np.sin(a), 2.4472) for a in ring]
+    rows += [(19.685 * np.cos(a), 19.685 * np.sin(a), 0.0) for a in feet]
+    bars = [(0, 1 + k) for k in range(6)]
+    bars += [(1 + k, 1 + (k + 1) % 6) for k in range(6)]
+    bars += [(1 + k, 7 + n % 6) for k in range(6) for n in (k - 1, k)]
+    sizes = {"area": 0.0155, "youngs": 3e7, "shear": 1.15e7}
+    thin = {"about_y": 1e-4, "about_z": 1e-4, "torsion": 1e-4}
+    built = frame(rows, bars, springs=hinged(24), **sizes, **thin)
+    loads = Loads.none(built)
+    loads.nodal[0, 2] = -220.46
+    return system(built, {node: "x y z" for node in range(7, 13)}), loads

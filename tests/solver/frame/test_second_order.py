@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scipy.optimize import minimize_scalar
+from scipy.optimize import minimize_scalar, root
 
 from solver.frame import corotational
 from solver.frame.buckling import buckling
@@ -103,6 +103,39 @@ def test_a_star_dome_of_bars_snaps_through():
     assert deep[-1] < -1.5 * rise
     assert path.factors * 1e3 == pytest.approx(carried(rise + deep), rel=1e-6, abs=1e-2)
     assert path.limit * 1e3 == pytest.approx(carried(best.x), rel=0.02)
+
+
+def test_the_star_dome_of_the_literature_gives_way_below_its_load():
+    """Its limit is considerably below the load: Levy, Spillers (2003), 2.4.2.
+
+    Along the whole path it is in balance as bars are whose crown and ring move evenly.
+    """
+    system, loads = frames.star_dome()
+    built, feet = system.frame, system.frame.nodes[7]
+    area, youngs = built.stiffness.area[0], built.stiffness.youngs[0]
+
+    def pulled(one, two, start, end):
+        """Force of a bar from ``one`` to ``two``, on ``one``."""
+        whole, length = np.linalg.norm(start - end), np.linalg.norm(one - two)
+        return youngs * area * (length - whole) / whole * (two - one) / length
+
+    def left(unknowns, crown):
+        radial, up = unknowns
+        at = built.nodes[1] + [radial, 0.0, up]
+        turn = np.radians(60.0)
+        beside = np.array([at[0] * np.cos(turn), at[0] * np.sin(turn), at[2]])
+        force = pulled(at, crown, built.nodes[1], built.nodes[0])
+        force = force + 2 * pulled(at, beside, built.nodes[1], built.nodes[2])
+        return (force + 2 * pulled(at, feet, built.nodes[1], feet))[[0, 2]]
+
+    path = followed(system, loads, 12, 0.1)
+    for factor, moved in zip(path.factors, path.displacements, strict=True):
+        crown = built.nodes[0] + [0.0, 0.0, moved[0, 2]]
+        radial, up = root(left, moved[1, [0, 2]], crown, tol=1e-14).x
+        at = built.nodes[1] + [radial, 0.0, up]
+        force = 6 * pulled(crown, at, built.nodes[0], built.nodes[1])[2]
+        assert force == pytest.approx(factor * 220.46, rel=1e-6, abs=1e-6)
+    assert path.factors[-1] < path.limit and 0.6 < path.limit < 0.7
 
 
 def test_a_crooked_column_bows_as_the_perfect_one_would_not():

@@ -93,6 +93,23 @@ class Section:
         """What a beam of this height is sawn from, in words; mm."""
         return f"tube {height:.1f} x {self.width:g} x {self.thickness:g}"
 
+    def catalogue_name(self, height: float) -> str:
+        """Name of the catalogue's section that is nearest to it at this height, mm.
+
+        A hollow one is a hot-finished tube, which its round corners make a little weaker; welded I
+        and T are polygons, without their welds.
+        """
+        if self.kind == "plate":
+            return f"plate:{self.thickness:.9g}x{height:.9g}"
+        if self.kind == "hollow":
+            return f"tube:{height:.9g}x{self.width:.9g}x{self.thickness:.9g}"
+        web, below = (self.width - self.thickness) / 2, height - self.flange
+        left = [(0.0, height), (0.0, below), (web, below)]
+        foot = [(web, self.flange), (0.0, self.flange), (0.0, 0.0)]
+        left += foot if self.kind == "I" else [(web, 0.0)]
+        right = [(self.width - y, z) for y, z in reversed(left)]
+        return "polygon:" + " ".join(f"{y:.9g},{z:.9g}" for y, z in (*left, *right))
+
     def refuse_low(self, height: float) -> None:
         """Refuse beams that their walls or flanges fill.
 

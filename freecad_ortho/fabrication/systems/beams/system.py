@@ -240,6 +240,13 @@ class Beams(System):
         return Section(self.section, self.thickness, self.section_width, flange)
 
     @property
+    def profile_name(self) -> str:
+        """Name of the catalogue's section that the cross section is, or is nearest to."""
+        if isinstance(section := self.profile, Section):
+            return section.catalogue_name(self.height)
+        return self.section
+
+    @property
     def _rolled(self) -> RolledSection | None:
         """The section where it is one of the catalogue."""
         if self.section in SECTIONS:

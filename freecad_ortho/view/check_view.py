@@ -1,0 +1,197 @@
+"""View provider of a structural check: members in colours, where they are or where they move to."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+from pivy import coin
+from PySide import QtGui
+
+from freecad_ortho import answers
+from freecad_ortho.objects.properties import Property, Stateless, ensure
+from freecad_ortho.resources import icon
+from freecad_ortho.view import legends, nodes, refresh
+from freecad_ortho.view.check_shapes import COLOURINGS, SHAPES, Drawn, Look, drawn
+from freecad_ortho.view.frame_lines import FrameLines
+from freecad_ortho.view.legend import Legend
+from freecad_ortho.view.swinging import Swinging
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+_LINES = "Wireframe"
+_GROUP = "Structural check"
+_PROPERTIES = (
+    Property(
+        "App::PropertyEnumeration",
+        "ColourBy",
+        _GROUP,
+        QT_TRANSLATE_NOOP("App::Property", "What the colours of the members say"),
+        choices=COLOURINGS,
+    ),
+    Property(
+        "App::PropertyEnumeration",
+        "DrawnShape",
+        _GROUP,
+        QT_TRANSLATE_NOOP("App::Property", "Shape that is drawn: the frame, or how it moves"),
+        choices=SHAPES,
+    ),
+    Property(
+        "App::PropertyInteger",
+        "BucklingMode",
+        _GROUP,
+        QT_TRANSLATE_NOOP("App::Property", "Buckling shape that is drawn; 1 is the first"),
+        default=1,
+    ),
+    Property(
+        "App::PropertyFloat",
+        "Enlarged",
+        _GROUP,
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Displacements are drawn so many times as large; 0: as it fits"
+        ),
+        default=0.0,
+    ),
+    Property(
+        "App::PropertyBool",
+        "Legend",
+        _GROUP,
+        QT_TRANSLATE_NOOP("App::Property", "Show the scale of the colours"),
+        default=True,
+    ),
+    Property(
+        "App::PropertyFloat",
+        "LineWidth",
+        _GROUP,
+        QT_TRANSLATE_NOOP("App::Property", "Width of the members, in pixels"),
+        default=4.0,
+    ),
+)
+_DRAWING = (
+    "ColourBy",
+    "DrawnShape",
+    "BucklingMode",
+    "Enlarged",
+    "Legend",
+    "LineWidth",
+    "Visibility",
+)
+
+
+class CheckView(Stateless):
+    """Proxy of the view provider of a structural check."""
+
+    def __init__(self, view_object: Any) -> None:
+        ensure(view_object, _PROPERTIES)
+        view_object.Proxy = self
+
+    def attach(self, view_object: Any) -> None:
+        """Build the nodes; FreeCAD calls this on creation and when a document opens."""
+        refresh.connect()
+        ensure(view_object, _PROPERTIES)
+        self.ViewObject, self.Object = view_object, view_object.Object
+        self._lines, self._legend = FrameLines(), Legend()
+        self._swinging = Swinging(self._lines, view_object.Object)
+        self._explanation: Drawn | None = None
+        group = coin.SoSeparator()
+        for node in (nodes.nearer(), self._lines.root, self._legend.root):
+            group.addChild(node)
+        view_object.addDisplayMode(group, _LINES)
+        self._draw()
+
+    def getDisplayModes(self, view_object: Any) -> list[str]:
+        """Name the display modes."""
+        return [_LINES]
+
+    def getDefaultDisplayMode(self) -> str:
+        """The only one."""
+        return _LINES
+
+    def setDisplayMode(self, mode: str) -> str:
+        """Show the mode of that name."""
+        return mode
+
+    def getIcon(self) -> str:
+        """Icon in the tree: the same picture as on the command."""
+        return icon("structural_check")
+
+    def doubleClicked(self, view_object: Any) -> bool:
+        """Open the settings of the check."""
+        answers.ask("edit structural check", view_object.Object)
+        return True
+
+    def setupContextMenu(self, view_object: Any, menu: Any) -> None:
+        """Offer settings, pictures and files in the tree."""
+        for words, action in (
+            (translate("Ortho", "Edit settings"), lambda: self.doubleClicked(view_object)),
+            (translate("Ortho", "Utilisation"), lambda: self._show("Utilisation", "As drawn")),
+            (translate("Ortho", "Axial forces"), lambda: self._show("Axial force", "As drawn")),
+            (
+                translate("Ortho", "Deflected shape"),
+                lambda: self._show("Displacement", "Deflected"),
+            ),
+            (translate("Ortho", "Next buckling shape"), self.next_mode),
+            (translate("Ortho", "Let the shape swing"), self.swing),
+            (translate("Ortho", "Write files"), lambda: answers.ask("write check", self.Object)),
+        ):
+            entry = QtGui.QAction(words, menu)
+            entry.triggered.connect(lambda *_, action=action: action())
+            menu.addAction(entry)
+
+    def updateData(self, feature: Any, name: str) -> None:
+        """Follow the verdict; it changes last."""
+        if name == "Verdict" and hasattr(self, "_lines"):
+            self._draw()
+
+    def onChanged(self, view_object: Any, name: str) -> None:
+        """Follow a property of the view provider."""
+        if name in _DRAWING and hasattr(self, "_lines"):
+            self._draw()
+
+    def onDelete(self, view_object: Any, parts: Any) -> bool:
+        """Let nothing swing any more; FreeCAD asks whether it may be deleted."""
+        self._swinging.stop()
+        return True
+
+    def next_mode(self) -> None:
+        """Draw the buckling shape after the one that is drawn, after the last the first."""
+        view, count = self.ViewObject, len(self.Object.BucklingFactors)
+        shown = view.DrawnShape == "Buckling"
+        if shown and count:
+            view.BucklingMode = view.BucklingMode % count + 1
+        self._show("Displacement", "Buckling")
+
+    def swing(self) -> None:
+        """Let the drawn shape swing to both sides, or stand still again."""
+        if self.ViewObject.DrawnShape == "As drawn":
+            self._show("Displacement", "Buckling" if self.Object.BucklingFactors else "Deflected")
+        self._swinging.toggle()
+
+    def explains(self) -> bool:
+        """Tell whether colours are seen that need a scale."""
+        return self._explanation is not None and self.ViewObject.Visibility
+
+    def show_legend(self, shown: bool, name: str = "") -> None:
+        """Show the scale of the colours or not, with a name where there are others."""
+        found = self._explanation
+        if found is None or found.scale is None or not shown:
+            self._legend.hide()
+            return
+        self._legend.show(
+            f"{found.title}: {name}" if name else found.title, found.note, found.scale
+        )
+
+    def _show(self, colours: str, shape: str) -> None:
+        self.ViewObject.ColourBy = colours
+        self.ViewObject.DrawnShape = shape
+
+    def _draw(self) -> None:
+        view = self.ViewObject
+        self._swinging.stop()
+        look = Look(view.ColourBy, view.DrawnShape, view.BucklingMode, view.Enlarged)
+        found = drawn(self.Object, look)
+        self._lines.show(found, view.LineWidth)
+        explained = found is not None and found.scale is not None and view.Legend
+        self._explanation = found if explained else None
+        legends.changed(self.Object)

@@ -1,0 +1,190 @@
+"""Structural checks in documents. Run by FreeCAD without a window."""
+
+import json
+
+import FreeCAD
+import numpy as np
+import ortho_suite_tools as tools
+from ortho_suite_cases import DocumentCase
+
+from freecad_ortho import api, convert
+from solver.errors import InputError
+
+LOADS = {"material": "S355", "snow": "1.5 kPa", "panels": 0.4, "wind": ["0.6@x"]}
+
+
+class CheckCase(DocumentCase):
+    def setUp(self):
+        super().setUp()
+        self.net = self.imported(rows=5, columns=6)
+
+    def check(self, **more):
+        return api.add_structural_check(self.net, **(LOADS | more))
+
+
+class TestCheck(CheckCase):
+    def test_results_are_those_of_the_check_without_a_document(self):
+        check = self.check()
+        alone = api.check_structure(
+            convert.quad_mesh(self.net), material="S355", snow=1.5, panels=0.4, wind="0.6@x"
+        )
+        self.assertEqual(check.Verdict, alone.verdict)
+        self.assertEqual(check.Passed, alone.passed)
+        self.assertAlmostEqual(check.Utilisation, 100 * alone.utilisation.max())
+        self.assertAlmostEqual(check.BucklingFactor, alone.factor)
+        self.assertAlmostEqual(check.LargestDisplacement.Value, alone.deflection)
+        self.assertEqual(len(check.MemberUtilisation), len(alone.model.frame.members))
+        moves = np.linalg.norm(convert.array(check.Displacements), axis=1)
+        self.assertAlmostEqual(moves.max(), alone.deflection)
+        self.assertEqual(len(check.BucklingShapes), 5 * (30 + 49))
+        self.assertEqual(json.loads(check.Report)["verdict"]["words"], alone.verdict)
+        self.assertEqual(
+            (check.Snow.Value, str(check.Snow.Unit)), (1.5, str(FreeCAD.Units.Pressure))
+        )
+
+    def test_it_follows_the_net_and_is_undone_in_one_step(self):
+        before = len(self.document.Objects)
+        check = self.check()
+        used, name = check.Utilisation, check.Name
+        points = self.net.Vertices
+        points[14] = points[14] + FreeCAD.Vector(0, 0, 300)
+        self.net.Vertices = points
+        self.document.recompute()
+        self.assertNotAlmostEqual(check.Utilisation, used, places=3)
+        self.assertEqual(check.Nodes[14], points[14])
+        self.document.undo()
+        self.assertEqual(len(self.document.Objects), before)
+        self.assertIsNone(self.document.getObject(name))
+
+    def test_what_takes_long_waits_and_is_checked_on_demand(self):
+        check = self.check()
+        check.AutomaticUpdate = False
+        self.document.recompute()
+        self.assertFalse(check.Outdated)
+        verdict = check.Verdict
+        check.Snow = "5 kPa"
+        self.document.recompute()
+        self.assertEqual((check.Outdated, check.Verdict), (True, verdict))
+        self.assertEqual(api.update_structures(self.document), [check])
+        self.assertFalse(check.Outdated)
+        self.assertNotEqual(check.Verdict, verdict)
+
+    def test_it_is_saved_and_opened_again(self):
+        check = self.check(supports="corners:fixed+7", snow_side="x")
+        kept = {
+            name: getattr(check, name)
+            for name in check.PropertiesList
+            if check.getGroupOfProperty(name) in ("Structural check", "Result")
+            and name not in ("Net", "Members", "Cladding")
+        }
+        again = self.reopened("check.FCStd").getObject("StructuralCheck")
+        for name, value in kept.items():
+            self.assertEqual(getattr(again, name), value, name)
+        self.assertEqual(again.State, ["Up-to-date"])
+        verdict = again.Verdict
+        again.touch()
+        self.document.recompute()
+        self.assertEqual(again.Verdict, verdict)
+
+    def test_other_settings_and_their_refusal(self):
+        check = self.check()
+        api.change_structural_check(check, section="plate:20x200", snow=2.0, wind=[])
+        self.assertEqual(check.CheckedSection, "plate:20x200 of S355")
+        self.assertEqual((check.Snow.Value, check.Wind), (2.0, []))
+        verdict, steps = check.Verdict, self.document.UndoCount
+        for wrong in (
+            {"supports": "99999"},
+            {"joints": "hinged"},
+            {"snow": "2 m"},
+            {"snow": -1.0},
+            {"section": "HEB170"},
+            {"combinations": ["strength: 2 hail"]},
+            {"colour": "red"},
+        ):
+            with self.assertRaises(InputError) as found:
+                api.change_structural_check(check, **wrong)
+            self.assertNotIn("\n", str(found.exception))
+        self.assertEqual((check.Verdict, check.Supports), (verdict, "boundary"))
+        self.assertEqual((self.document.UndoCount, check.State), (steps, ["Up-to-date"]))
+        count = len(self.document.Objects)
+        for refused in (self.document.getObject("Net"), check):
+            with self.assertRaises(InputError):
+                api.add_structural_check(refused, joints="hinged")
+        self.assertEqual(len(self.document.Objects), count)
+
+    def test_own_combinations(self):
+        check = self.check(combinations=["strength: 1 self-weight + 3 snow", "service: 1 snow"])
+        names = [row["name"] for row in json.loads(check.Report)["combinations"]]
+        self.assertEqual(names, list(check.Combinations))
+        self.assertIn("Load case 'panels' is in no combination for strength.", check.Remarks)
+
+    def test_files(self):
+        folder = tools.SCRATCH / "check-files"
+        check = self.check()
+        written = api.write_check_files(check, folder)
+        self.assertIn(folder / "check.html", written)
+        page = (folder / "check.html").read_text(encoding="utf-8")
+        self.assertIn(check.Verdict, page)
+
+    def test_in_a_part_that_is_turned_down_is_down(self):
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(self.net)
+        level = self.check()
+        down = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90)
+        part.Placement = FreeCAD.Placement(FreeCAD.Vector(100, 0, 0), down)
+        level.touch()
+        self.document.recompute()
+        turned = convert.quad_mesh(self.net)
+        rotation = convert.placing(part.Placement)[0]
+        other = api.check_structure(
+            turned.with_vertices(turned.vertices @ rotation.T + [100, 0, 0]),
+            material="S355", snow=1.5, panels=0.4, wind="0.6@x",
+        )  # fmt: skip
+        self.assertAlmostEqual(level.Utilisation, 100 * other.utilisation.max(), places=4)
+        worst = max(other.service, key=lambda one: one.displacement.max())
+        moves = convert.array(level.Displacements) @ rotation.T
+        np.testing.assert_allclose(moves, worst.response.displacements[:, :3], atol=1e-6)
+
+
+class TestStructures(CheckCase):
+    def setUp(self):
+        super().setUp()
+        api.optimise_net(self.net)
+
+    def test_members_and_weights_are_those_of_structures(self):
+        beams = api.add_beams(self.net, height=120, thickness=15)
+        panels = api.add_panels(self.net, 10.0, material="glass")
+        check = api.add_structural_check(self.net, beams=beams, cladding=panels, snow=1.0)
+        self.assertEqual(check.CheckedSection, "plate:15x120 of steel")
+        area = sum(np.linalg.norm(convert.quad_mesh(self.net).face_area_vectors, axis=1))
+        weight = json.loads(panels.Report)["mass_kg"] * 9.81e-3 / (area / 1e6)
+        alone = api.check_structure(
+            convert.quad_mesh(self.net), section="plate:15x120", panels=weight, snow=1.0
+        )
+        self.assertAlmostEqual(check.Utilisation, 100 * alone.utilisation.max(), places=6)
+        api.change_structure(beams, section="HEB100")
+        self.assertEqual(check.CheckedSection, "HEB100 of steel")
+        used = check.Utilisation
+        api.change_structure(panels, thickness=20)
+        self.assertGreater(check.Utilisation, used)
+        api.change_structural_check(check, beams=None, section="tube:60x40x4")
+        self.assertEqual(check.CheckedSection, "tube:60x40x4 of steel")
+
+    def test_structures_that_say_nothing_of_members_are_refused(self):
+        beams = api.add_beams(self.net, family="u")
+        panels = api.add_panels(self.net)
+        count = len(self.document.Objects)
+        for wrong in ({"beams": beams}, {"beams": panels}, {"cladding": self.net}):
+            with self.assertRaises(InputError):
+                api.add_structural_check(self.net, snow=1.0, **wrong)
+        self.assertEqual(len(self.document.Objects), count)
+
+    def test_beams_that_wait_let_the_check_wait(self):
+        beams = api.add_beams(self.net, height=120, thickness=15)
+        check = api.add_structural_check(self.net, beams=beams, snow=1.0)
+        beams.AutomaticUpdate = False
+        beams.Height = 200.0
+        self.document.recompute()
+        self.assertTrue(beams.Outdated and check.Outdated)
+        self.assertEqual(api.update_structures(self.document), [beams, check])
+        self.assertEqual(check.CheckedSection, "plate:15x200 of steel")

@@ -1,0 +1,191 @@
+"""Structural checks in FreeCAD's window: the panel, what is drawn, what swings."""
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import ortho_suite_tools as tools
+from ortho_suite_cases import WindowCase
+from ortho_suite_tools import press, wait
+
+from freecad_ortho import api, convert
+from freecad_ortho.panels import structural_panel
+from freecad_ortho.window import dialogs
+
+
+class CheckWindowCase(WindowCase):
+    def setUp(self):
+        super().setUp()
+        self.document = FreeCAD.newDocument("Check")
+        self.net = api.import_net(tools.wavy_mesh(rows=4, columns=5), self.document)
+        self.watch_panel(structural_panel, "StructuralPanel")
+
+    def check(self, **more):
+        return api.add_structural_check(self.net, **({"material": "S355", "snow": 1.5} | more))
+
+    def drawn(self, check):
+        points = check.ViewObject.Proxy._lines._points.point.getValues()
+        return np.array([point.getValue() for point in points])
+
+    def points(self, check):
+        """Nodes, then middles of members."""
+        nodes = convert.array(check.Nodes)
+        members = np.array(check.MemberNodes).reshape(-1, 2)
+        return np.concatenate([nodes, nodes[members].mean(axis=1)])
+
+    def colours(self, check):
+        rows = check.ViewObject.Proxy._lines._material.diffuseColor.getValues()
+        return np.array([row.getValue() for row in rows])
+
+    def legend(self, check):
+        return check.ViewObject.Proxy._legend
+
+
+class TestPanel(CheckWindowCase):
+    def test_the_command_checks_what_the_panel_says(self):
+        FreeCADGui.Selection.addSelection(self.net)
+        self.assertTrue(FreeCADGui.isCommandActive("Ortho_StructuralCheck"))
+        FreeCADGui.runCommand("Ortho_StructuralCheck")
+        self.panel.fields["snow"].value = 2.0
+        self.panel.fields["material"].value = "S235"
+        self.panel.texts["wind"].widget.setText("0.6@x; 0.6@-y")
+        press("Ok")
+        self.assertFalse(self.errors)
+        (check,) = [item for item in self.document.Objects if item.Name == "StructuralCheck"]
+        self.assertEqual((check.Snow.Value, check.Wind), (2.0, ["0.6@x", "0.6@-y"]))
+        self.assertTrue(check.CheckedSection.endswith("of S235"))
+        self.assertIn("add_structural_check", self.lines[-1])
+        self.assertFalse(self.net.Visibility)
+        self.replay()
+        self.assertEqual(self.document.ActiveObject.Verdict, check.Verdict)
+
+    def test_what_cannot_be_checked_keeps_the_panel_open(self):
+        FreeCADGui.Selection.addSelection(self.net)
+        FreeCADGui.runCommand("Ortho_StructuralCheck")
+        self.panel.fields["joints"].value = "hinged"
+        press("Ok")
+        self.assertIn("a mechanism", self.errors[0])
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        self.assertEqual([item.Name for item in self.document.Objects], ["Net"])
+        press("Cancel")
+
+    def test_a_double_click_opens_its_settings_again(self):
+        beams = api.add_beams(self.net, height=120, thickness=15)
+        check = self.check(wind=["0.6@x"], beams=beams)
+        check.ViewObject.Proxy.doubleClicked(check.ViewObject)
+        self.assertEqual(self.panel.fields["snow"].value, 1.5)
+        self.assertEqual(self.panel.texts["wind"].text, "0.6@x")
+        self.assertEqual(self.panel.beams.currentText(), beams.Label)
+        self.assertFalse(self.panel.fields["section"].widget.isEnabled())
+        self.panel.fields["imperfection"].value = 25.0
+        self.panel.beams.setCurrentIndex(0)
+        press("Ok")
+        self.assertIn("change_structural_check", self.lines[-1])
+        self.assertEqual(check.CheckedSection, "tube:100x60x5 of S355")
+        self.assertEqual((check.Imperfection.Value, check.Members), (25.0, None))
+
+    def test_supports_are_picked_in_the_view(self):
+        check = self.check(supports="corners:fixed+3,8:sliding")
+        check.ViewObject.Proxy.doubleClicked(check.ViewObject)
+        picking = self.panel.picking
+        picking.button.setChecked(True)
+        self.assertTrue(self.net.Visibility)
+        picking.pick(8)
+        picking.pick(6)
+        self.assertEqual(self.panel.fields["supports"].value, "corners:fixed+3,6:sliding")
+        picking.pick(3)
+        picking.pick(6)
+        self.assertEqual(self.panel.fields["supports"].value, "corners:fixed")
+        picking.pick(7)
+        press("Ok")
+        self.assertEqual(check.Supports, "corners:fixed+7")
+        self.assertFalse(self.net.Visibility)
+
+    def test_files_go_where_the_user_says(self):
+        check, folder = self.check(), tools.SCRATCH / "check-window"
+        self.replace(dialogs, "ask_folder", lambda: str(folder))
+        from freecad_ortho import answers
+
+        answers.ask("write check", check)
+        self.assertTrue((folder / "check.html").exists())
+        self.assertIn(str(folder), self.said[-1])
+
+
+class TestView(CheckWindowCase):
+    def test_members_are_coloured_by_what_is_asked_for(self):
+        check, seen = self.check(), []
+        view = check.ViewObject
+        for colours, title in (
+            ("Utilisation", "Utilisation"),
+            ("Axial force", "Axial force"),
+            ("Displacement", "Displacement"),
+        ):
+            view.ColourBy = colours
+            self.assertEqual(len(self.colours(check)), len(check.MemberUtilisation))
+            self.assertEqual(view.Proxy._explanation.title, title)
+            seen.append(self.colours(check).tobytes())
+        self.assertEqual(len(set(seen)), 3)
+        np.testing.assert_allclose(self.drawn(check), self.points(check), atol=1e-2)
+        view.ColourBy = "None"
+        self.assertEqual(len(np.unique(self.colours(check), axis=0)), 1)
+        self.assertFalse(view.Proxy.explains())
+
+    def test_shapes_are_drawn_as_large_as_is_said(self):
+        check = self.check()
+        view, start = check.ViewObject, self.points(check)
+        view.DrawnShape, view.Enlarged = "Deflected", 50.0
+        moves = 50 * convert.array(check.Displacements)
+        moved = self.drawn(check)[: len(moves)] - start[: len(moves)]
+        np.testing.assert_allclose(moved, moves, atol=1e-2)
+        view.Enlarged = 0.0
+        view.Proxy.next_mode()
+        self.assertEqual((view.DrawnShape, view.BucklingMode), ("Buckling", 1))
+        shapes = convert.array(check.BucklingShapes).reshape(-1, len(start), 3)
+        largest = 0.06 * np.ptp(start, axis=0).max()
+        moved = self.drawn(check) - start
+        self.assertAlmostEqual(np.linalg.norm(moved, axis=1).max() / largest, 1.0, places=3)
+        np.testing.assert_allclose(moved, largest * shapes[0], atol=0.1)
+        for _ in range(len(shapes)):
+            view.Proxy.next_mode()
+        self.assertEqual(view.BucklingMode, 1)
+        view.BucklingMode = 99
+        np.testing.assert_allclose(self.drawn(check), start, atol=1e-2)
+
+    def test_a_shape_swings_until_it_is_told_not_to_or_is_out_of_sight(self):
+        check = self.check()
+        swing = check.ViewObject.Proxy._swinging
+        check.ViewObject.Proxy.swing()
+        begun = self.drawn(check)
+        self.assertTrue(wait(lambda: np.abs(self.drawn(check) - begun).max() > 1.0, 5))
+        check.ViewObject.Proxy.swing()
+        self.assertFalse(swing.going)
+        np.testing.assert_allclose(self.drawn(check), begun)
+        check.ViewObject.Proxy.swing()
+        check.Visibility = False
+        self.assertTrue(wait(lambda: not swing.going, 5))
+        check.Visibility = True
+        check.ViewObject.Proxy.swing()
+        self.document.removeObject(check.Name)
+        self.assertTrue(wait(lambda: not swing.going, 5))
+
+    def test_one_legend_is_seen_beside_a_net_that_has_one(self):
+        check = self.check()
+        self.net.ColourMap = "Planarity"
+        self.net.Visibility = True
+        explained = [item for item in (check, self.net) if item.ViewObject.Proxy.explains()]
+        self.assertEqual(len(explained), 2)
+        shown = [item.ViewObject.Proxy._legend.root.whichChild.getValue() for item in explained]
+        self.assertEqual(sorted(shown), [-3, -1])
+
+    def test_it_is_drawn_again_when_its_document_is_opened(self):
+        check = self.check()
+        check.ViewObject.ColourBy = "Axial force"
+        before = self.colours(check)
+        path = str(tools.SCRATCH / "check-window.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        wait()
+        again = self.document.getObject("StructuralCheck")
+        self.assertEqual(again.ViewObject.ColourBy, "Axial force")
+        np.testing.assert_allclose(self.colours(again), before, atol=1e-6)
+        self.assertTrue(again.ViewObject.Proxy.explains())
