@@ -27,15 +27,18 @@ class Sizes(TypedDict, total=False):
     section: str
     section_width: Length
     flange_thickness: Length | None
-    ends: Literal["mitred", "hub", "lapped", "through-u", "through-v"]
-    hub_diameter: Length
+    ends: Literal["mitred", "hub", "end-plate", "lapped", "through-u", "through-v"]
+    hub_diameter: Length | None
+    bolt: Literal["M12", "M16", "M20", "M24", "M27", "M30"]
+    bolts: int
+    hub_wall: Length | None
     clearance: Length
     no_boundary_beams: bool
     edge_section: Literal["plate", "tube", "round"]
     edge_height: Length | None
     edge_width: Length | None
     edge_wall: Length
-    node: Literal["hub", "socket"]
+    node: Literal["hub", "bolted", "socket"]
     bore: Length
     socket_depth: Length
     panel_thickness: Length | None

@@ -29,11 +29,14 @@ def add_beams(
     section_width: Length = 60.0,
     flange_thickness: Length | None = None,
     ends: str = "mitred",
-    hub_diameter: Length = 100.0,
+    hub_diameter: Length | None = None,
     clearance: Length = 1.0,
     no_boundary_beams: bool = False,
     least_length: Length = 100.0,
     rounded: bool = False,
+    bolt: str = "M16",
+    bolts: int = 2,
+    hub_wall: Length | None = None,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -50,12 +53,17 @@ def add_beams(
             ``"HEB160"`` or ``"tube:100x60x5"``, which has a height and widths of its own.
         section_width: of tubes and flanges.
         flange_thickness: by default that of the web.
-        ends: ``"mitred"``, ``"hub"``, ``"lapped"``, ``"through-u"`` or ``"through-v"``.
-        hub_diameter: of the hubs that beams end before.
+        ends: ``"mitred"``, ``"hub"``, ``"end-plate"``, ``"lapped"``, ``"through-u"`` or
+            ``"through-v"``.
+        hub_diameter: of the hubs that beams end before; by default 100 mm, with end plates what
+            each hub needs.
         clearance: of slots and hubs.
         no_boundary_beams: leaves the boundary without beams.
         least_length: shorter beams at the border of the surface are left out.
         rounded: solids have the rounded corners and roots of a section of the catalogue.
+        bolt: size of the bolts of end plates, ``"M12"`` to ``"M30"``.
+        bolts: of an end plate, 1 or 2.
+        hub_wall: thickness of the walls that these clamp; by default as thick as the bolts.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.
@@ -107,7 +115,7 @@ def add_nodes(
     beams: Feature | None = None,
     *,
     node: str = "hub",
-    hub_diameter: Length = 100.0,
+    hub_diameter: Length | None = None,
     bore: Length = 0.0,
     socket_depth: Length = 30.0,
     height: Length = 200.0,
@@ -115,6 +123,9 @@ def add_nodes(
     offset: str = "centre",
     clearance: Length = 1.0,
     no_boundary_beams: bool = False,
+    bolt: str = "M16",
+    bolts: int = 2,
+    hub_wall: Length | None = None,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -125,9 +136,10 @@ def add_nodes(
     Args:
         net: the Net.
         beams: a Structure of beams that the nodes join, and take height, thickness, offset,
-            clearance and hub diameter from; mitred ones end before hubs from then on.
-        node: ``"hub"`` or ``"socket"``.
-        hub_diameter: across the faces of a hub, or of a socket.
+            clearance, hub diameter and bolts from; mitred ones end before hubs from then on.
+        node: ``"hub"``, ``"bolted"`` or ``"socket"``.
+        hub_diameter: across the faces of a hub, or of a socket; by default 100 mm, of bolted hubs
+            what each needs.
         bore: diameter of a hole along the axis of a hub, 0 for none.
         socket_depth: how deep plates stand in sockets.
         height: of beams, where none are given.
@@ -135,6 +147,9 @@ def add_nodes(
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
         clearance: of slots and hubs.
         no_boundary_beams: no beams run along the boundary.
+        bolt: size of the bolts, ``"M12"`` to ``"M30"``.
+        bolts: of a beam, 1 or 2.
+        hub_wall: thickness of the walls of bolted hubs; by default as thick as the bolts.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

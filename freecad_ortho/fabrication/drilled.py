@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body, Polyhedron, prism_sides
+from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.ruled_sides import Bore
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 if TYPE_CHECKING:
@@ -89,3 +92,33 @@ class DrilledBody(Body):
     def solid(self) -> cadquery.Solid:
         """Build the closed solid with its holes."""
         return self.cut.solid()
+
+
+@dataclass(frozen=True, eq=False)
+class DrilledWalls(DrilledBody):
+    """A body whose holes lead square through plane walls."""
+
+    @property
+    def volume(self) -> float:
+        """That of the whole body less its cylindrical holes."""
+        bored = sum(drill.thickness * drill.diameter**2 for drill in self.drills)
+        return float(self.whole.volume - np.pi / 4 * bored)
+
+
+def drilled_plate(pattern: FlatPattern, thickness: float) -> DrilledWalls:
+    """The body of a plate with the holes of its pattern, from z = 0 up; x and y are the pattern's.
+
+    Args:
+        pattern: a convex outline.
+        thickness: of the plate, mm.
+    """
+    count, lift = len(pattern.outline), np.array([0.0, 0.0, thickness])
+    under = np.column_stack([pattern.outline, np.zeros(count)])
+    corners, sides = np.concatenate([under, under + lift]), prism_sides(count)
+    feet = [(np.append(hole.centre, 0.0), hole.diameter) for hole in pattern.holes]
+    drills = tuple(
+        Drill(foot + lift / 2, lift / thickness, diameter, thickness) for foot, diameter in feet
+    )
+    # Of the sides of a prism the first is the upper one, the second the lower one.
+    bores = tuple(Bore(foot, foot + lift, diameter, (1, 0)) for foot, diameter in feet)
+    return DrilledWalls(Polyhedron(corners, sides), RuledBody(corners, sides, bores=bores), drills)

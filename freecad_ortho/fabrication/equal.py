@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_ortho.fabrication.drilled import DrilledBody
 from freecad_ortho.fabrication.part import Part
 from solver.mesh.quadmesh import FloatArray
 
@@ -128,6 +129,9 @@ class _Form:
             for points, what in flat:
                 marked = np.array([0.0, 1e3 * what])
                 rows.append(np.column_stack([points, np.tile(marked, (len(points), 1))]))
+        elif isinstance(part.body, DrilledBody):
+            for drill in part.body.drills:
+                rows.append(np.append(drill.centre, 1e3 * (10 + drill.diameter))[None])
         self.points = np.concatenate(rows) - [*middle, 0.0]
         self.body, self.middle = body - middle, middle
 

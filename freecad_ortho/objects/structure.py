@@ -11,6 +11,7 @@ import FreeCAD
 from freecad_ortho import answers, convert
 from freecad_ortho.fabrication import BUILD_UPS, MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
+from freecad_ortho.fabrication.systems.nodes import ENDS_OF
 from freecad_ortho.objects import build, outdated, places
 from freecad_ortho.objects.kinds import (
     AT_EDGE_BEAM,
@@ -222,9 +223,10 @@ def acquaint(feature: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
             item.OnNodes = feature
         told += panels
     beams = feature.OnBeams
-    if feature.System == NODES and feature.Node == "Hub" and is_structure(beams):
+    ends = ENDS_OF.get(feature.Node.lower()) if feature.System == NODES else None
+    if ends is not None and is_structure(beams):
         if beams.System == BEAMS and beams.Ends == "Mitred":
-            beams.Ends = "Hub"
+            beams.Ends = with_capital(ends)
             told.append(beams)
     return told
 

@@ -168,6 +168,17 @@ class TestSettings(StructureCase):
         self.assertEqual(beams.Ends, "Mitred")
         self.assertAlmostEqual(beams.Shape.Volume / long, 1.0, places=9)
 
+    def test_beams_that_bolted_nodes_join_have_end_plates(self):
+        beams = api.add_beams(self.net)
+        nodes = api.add_nodes(self.net, beams, node="bolted")
+        self.assertEqual((beams.Ends, beams.State), ("End-plate", ["Up-to-date"]))
+        plates = [name for name in nodes.PartNames if name.startswith("B")]
+        self.assertEqual(len(plates), 2 * len(beams.PartNames))
+        api.change_structure(beams, bolt="M20", bolts=1)
+        self.document.recompute()
+        report = json.loads(nodes.Report)["nodes"]
+        self.assertEqual((report["bolts"], report["bolt"][:3]), (len(plates), "M20"))
+
     def test_nodes_beams_and_panels_know_each_other(self):
         beams = api.add_structure(self.net, "beams", ends="hub", hub_diameter=160.0)
         first = api.add_structure(self.net, "panels", beams=beams)

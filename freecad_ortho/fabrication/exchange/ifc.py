@@ -36,6 +36,7 @@ _CLASSES = {
     "bent panel": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "patch": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "splice": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
+    "end-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "node": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
 }
 _UNKNOWN = ("IfcBuildingElementProxy", "NOTDEFINED", "Qto_BuildingElementProxyQuantities")

@@ -11,7 +11,7 @@ from freecad_ortho.fabrication.systems.bent_panels import BentPanels
 from freecad_ortho.fabrication.systems.edge_beam import EdgeBeam
 from freecad_ortho.fabrication.systems.lamellas import Lamellas
 from freecad_ortho.fabrication.systems.louvres import Louvres
-from freecad_ortho.fabrication.systems.nodes import Nodes
+from freecad_ortho.fabrication.systems.nodes import ENDS_OF, Nodes
 from freecad_ortho.fabrication.systems.panels import Panels
 from freecad_ortho.fabrication.systems.patches import Patches
 from freecad_ortho.fabrication.systems.system import System, SystemParts
@@ -58,8 +58,9 @@ def systems_of(
             f"system: expected one of {', '.join(SYSTEMS)}, or several joined by '+', got '{names}'"
         )
     _refuse_unknown(wanted, values)
-    if "nodes" in wanted and values.get("node", "hub") == "hub":
-        values = {"ends": "hub", **values}
+    ends = ENDS_OF.get(values.get("node", "hub"))
+    if "nodes" in wanted and ends is not None:
+        values = {"ends": ends, **values}
     chosen = [system for name, system in SYSTEMS.items() if name in wanted]
     result = []
     for system in chosen:

@@ -81,6 +81,9 @@ class BeamGeometry:
         levels: lower and upper level along the axes, mm from the mesh.
         section_half: half the width of the section, mm.
         built: (E,) true for the edges that have a beam.
+        meeting: (E, 2) true for ends that meet others at a vertex.
+        hub_radii: (V,) from the axes to the faces of bolted hubs, mm, 0 where there are none; empty
+            for other ends.
     """
 
     points: FloatArray
@@ -97,6 +100,8 @@ class BeamGeometry:
     levels: tuple[float, float]
     section_half: float
     built: BoolArray
+    meeting: BoolArray
+    hub_radii: FloatArray
 
     def ring(self, up: FloatArray, half: float) -> FloatArray:
         """(E, 6, 3) corners at heights ``up`` (E,) in the beam's own coordinates, see ``LOOPS``."""
@@ -171,6 +176,8 @@ def beam_geometry(
         levels=levels,
         section_half=width / 2,
         built=built,
+        meeting=np.stack([built, built], axis=1),
+        hub_radii=np.empty(0),
     )
     rings = np.concatenate([geometry.ring(geometry.up(k), width / 2) for k in (0, 1)], axis=1)
     points = geometry.start[:, None] + np.einsum("epc,eck->epk", rings, geometry.frame)

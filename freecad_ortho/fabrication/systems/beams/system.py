@@ -8,11 +8,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.fabrication.bolts import bolt_of
 from freecad_ortho.fabrication.part import Part, part_names
-from freecad_ortho.fabrication.profiles import names, profile
+from freecad_ortho.fabrication.profiles import profile
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
-    OFFSETS,
     check_offset,
     check_size,
     not_negative,
@@ -20,6 +20,7 @@ from freecad_ortho.fabrication.sizes import (
 )
 from freecad_ortho.fabrication.stock import different_tubes
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds, stub_words
+from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, around_axes, beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import (
     BeamGeometry,
@@ -31,6 +32,7 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
     square,
 )
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
+from freecad_ortho.fabrication.systems.beams.options import ENDS, OPTIONS, PLAIN_HUB
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
@@ -49,9 +51,6 @@ _HEIGHT_WORTH_SAYING = 0.05
 _ROLLED_TO = 0.01
 
 
-ENDS = ("mitred", "hub", "lapped", "through-u", "through-v")
-
-
 @dataclass(frozen=True)
 class Beams(System):
     """Beams of this height and thickness along the edges or the parameter lines.
@@ -66,16 +65,21 @@ class Beams(System):
             ``fabrication.profiles.profile``), whose height and widths then are those of the beams.
         section_width: of tubes and flanges, mm.
         flange_thickness: mm, by default that of the web.
-        ends: "mitred" against each other, cut square for a "hub", or plates along whole lines that
-            are "lapped" where they cross, half from above and half from below; with "through-u" the
-            beams of family u run through and the others are cut square between them.
-        hub_diameter: of the hubs, across their faces, mm.
+        ends: "mitred" against each other, cut square for a "hub" or an "end-plate" bolted to one,
+            or plates along whole lines that are "lapped" where they cross, half from above and half
+            from below; with "through-u" the beams of family u run through and the others are cut
+            square between them.
+        hub_diameter: of the hubs, across their faces, mm; by default 100, with end plates as large
+            as each has to be.
         clearance: between beam and hub, between plates in slots, and beside beams that run through,
             mm.
         boundary_beams: false to leave the edges of the boundary out.
         least_length: beams that are shorter at the border of the surface are left out, mm.
         rounded: whether solids have the rounded corners and roots of a section of the catalogue;
             masses always do.
+        bolt: size of the bolts of end plates.
+        bolts: of an end plate, 1 or 2.
+        hub_wall: thickness of the walls that these clamp, mm; by default as thick as the bolts.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown choice.
@@ -88,56 +92,18 @@ class Beams(System):
     section_width: float = 60.0
     flange_thickness: float | None = None
     ends: str = "mitred"
-    hub_diameter: float = 100.0
+    hub_diameter: float | None = None
     clearance: float = 1.0
     boundary_beams: bool = True
     least_length: float = 100.0
     rounded: bool = False
+    bolt: str = "M16"
+    bolts: int = 2
+    hub_wall: float | None = None
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "beams"
-    options: ClassVar[tuple[Option, ...]] = (
-        Option("height", 200.0, "length", "the beams are this high"),
-        Option("thickness", 20.0, "length", "the plates are this thick"),
-        Option(
-            "offset",
-            "centre",
-            "choice",
-            "the parts lie above the net, about it or below it",
-            OFFSETS,
-        ),
-        Option(
-            "section",
-            "plate",
-            "choice",
-            "the beams have this cross section, or one of the catalogue such as HEB160",
-            SECTIONS,
-            examples=names(),
-        ),
-        Option("section_width", 60.0, "length", "hollow sections and flanges are this wide"),
-        Option(
-            "flange_thickness",
-            None,
-            "length",
-            "the flanges are this thick, by default as thick as the plates",
-        ),
-        Option("ends", "mitred", "choice", "the beams meet like this at a node", ENDS),
-        Option("hub_diameter", 100.0, "length", "the hubs measure this across their faces"),
-        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
-        Option("no_boundary_beams", False, "flag", "no beams are made along the boundary"),
-        Option(
-            "least_length",
-            100.0,
-            "length",
-            "beams that are shorter than this at the border are left out",
-        ),
-        Option(
-            "rounded",
-            False,
-            "flag",
-            "solids have the rounded corners and roots of a section of the catalogue",
-        ),
-    )
+    options: ClassVar[tuple[Option, ...]] = OPTIONS
 
     def __post_init__(self) -> None:
         rolled = self._rolled
@@ -150,8 +116,12 @@ class Beams(System):
         check_offset(self.offset)
         if self.ends not in ENDS:
             raise InputError(f"ends: expected one of {', '.join(ENDS)}, got '{self.ends}'")
+        if self.hub_diameter is None and self.ends != "end-plate":
+            object.__setattr__(self, "hub_diameter", PLAIN_HUB)
         if self.ends == "hub":
-            check_size("hub diameter", self.hub_diameter)
+            check_size("hub diameter", self.across)
+        if self.ends == "end-plate":
+            _ = self.end_plates
         if not 0 <= self.clearance < float("inf"):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
         not_negative("least length", self.least_length)
@@ -174,6 +144,27 @@ class Beams(System):
     def levels(self) -> tuple[float, float]:
         """Lower and upper level along the axes, mm from the mesh."""
         return offset_levels(self.offset, self.height)
+
+    @property
+    def across(self) -> float:
+        """Diameter of plain hubs, mm."""
+        return PLAIN_HUB if self.hub_diameter is None else self.hub_diameter
+
+    @property
+    def end_plates(self) -> EndPlates:
+        """Sizes of the end plates and their hubs.
+
+        Raises:
+            InputError: a size that cannot be used.
+        """
+        return EndPlates(
+            bolt_of(self.bolt),
+            self.bolts,
+            self.profile.overall_width,
+            self.clearance,
+            self.hub_diameter,
+            self.hub_wall,
+        )
 
     def build(self, site: Site) -> SystemParts:
         """Work out the beams on the chosen edges and lines.
@@ -215,9 +206,12 @@ class Beams(System):
             cuts = cuts.where(np.stack([built, built], axis=1), square(frames, 0 * frames.slope))
             frames, cuts = border.applied(frames, cuts, site.mesh.edge_lengths, width / 2)
         geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
+        meeting = wanted[:, None] & ~(np.zeros(2, bool) if border is None else border.cut)
+        geometry = replace(geometry, meeting=meeting)
+        if self.ends == "end-plate":
+            geometry = replace(geometry, hub_radii=self._hub_radii(site, around))
         misfit = None
         if rolled is not None:
-            meeting = wanted[:, None] & ~(np.zeros(2, bool) if border is None else border.cut)
             misfit = rolled.misfit(site, geometry, meeting)
             geometry = replace(geometry, height=np.full_like(geometry.height, rolled.height))
         parts = edge_beams(site, geometry, section, wanted & ~folded, border, misfit)
@@ -267,10 +261,14 @@ class Beams(System):
         if self.ends == "mitred":
             return mitred(frames, around), none, None
         if self.ends == "hub":
-            distance = self.hub_diameter / 2 + self.clearance
+            distance = self.across / 2 + self.clearance
             cuts = square(frames, hub_distance(site.mesh, around, width, distance))
-            hubs = ~without_hubs(site, self.hub_diameter)[site.mesh.connectivity.edges]
+            hubs = ~without_hubs(site, self.across)[site.mesh.connectivity.edges]
             return cuts.where(hubs, mitred(frames, around)), none, None
+        if self.ends == "end-plate":
+            radii = self._hub_radii(site, around)[site.mesh.connectivity.edges]
+            cuts = square(frames, radii + self.end_plates.setback)
+            return cuts.where(radii > 0, mitred(frames, around)), none, None
         if self.ends == "lapped":
             laps = half_laps(site, around, self.thickness, self.clearance)
             return mitred(frames, around), all_edges, laps
@@ -286,6 +284,13 @@ class Beams(System):
             np.stack([through, through], axis=1), square(frames, gaps)
         )
         return cuts, through if self.section == "plate" else none, None
+
+    def _hub_radii(self, site: Site, around: Around) -> FloatArray:
+        """(V,) from the axes to the faces of bolted hubs, mm; 0 where there are none."""
+        plates = self.end_plates
+        radii = plates.radii(around, len(site.mesh.vertices))
+        left_out = without_hubs(site, 2 * (radii + plates.setback))
+        return np.where(left_out, 0.0, radii)
 
     def _report(
         self, site: Site, geometry: BeamGeometry, parts: tuple[Part, ...], chosen: BoolArray

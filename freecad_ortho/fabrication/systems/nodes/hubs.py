@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Prism
+from freecad_ortho.fabrication.systems.beams.end_plates import WIDEST
+from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-
-# Largest angle between the normals of neighbouring faces; more faces fill wider gaps.
-_WIDEST = np.radians(91.0)
 
 
 def hub(angles: FloatArray, radius: float, low: float, high: float, bore: float) -> Prism:
@@ -24,21 +23,31 @@ def hub(angles: FloatArray, radius: float, low: float, high: float, bore: float)
     Returns:
         A prism along z; two faces that are almost in one plane become one corner less.
     """
-    normals = []
+    return Prism(outline(face_normals(angles)[0], radius), low, high, bore)
+
+
+def face_normals(angles: FloatArray) -> tuple[FloatArray, IntArray]:
+    """Directions (N,) of the faces of a hub, and the numbers (K,) of those of its beams."""
+    normals: list[float] = []
+    own = []
     for angle, gap in zip(angles.tolist(), gaps_after(angles).tolist(), strict=True):
-        steps = int(np.ceil(gap / _WIDEST))
-        normals.extend(angle + gap * np.arange(steps) / steps)
-    turn = np.array(normals)
-    half = gaps_after(turn) / 2
-    corner = turn + half
+        steps = int(np.ceil(gap / WIDEST))
+        own.append(len(normals))
+        normals.extend((angle + gap * np.arange(steps) / steps).tolist())
+    return np.array(normals), np.array(own)
+
+
+def outline(normals: FloatArray, radius: float) -> FloatArray:
+    """(N, 2) corners of a polygon around a circle, each after the side with that normal."""
+    half = gaps_after(normals) / 2
+    corner = normals + half
     reach = radius / np.cos(half)
-    outline = np.stack([reach * np.cos(corner), reach * np.sin(corner)], axis=1)
-    return Prism(outline, low, high, bore)
+    return np.stack([reach * np.cos(corner), reach * np.sin(corner)], axis=1)
 
 
 def face_widths(angles: FloatArray, radius: float) -> FloatArray:
     """(K,) the width of the hub's face that is free for each beam on its narrower side, twice."""
-    half = np.minimum(gaps_after(angles), _WIDEST) / 2
+    half = np.minimum(gaps_after(angles), WIDEST) / 2
     return np.asarray(2 * radius * np.tan(np.minimum(half, np.roll(half, 1))))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -13,23 +13,25 @@ from freecad_ortho.fabrication.equal import equal_groups
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
-from freecad_ortho.fabrication.systems.beams.frames import (
-    Around,
-    Frames,
-    around_axes,
-    beam_frames,
-)
+from freecad_ortho.fabrication.systems.beams.frames import around_axes, beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
+from freecad_ortho.fabrication.systems.beams.options import HUB_OPTIONS, PLAIN_HUB
 from freecad_ortho.fabrication.systems.beams.system import Beams
 from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
+from freecad_ortho.fabrication.systems.nodes.bolted import bolted_nodes
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
+from freecad_ortho.fabrication.systems.nodes.stars import Star, stars
+from freecad_ortho.fabrication.systems.nodes.type_list import node_types
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.words import counted
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 from solver.option import Option
 
-KINDS = ("hub", "socket")
+KINDS = ("hub", "bolted", "socket")
+# How beams end that nodes of a kind join; those that a socket holds end in several ways.
+ENDS_OF = {"hub": "hub", "bolted": "end-plate"}
 
 
 @dataclass(frozen=True)
@@ -37,12 +39,14 @@ class Nodes(System):
     """A joint at every vertex: a hub that beams are butted on, or a socket under a crossing.
 
     Where there are beams, these say how high and thick they are, what lies above the net, how much
-    room is left, and how wide the hubs are that they end at.
+    room is left, how wide the hubs are that they end at, and how they are bolted to these.
 
     Args:
         kind: "hub", a prism about the axis with a face square to each beam, as high as the beams;
+            "bolted", a hollow one with an end plate on each beam that is bolted to it from inside;
             "socket", a printed disc under the beams with a slot for each plate.
-        diameter: of the hub across its faces, or of the disc, mm.
+        diameter: of the hub across its faces, or of the disc, mm; by default 100, of bolted hubs as
+            large as each has to be.
         bore: diameter of a hole along the hub's axis, mm; 0 for none.
         depth: how far plates stand in a socket, mm; its disc is a third as thick.
         height: of the beams, mm.
@@ -50,13 +54,16 @@ class Nodes(System):
         offset: of the beams.
         clearance: on both sides of a plate in a socket together, and below it, mm.
         boundary_beams: false where the edges of the boundary have no beams.
+        bolt: size of the bolts.
+        bolts: of a beam, 1 or 2.
+        wall: thickness of the walls of bolted hubs, mm; by default as thick as the bolts.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown choice.
     """
 
     kind: str = "hub"
-    diameter: float = 100.0
+    diameter: float | None = None
     bore: float = 0.0
     depth: float = 30.0
     height: float = 200.0
@@ -64,12 +71,15 @@ class Nodes(System):
     offset: str = "centre"
     clearance: float = 1.0
     boundary_beams: bool = True
+    bolt: str = "M16"
+    bolts: int = 2
+    wall: float | None = None
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "nodes"
     options: ClassVar[tuple[Option, ...]] = (
         Option("node", "hub", "choice", "the beams are joined by hubs or sockets", KINDS),
-        Option("hub_diameter", 100.0, "length", "hubs or sockets measure this across their faces"),
+        *HUB_OPTIONS,
         Option(
             "bore",
             0.0,
@@ -94,8 +104,10 @@ class Nodes(System):
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
             raise InputError(f"node: expected one of {', '.join(KINDS)}, got '{self.kind}'")
+        if self.diameter is None and self.kind != "bolted":
+            object.__setattr__(self, "diameter", PLAIN_HUB)
         for words, value in (
-            ("hub diameter", self.diameter),
+            ("hub diameter", self.across),
             ("socket depth", self.depth),
             ("beam height", self.height),
             ("beam thickness", self.thickness),
@@ -104,9 +116,9 @@ class Nodes(System):
         check_offset(self.offset)
         if not 0 <= self.clearance < float("inf"):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
-        if not 0 <= self.bore < 0.8 * self.diameter:
+        if not 0 <= self.bore < 0.8 * self.across:
             raise InputError(
-                f"bore: expected 0 to {0.8 * self.diameter:g} mm in a hub of {self.diameter:g} mm, "
+                f"bore: expected 0 to {0.8 * self.across:g} mm in a hub of {self.across:g} mm, "
                 f"got {self.bore:g}"
             )
 
@@ -116,7 +128,13 @@ class Nodes(System):
         given = dict(values)
         given["boundary_beams"] = not given.pop("no_boundary_beams")
         names = {"kind": "node", "diameter": "hub_diameter", "depth": "socket_depth"}
+        names["wall"] = "hub_wall"
         return cls(**{own: given.pop(option) for own, option in names.items()}, **given)
+
+    @property
+    def across(self) -> float:
+        """Diameter of hubs without bolts and of sockets, mm."""
+        return PLAIN_HUB if self.diameter is None else self.diameter
 
     def build(self, site: Site) -> SystemParts:
         """Work out the joints at the vertices of the chosen edges.
@@ -125,64 +143,122 @@ class Nodes(System):
             InputError: a hub too small for its beams, or beams that leave it no room.
         """
         beams = site.done["beams"].settings if "beams" in site.done else None
-        return self._fitting(beams)._build(site) if isinstance(beams, Beams) else self._build(site)
+        if isinstance(beams, Beams):
+            return self._fitting(beams)._build(site, beams)
+        if self.kind == "bolted":
+            beams = self._as_beams()
+            geometry = replace(beams.build(site), settings=beams)
+            return self._build(replace(site, done={**site.done, "beams": geometry}), beams)
+        return self._build(site, None)
+
+    def _as_beams(self) -> Beams:
+        """The beams that bolted nodes without any would join."""
+        return Beams(
+            self.height,
+            self.thickness,
+            self.offset,
+            ends=ENDS_OF[self.kind],
+            hub_diameter=self.diameter,
+            clearance=self.clearance,
+            boundary_beams=self.boundary_beams,
+            bolt=self.bolt,
+            bolts=self.bolts,
+            hub_wall=self.wall,
+        )
 
     def _fitting(self, beams: Beams) -> Nodes:
         """These joints with the sizes of the beams that they join."""
-        if self.kind == "hub" and beams.ends != "hub":
+        ends = ENDS_OF.get(self.kind)
+        if ends is not None and beams.ends != ends:
             raise InputError(
-                f"nodes: the beams are {beams.ends} and leave no room for hubs; set ends hub, or "
-                "take sockets for nodes"
+                f"nodes: the beams are {beams.ends} and leave no room for hubs; set ends {ends}, "
+                f"or take other nodes"
             )
-        if self.kind == "socket" and (beams.ends == "hub" or beams.section != "plate"):
+        if ends is None and (beams.ends in ENDS_OF.values() or beams.section != "plate"):
             raise InputError(
                 "nodes: sockets hold plates that reach their axes; set section plate and ends "
                 "mitred or lapped, or take hubs for nodes"
             )
         return replace(
             self,
-            diameter=beams.hub_diameter if self.kind == "hub" else self.diameter,
+            diameter=self.diameter if ends is None else beams.hub_diameter,
             height=beams.height,
             thickness=beams.profile.overall_width,
             offset=beams.offset,
             clearance=beams.clearance,
             boundary_beams=beams.boundary_beams,
+            bolt=beams.bolt,
+            bolts=beams.bolts,
+            wall=beams.hub_wall,
         )
 
-    def _build(self, site: Site) -> SystemParts:
+    def _build(self, site: Site, beams: Beams | None) -> SystemParts:
         frames = beam_frames(site.mesh, site.axes)
+        geometry = site.geometry_of("beams", BeamGeometry)
         built = site.chosen_edges.copy()
         if not self.boundary_beams:
             built &= ~site.mesh.connectivity.boundary_edges
         within = np.ones(len(site.mesh.vertices), dtype=bool)
         if site.trimming is not None:
-            beams = site.geometry_of("beams", BeamGeometry)
             kept = np.isin(np.arange(len(built)), list(site.trimming.spans))
-            built &= kept if beams is None else beams.built
+            built &= kept if geometry is None else geometry.built
             within = site.trimming.vertices(site.mesh.connectivity.edges)
-        within &= ~without_hubs(site, self.diameter)
+        bolted = geometry if self.kind == "bolted" else None
+        within &= ~without_hubs(site, self.across) if bolted is None else bolted.hub_radii > 0
         if not built.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
+        joined = [star for star in stars(frames, around) if within[star.vertex]]
+        if bolted is not None and beams is not None:
+            return self._bolted(site, bolted, beams, joined)
         names = part_names("N", len(site.mesh.vertices))
-        parts = tuple(
-            self._part(site, names[vertex], vertex, arms, turn)
-            for vertex, arms, turn in _stars(frames, around)
-            if within[vertex]
-        )
-        groups = {
-            parts[group[0]].name: [parts[number].name for number in group]
-            for group in equal_groups(parts)
-        }
+        parts = tuple(self._part(site, names[star.vertex], star) for star in joined)
+        groups = _groups(parts)
         report = {
             "kind": self.kind,
-            "diameter_mm": self.diameter,
-            "different": len(groups),
-            "equal": {name: some for name, some in groups.items() if len(some) > 1},
+            "diameter_mm": self.across,
+            **_equal_ones(groups),
             **sums(parts),
         }
-        joints = tuple(part for part in parts if part.name in groups)
-        return SystemParts(parts, report, geometry=self._hubs(site, parts), joints=joints)
+        printed = tuple(part for part in parts if part.name in groups)
+        return SystemParts(parts, report, geometry=self._hubs(site, parts), joints=printed)
+
+    def _bolted(
+        self, site: Site, geometry: BeamGeometry, beams: Beams, joined: Sequence[Star]
+    ) -> SystemParts:
+        """Hubs with bolts, and the end plates of the beams."""
+        sizes = beams.end_plates
+        made = bolted_nodes(site, geometry, sizes, joined)
+        groups = _groups(made.hubs)
+        widths = [hub.width for hub in made.hubs]
+        parts = (*made.hubs, *made.plates)
+        doubtful = [hub for hub in made.hubs if hub.assembly]
+        report = {
+            "kind": self.kind,
+            "diameter_mm": max(widths, default=0.0),
+            "diameter_min_mm": min(widths, default=0.0),
+            "wall_mm": sizes.wall,
+            "end_plates": len(made.plates),
+            "end_plate_mm": sizes.thickness,
+            "bolt": f"{sizes.bolt.name}x{sizes.length:g}",
+            "bolts": sizes.count * len(made.plates),
+            "not_put_on": len(doubtful),
+            **_equal_ones(groups),
+            **sums(parts),
+        }
+        messages: tuple[str, ...] = ()
+        if doubtful:
+            messages = (
+                f"nodes: {counted(len(doubtful), 'hub')} with bolts that cannot be put in or "
+                f"reached, {doubtful[0].name} for one: {doubtful[0].assembly.split('; ')[0]}; "
+                "leave the hub diameter out for hubs as large as they have to be, or take smaller "
+                "bolts",
+            )
+        tables = (made.bolts, node_types(made.hubs, joined, list(groups.values())))
+        hubs = {
+            hub.vertices[0]: (hub.points - site.shift).reshape(2, 2, -1, 3)[0] for hub in made.hubs
+        }
+        return SystemParts(parts, report, messages, hubs, tables=tables)
 
     def _hubs(self, site: Site, parts: tuple[Part, ...]) -> dict[int, FloatArray]:
         """(2, K, 3) lower and upper corners of the hub at each vertex, in the site's mesh, mm."""
@@ -190,7 +266,8 @@ class Nodes(System):
             return {}
         return {part.vertices[0]: (part.points - site.shift).reshape(2, -1, 3) for part in parts}
 
-    def _part(self, site: Site, name: str, vertex: int, arms: FloatArray, turn: FloatArray) -> Part:
+    def _part(self, site: Site, name: str, star: Star) -> Part:
+        vertex, _, arms, turn = star
         axis = site.axes.directions[vertex]
         length = float(np.linalg.norm(site.axes.offsets[vertex]))
         body = self._body(name, turn, arms @ axis, length)
@@ -202,8 +279,8 @@ class Nodes(System):
             frame=_frame(arms[0], axis),
             pattern=None,
             length=float(np.ptp(body.points[:, 2])),
-            width=self.diameter,
-            thickness=self.diameter,
+            width=self.across,
+            thickness=self.across,
             area=0.0,
             volume=body.volume,
             material=site.material,
@@ -213,14 +290,14 @@ class Nodes(System):
 
     def _body(self, name: str, turn: FloatArray, rises: FloatArray, length: float) -> Body:
         """Body of one joint: directions of its beams, their rise, and length of its offset."""
-        radius = self.diameter / 2
+        radius = self.across / 2
         low, high = (level * length for level in offset_levels(self.offset, self.height))
         if self.kind == "hub":
             narrow = float(face_widths(turn, radius).min())
             if narrow < self.thickness:
                 raise InputError(
                     f"hub: {name} has {narrow:.1f} mm for beams {self.thickness:g} mm thick; take "
-                    f"at least {self.diameter * self.thickness / narrow:.0f} mm hub diameter"
+                    f"at least {self.across * self.thickness / narrow:.0f} mm hub diameter"
                 )
             return hub(turn, radius, low, high, self.bore)
         half = (self.thickness + self.clearance) / 2
@@ -237,21 +314,16 @@ class Nodes(System):
         return socket(turn, radius, half, levels)
 
 
-def _stars(frames: Frames, around: Around) -> Iterator[tuple[int, FloatArray, FloatArray]]:
-    """For each vertex its number, the (K, 3) directions of its beams and (K,) their angles.
+def _groups(joints: Sequence[Part]) -> dict[str, list[str]]:
+    """Names of equal joints by that of the first of them."""
+    groups = equal_groups(joints)
+    return {joints[group[0]].name: [joints[number].name for number in group] for group in groups}
 
-    Counter-clockwise from the half-edge with the smallest number.
-    """
-    half_edges = np.flatnonzero(around.left >= 0)
-    order = half_edges[np.argsort(around.vertex[half_edges], kind="stable")]
-    for group in np.split(order, np.flatnonzero(np.diff(around.vertex[order])) + 1):
-        ring = [int(group.min())]
-        while (ahead := int(around.left[ring[-1]])) != ring[0]:
-            ring.append(ahead)
-        count = len(frames.along)
-        outward = np.where(np.array(ring) < count, 1.0, -1.0)[:, None]
-        turn = np.concatenate([[0.0], np.cumsum(around.angle[ring[:-1]])])
-        yield int(around.vertex[ring[0]]), outward * frames.along[np.array(ring) % count], turn
+
+def _equal_ones(groups: Mapping[str, list[str]]) -> dict[str, Any]:
+    """What the report says of them."""
+    equal = {name: some for name, some in groups.items() if len(some) > 1}
+    return {"different": len(groups), "equal": equal}
 
 
 def _frame(arm: FloatArray, axis: FloatArray) -> FloatArray:

@@ -1,0 +1,137 @@
+"""Bolts: sizes, holes, distances and wrenches, by rule; one table for all that is bolted.
+
+Sources, lengths in mm:
+
+* heads, widths across flats and corners, lengths: hexagon head screws threaded to the head,
+  EN ISO 4017, tables 1 and 2;
+* washers: EN ISO 7089, table 1;
+* holes: EN 1090-2, table 11, normal round holes: 1 mm wider than the bolt up to M14, 2 mm up to
+  M24, 3 mm from M27 on;
+* distances: EN 1993-1-8, table 3.3: 1.2 holes to an edge, 2.2 holes between bolts;
+* drills for threads: ISO 2306, coarse threads;
+* thread in a plate: as deep as the bolt is thick, more than a nut of EN ISO 4032 (0.80 to 0.93 of
+  that) is high, as plates are softer than nuts;
+* wrench: half the width of the head of an open-ended wrench (2.1 times the width across flats, as
+  those of ISO 7738), and 1 mm: the free distance from the middle of the bolt that it takes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from freecad_ortho.fabrication.sizes import one_of
+from solver.errors import InputError
+
+HEADS = "EN ISO 4017"
+WASHERS = "EN ISO 7089"
+GRADE = "8.8"
+# Lengths that bolts are sold in, mm.
+LENGTHS = (20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 80, 90, 100, 110, 120, 130, 140, 150)
+# Thicknesses that plates are rolled in, mm (a choice of EN 10029 and EN 10058).
+PLATES = (5, 6, 8, 10, 12, 15, 20, 25, 30, 35, 40, 50, 60)
+# Distances in diameters of holes (EN 1993-1-8, table 3.3).
+EDGE, SPACING = 1.2, 2.2
+# Step of the lengths that threads in plates are bolted with, mm.
+_STEP = 5.0
+
+
+@dataclass(frozen=True)
+class Bolt:
+    """A size of bolts; mm.
+
+    Attributes:
+        name: ``M16``.
+        diameter: of the thread.
+        hole: that it passes.
+        drill: of a hole that its thread is cut in.
+        head: height.
+        flats: across the flats of its head.
+        corners: across the corners of its head.
+        washer: thickness.
+        washer_width: outer diameter.
+        wrench: free distance from the middle of the bolt to anything beside it.
+    """
+
+    name: str
+    diameter: float
+    hole: float
+    drill: float
+    head: float
+    flats: float
+    corners: float
+    washer: float
+    washer_width: float
+    wrench: float
+
+    @property
+    def edge(self) -> float:
+        """Least distance of its middle from the edge of a plate."""
+        return EDGE * self.hole
+
+    @property
+    def spacing(self) -> float:
+        """Least distance between two: by rule, and for a wrench on one beside the other's head."""
+        return max(SPACING * self.hole, self.wrench + self.corners / 2)
+
+    @property
+    def thread(self) -> float:
+        """Least depth of a thread in a plate."""
+        return self.diameter
+
+    @property
+    def threaded_plate(self) -> float:
+        """Thickness of a plate that takes the thread, whatever is left of a length of the series.
+
+        Bolts end within it: whatever is welded behind is not in their way.
+        """
+        return plate_of(self.thread + _STEP)
+
+    @property
+    def clamped_plate(self) -> float:
+        """Thickness of a plate under its head: as thick as the bolt."""
+        return plate_of(self.diameter)
+
+
+def _bolt(diameter: float, clearance: float, *sizes: float) -> Bolt:
+    return Bolt(f"M{diameter:g}", diameter, diameter + clearance, *sizes)
+
+
+BOLTS: Mapping[str, Bolt] = {
+    bolt.name: bolt
+    for bolt in (
+        _bolt(12, 1, 10.2, 7.5, 18, 20.03, 2.5, 24, 20),
+        _bolt(16, 2, 14.0, 10.0, 24, 26.75, 3.0, 30, 27),
+        _bolt(20, 2, 17.5, 12.5, 30, 33.53, 3.0, 37, 33),
+        _bolt(24, 2, 21.0, 15.0, 36, 39.98, 4.0, 44, 39),
+        _bolt(27, 3, 24.0, 17.0, 41, 45.20, 4.0, 50, 45),
+        _bolt(30, 3, 26.5, 18.7, 46, 50.85, 4.0, 56, 50),
+    )
+}
+
+
+def bolt_of(name: str) -> Bolt:
+    """The size of a name.
+
+    Raises:
+        InputError: naming those there are.
+    """
+    one_of("bolt", name, BOLTS)
+    return BOLTS[name]
+
+
+def plate_of(thickness: float) -> float:
+    """The thinnest plate that is as thick as this, mm.
+
+    Raises:
+        InputError: there is none.
+    """
+    for plate in PLATES:
+        if plate >= thickness:
+            return float(plate)
+    raise InputError(f"bolt: no plate is {thickness:g} mm thick; take smaller bolts")
+
+
+def longest_within(room: float) -> float:
+    """The longest bolt of the series that a depth takes, mm; 0 for none."""
+    return float(max((length for length in LENGTHS if length <= room), default=0))

@@ -1,0 +1,76 @@
+"""What beams can be told, and what beams and nodes are both told of the hubs between them."""
+
+from __future__ import annotations
+
+from freecad_ortho.fabrication.bolts import BOLTS
+from freecad_ortho.fabrication.profiles import names
+from freecad_ortho.fabrication.sizes import OFFSETS
+from freecad_ortho.fabrication.systems.beams.sections import SECTIONS
+from solver.option import Option
+
+ENDS = ("mitred", "hub", "end-plate", "lapped", "through-u", "through-v")
+# Of hubs without bolts, mm, where nothing is said.
+PLAIN_HUB = 100.0
+
+# What beams and nodes are both told of the hubs between them.
+HUB_OPTIONS = (
+    Option(
+        "hub_diameter",
+        None,
+        "length",
+        "the hubs measure this across their faces",
+        absent="100 mm, of bolted ones what each needs",
+    ),
+    Option("bolt", "M16", "choice", "end plates are bolted with bolts of this size", tuple(BOLTS)),
+    Option("bolts", 2, "count", "an end plate has so many bolts, 1 or 2"),
+    Option(
+        "hub_wall",
+        None,
+        "length",
+        "bolted hubs have walls of this thickness",
+        absent="as thick as the bolts",
+    ),
+)
+
+OPTIONS = (
+    Option("height", 200.0, "length", "the beams are this high"),
+    Option("thickness", 20.0, "length", "the plates are this thick"),
+    Option(
+        "offset",
+        "centre",
+        "choice",
+        "the parts lie above the net, about it or below it",
+        OFFSETS,
+    ),
+    Option(
+        "section",
+        "plate",
+        "choice",
+        "the beams have this cross section, or one of the catalogue such as HEB160",
+        SECTIONS,
+        examples=names(),
+    ),
+    Option("section_width", 60.0, "length", "hollow sections and flanges are this wide"),
+    Option(
+        "flange_thickness",
+        None,
+        "length",
+        "the flanges are this thick, by default as thick as the plates",
+    ),
+    Option("ends", "mitred", "choice", "the beams meet like this at a node", ENDS),
+    *HUB_OPTIONS,
+    Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+    Option("no_boundary_beams", False, "flag", "no beams are made along the boundary"),
+    Option(
+        "least_length",
+        100.0,
+        "length",
+        "beams that are shorter than this at the border are left out",
+    ),
+    Option(
+        "rounded",
+        False,
+        "flag",
+        "solids have the rounded corners and roots of a section of the catalogue",
+    ),
+)
