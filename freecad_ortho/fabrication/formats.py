@@ -66,6 +66,10 @@ FORMATS = {
             *("nc1", "nc1/*", "", ""),
             "a file a part for machines that saw, drill and cut steel (DSTV)",
         ),
+        Format(
+            *("btlx", "structure.btlx", "", ""),
+            "BTLx: parts of timber, how they are cut, drilled and marked",
+        ),
     )
 }
 

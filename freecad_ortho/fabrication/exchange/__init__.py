@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from freecad_ortho.fabrication.exchange.btlx import write_btlx
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.exchange.labels import write_labels
 from freecad_ortho.fabrication.exchange.nc1 import write_nc1
@@ -22,6 +23,7 @@ WRITERS: dict[str, Writer] = {
     "labels": write_labels,
     "saw": write_saw_list,
     "nc1": write_nc1,
+    "btlx": write_btlx,
 }
 
 __all__ = ["WRITERS", "Writer"]

@@ -1,0 +1,215 @@
+"""Files for carpenters' machines: parts rebuilt by a reader of its own, against STEP's solids."""
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+import shapely
+from scipy.spatial import ConvexHull, HalfspaceIntersection
+from scipy.spatial.transform import Rotation
+
+from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build, write
+from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.place import Place
+from freecad_ortho.fabrication.site import Selection
+from freecad_ortho.fabrication.step import read_step
+
+SPACE = "{https://www.design2machine.com}"
+# Elements of processings in their order, and least and largest values, as the schema has them.
+SCHEMA = {
+    "JackRafterCut": {
+        "Orientation": ("start", "end"),
+        "StartX": (-1e5, 1e5),
+        "StartY": (0, 5e4),
+        "StartDepth": (0, 5e4),
+        "Angle": (0.1, 179.9),
+        "Inclination": (0.1, 179.9),
+    },
+    "Drilling": {
+        "StartX": (-1e5, 1e5),
+        "StartY": (-5e4, 5e4),
+        "Angle": (0, 360),
+        "Inclination": (0.1, 179.9),
+        "DepthLimited": ("yes", "no"),
+        "Depth": (0, 5e4),
+        "Diameter": (0, 5e4),
+    },
+    "Text": {
+        "StartX": (-1e5, 1e5),
+        "StartY": (-5e4, 5e4),
+        "Angle": (-180, 180),
+        "AlignmentVertical": ("bottom", "center", "top"),
+        "AlignmentHorizontal": ("left", "center", "right"),
+        "TextHeightAuto": ("yes", "no"),
+        "TextHeight": (0, 5e4),
+        "Text": (),
+    },
+    "FreeContour": {"Contour": (), "DualContour": ()},
+    "PenContour": {"Contour": ()},
+}
+COMPONENT = ["Transformations", "GrainDirection", "ReferenceSide", "Processings"]
+JOBS = {
+    "bars": ([Beams(200, 20, section="GL24h:80x200")], "steel"),
+    "plates": ([Beams(200, 40)], "timber"),
+    "panels": ([Panels(20, 15, edge="bevel")], "plywood"),
+    "lamellas": ([Lamellas(60, 4, hole=9)], "plywood"),
+}
+TURN = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+
+
+@pytest.fixture(scope="module")
+def made(roof, tmp_path_factory):
+    """For each job its parts, the elements of parts by their names, and the solids of the STEP."""
+    found = {}
+    for name, (systems, material) in JOBS.items():
+        some = Selection() if name == "panels" else Selection(family="u", lines=(3,))
+        place = Place(TURN, np.array([1e4, -2e4, 500.0]))
+        job = build(roof, systems, material=MATERIALS[material], selection=some, place=place)
+        folder = tmp_path_factory.mktemp(name)
+        write(job, folder, workshop=Workshop(write="btlx"), project='Dach <ü> & "7"')
+        root = ElementTree.parse(folder / "structure.btlx").getroot()
+        parts = {each.get("Designation"): each for each in root.iter(f"{SPACE}Part")}
+        found[name] = job.parts, root, parts, dict(read_step(folder / "structure.step"))
+    return found
+
+
+def tag(element):
+    return element.tag.removeprefix(SPACE)
+
+
+def value(element, name):
+    return float(element.find(SPACE + name).text)
+
+
+def point(element):
+    return np.array([float(element.get(name)) for name in "XYZ"])
+
+
+@pytest.mark.parametrize("name", JOBS)
+def test_files_are_as_the_schema_has_them(made, name):
+    parts, root, read, _ = made[name]
+    assert tag(root) == "BTLx"
+    assert root.get("Version") == "2.0.0"
+    assert [tag(each) for each in root] == ["FileHistory", "Project"]
+    assert root[1].get("Name") == 'Dach <ü> & "7"'
+    assert list(read) == [part.name for part in parts]
+    for element in read.values():
+        assert [tag(each) for each in element] == COMPONENT
+        assert all(float(element.get(name)) > 0 for name in ("Length", "Height", "Width"))
+        assert int(element.get("SingleMemberNumber")) > 0
+        (stands,) = element.iter(f"{SPACE}Transformation")
+        assert re.fullmatch(r"\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}", stands.get("GUID"))
+        numbers = [each.get("ProcessID") for each in element.find(f"{SPACE}Processings")]
+        assert numbers == [str(k + 1) for k in range(len(numbers))]
+        for each in element.find(f"{SPACE}Processings"):
+            known = SCHEMA[tag(each)]
+            names = [tag(child) for child in each]
+            assert names == [word for word in known if word in names]
+            assert each.get("ReferencePlaneID") == "4"
+            for child in each:
+                bounds = known[tag(child)]
+                if bounds and isinstance(bounds[0], str):
+                    assert child.text in bounds
+                elif bounds:
+                    assert bounds[0] <= float(child.text) <= bounds[1]
+
+
+def to_model(element):
+    """Origin and axes of a part, one a row."""
+    origin, x, y = (
+        point(next(element.iter(SPACE + w))) for w in ("ReferencePoint", "XVector", "YVector")
+    )
+    return origin, np.array([x, y, np.cross(x, y)])
+
+
+def cut_plane(cut, width):
+    """Normal towards what falls off, and a point, in the part: turned as documented."""
+    start = cut.find(f"{SPACE}Orientation").text == "start"
+    sign = 1 if start else -1
+    angle, tilt = (sign * (value(cut, name) - 90) for name in ("Angle", "Inclination"))
+    # On reference side 4 x is along, y up and z outwards.
+    normal = Rotation.from_euler("z", angle, degrees=True).apply(
+        Rotation.from_euler("y", tilt, degrees=True).apply([1.0, 0.0, 0.0])
+    )
+    place = [value(cut, "StartX"), value(cut, "StartY"), width - value(cut, "StartDepth")]
+    return -sign * normal, np.array(place)
+
+
+def rebuilt(element):
+    """(n, 3) corners of a bar in the model: its raw part less what its cuts take."""
+    size = np.array([float(element.get(name)) for name in ("Length", "Height", "Width")])
+    rows = [[*(-np.eye(3)[k]), 0.0] for k in range(3)]
+    rows += [[*np.eye(3)[k], -size[k]] for k in range(3)]
+    for cut in element.iter(f"{SPACE}JackRafterCut"):
+        normal, place = cut_plane(cut, size[2])
+        rows.append([*normal, -normal @ place])
+    corners = HalfspaceIntersection(np.array(rows), size / 2).intersections
+    origin, axes = to_model(element)
+    return origin + corners @ axes
+
+
+@pytest.mark.parametrize("name", ["bars", "plates"])
+def test_bars_are_rebuilt(made, name):
+    parts, _, read, solids = made[name]
+    for part in parts:
+        corners, solid = rebuilt(read[part.name]), solids[part.name]
+        assert ConvexHull(corners).volume == pytest.approx(solid.Volume(), rel=1e-4)
+        seen = np.array([vertex.toTuple() for vertex in solid.Vertices()])
+        away = np.linalg.norm(seen[:, None] - corners[None], axis=2).min(axis=1)
+        assert away.max() < 0.01
+
+
+def ring(contour):
+    points = [contour.find(f"{SPACE}StartPoint"), *contour.iter(f"{SPACE}EndPoint")]
+    return np.array([point(each) for each in points])
+
+
+def test_bevelled_panels_are_rebuilt(made):
+    parts, _, read, solids = made["panels"]
+    dual_contours = [list(read[part.name].iter(f"{SPACE}DualContour")) for part in parts]
+    assert sum(map(len, dual_contours)) == len(parts)
+    for part, (dual,) in list(zip(parts, dual_contours, strict=True))[::7]:
+        element = read[part.name]
+        upper, lower = ring(dual[0])[:-1], ring(dual[1])[:-1]
+        assert ConvexHull(np.concatenate([upper, lower])).volume == pytest.approx(
+            solids[part.name].Volume(), rel=1e-4
+        )
+        # From the side's own coordinates, whose depth is downwards, into the model.
+        origin, axes = to_model(element)
+        corners = np.concatenate([upper, lower]) + [0, 0, float(element.get("Width"))]
+        seen = np.array([vertex.toTuple() for vertex in solids[part.name].Vertices()])
+        away = np.linalg.norm(seen[:, None] - (origin + corners @ axes)[None], axis=2)
+        assert away.min(axis=1).max() < 0.01
+
+
+def test_boards_are_rebuilt_flat(made):
+    parts, _, read, _ = made["lamellas"]
+    for part in parts:
+        element = read[part.name]
+        (contour,) = element.iter(f"{SPACE}FreeContour")
+        outline = ring(contour.find(f"{SPACE}Contour"))
+        np.testing.assert_array_equal(outline[0], outline[-1])
+        assert contour.get("ToolPosition") == "right"
+        assert shapely.LinearRing(outline[:, :2]).is_ccw
+        plate = shapely.Polygon(outline[:, :2])
+        holes = list(element.iter(f"{SPACE}Drilling"))
+        assert len(holes) == len(part.pattern.holes)
+        for hole in holes:
+            centre = shapely.Point(value(hole, "StartX"), value(hole, "StartY"))
+            plate = plate - centre.buffer(value(hole, "Diameter") / 2, quad_segs=256)
+        volume = plate.area * float(element.get("Width"))
+        assert volume == pytest.approx(part.pattern.area * part.thickness, rel=1e-4)
+        texts = [
+            each.find(f"{SPACE}Text").text for each in element.iter(f"{SPACE}Text") if len(each)
+        ]
+        assert texts == [part.name, *(mark.text for mark in part.pattern.marks if mark.text)]
+        lines = list(element.iter(f"{SPACE}PenContour"))
+        assert len(lines) == sum(not mark.text for mark in part.pattern.marks)
+
+
+def test_steel_is_for_others(roof, tmp_path):
+    job = build(roof, [Beams(200, 20)], selection=Selection(family="u", lines=(3,)))
+    write(job, tmp_path, workshop=Workshop(write="btlx"))
+    root = ElementTree.parse(tmp_path / "structure.btlx").getroot()
+    assert not list(root.iter(f"{SPACE}Part"))
