@@ -203,6 +203,7 @@ def add_louvres(
     gap: Length = 8.0,
     louvre_axis: str = "u",
     tilt: float = 0.0,
+    least_width: Length = 60.0,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -216,6 +217,7 @@ def add_louvres(
         gap: between two slats.
         louvre_axis: ``"u"`` or ``"v"``: the lines that they turn about.
         tilt: by how much they are turned, degrees.
+        least_width: narrower pieces at the border of the surface are left out.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.
@@ -279,6 +281,7 @@ def add_bent_panels(
     spacing: Length = 10.0,
     grain: str = "none",
     kerf: Length = 0.0,
+    least_width: Length = 60.0,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -294,6 +297,7 @@ def add_bent_panels(
         spacing: that is kept from the rim of a sheet.
         grain: whether parts may turn on a sheet.
         kerf: width of the cut.
+        least_width: narrower pieces at the border of the surface are left out.
         family: parameter lines whose rows are built.
         lines: numbers of these lines; empty for all.
         material: of all parts.
@@ -311,6 +315,7 @@ def add_patches(
     spacing: Length = 10.0,
     grain: str = "none",
     kerf: Length = 0.0,
+    least_width: Length = 60.0,
     distortion: float = 1.0,
     family: str = "both",
     lines: Sequence[int] = (),
@@ -327,6 +332,7 @@ def add_patches(
         spacing: that is kept from the rim of a sheet.
         grain: whether parts may turn on a sheet.
         kerf: width of the cut.
+        least_width: narrower pieces at the border of the surface are left out.
         distortion: of an edge up to which a patch is built, percent.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.

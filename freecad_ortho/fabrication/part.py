@@ -169,6 +169,11 @@ class Part:
         self._built.solid = placed(solid, self.origin, self.frame)
 
 
+def piece_name(name: str, number: int) -> str:
+    """The name of one of the pieces of a part: P0012, P0012b, P0012c ..."""
+    return name if number == 0 else f"{name}{chr(ord('a') + number)}"
+
+
 def part_names(letter: str, count: int) -> list[str]:
     """Names of the parts numbered 0 to count - 1: four digits, more when there are more.
 

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from solver.mesh.quadmesh import FloatArray, unit_rows
+
+if TYPE_CHECKING:
+    import shapely
 
 # Distance, mm, below which two sides of an outline touch rather than cross.
 _TOUCHING = 1e-6
@@ -141,6 +145,15 @@ def overlaps_itself(polygon: FloatArray) -> bool:
 
     apart = side(polygon) * side(ends) < 0
     return bool((apart & apart.T).any())
+
+
+def longest_within(line: FloatArray, plate: shapely.Geometry) -> FloatArray | None:
+    """The longest part of a line (2, 2) that lies on a plate; None where it is off it."""
+    import shapely
+
+    cut = shapely.LineString(line).intersection(plate)
+    pieces = [piece for piece in shapely.get_parts(cut) if piece.length > 0]
+    return np.array(max(pieces, key=lambda piece: piece.length).coords) if pieces else None
 
 
 def fitted_text_size(text: str, width: float, height: float, largest: float = 30.0) -> float:

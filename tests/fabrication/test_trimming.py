@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from freecad_ortho.fabrication import Beams, Panels, Patches, build
+from freecad_ortho.fabrication import Beams, Panels, build
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.plate_bodies import triangles_in
 from freecad_ortho.fabrication.site import Selection, Site
@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.systems import Nodes
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.conftest import grid_faces
+from tests.own_system import Tags
 
 EDGE = 1000.0
 ROWS, COLUMNS = 9, 8
@@ -273,8 +274,8 @@ def test_without_a_border_nothing_is_said_of_it(sheet):
 
 
 def test_systems_that_know_no_border_say_so(sheet):
-    messages = build(sheet, [Patches(2)], border=[SLANTED]).report()["messages"]
-    assert "patches: they run on over the border, which does not cut them" in messages
+    messages = build(sheet, [Tags(4, 100)], border=[SLANTED]).report()["messages"]
+    assert "tags: they run on over the border, which does not cut them" in messages
 
 
 @pytest.mark.parametrize("moved", [[0, 0, 5000.0], [60000.0, 0, 0]])

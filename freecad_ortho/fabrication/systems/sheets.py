@@ -2,16 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.words import counted
+from solver.option import Option
 
 # The workshop's own, so that a size is given once.
 SHEET_OPTIONS = tuple(
     option for option in Workshop.options if option.name in ("sheet", "spacing", "grain", "kerf")
 )
+
+# Names of pieces that a message says.
+_SHOWN = 5
+LEAST_WIDTH = Option(
+    "least_width",
+    60.0,
+    "length",
+    "pieces of panels at the border that are narrower than this are slivers",
+)
+
+
+def trimming_report(cut: int, left_out: Mapping[str, float]) -> dict[str, Any]:
+    """What is to be said of the border in a system's report.
+
+    Args:
+        cut: how many parts it cuts.
+        left_out: areas of the pieces that are left out by their names, mm2.
+    """
+    return {
+        "trimmed": cut,
+        "left_out": sorted(left_out),
+        "left_out_mm2": sum(left_out.values()),
+    }
+
+
+def left_out_words(system: str, left_out: Mapping[str, float], least_width: float) -> list[str]:
+    """A message where a system leaves narrow pieces out, whose areas are given by their names."""
+    if not left_out:
+        return []
+    area = sum(left_out.values()) / 1e6
+    shown = ", ".join(list(left_out)[:_SHOWN]) + (" ..." if len(left_out) > _SHOWN else "")
+    return [
+        f"{system}: left out at the border what is narrower than {least_width:g} mm: {shown}, "
+        f"{area:.2g} m2 in {len(left_out)}; a smaller least width keeps it"
+    ]
 
 
 def room_on(

@@ -108,10 +108,13 @@ class Trimming:
         """The regions of a face between its corners (4, 2) in a plane, mm; the largest first."""
         import shapely
 
-        found = [
-            shapely.transform(region, lambda uv: bilinear(corners, uv))
+        # Points that all but coincide may change places on the way into the plane.
+        mapped = [
+            shapely.make_valid(shapely.transform(region, lambda uv: bilinear(corners, uv)))
             for region in self.regions[face]
         ]
+        parts = [part for region in mapped for part in shapely.get_parts(region)]
+        found = [part for part in parts if part.geom_type == "Polygon"]
         return sorted(found, key=lambda region: -region.area)
 
 

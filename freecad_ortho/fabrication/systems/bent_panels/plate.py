@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,6 +22,9 @@ from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.unroll.strip import Strip
+
+if TYPE_CHECKING:
+    import shapely
 
 # Share of an end face that must be left.
 _LEFT_OVER = 0.05
@@ -93,8 +97,28 @@ class Plate:
             sides.append((start, end, end + count, start + count))
         return RuledBody(corners, tuple(sides), blocks=tuple(blocks))
 
-    def pattern(self, beside: tuple[str, str]) -> FlatPattern:
-        """The flat pattern along x, with the names of the rows on its right and left.
+    def placed(self, points: FloatArray) -> FloatArray:
+        """Points (..., 2) of the strip's own plane in the flat pattern, which runs along x."""
+        ends = self.flat.mean(axis=0)[[0, -1]]
+        chord = ends[1] - ends[0]
+        if np.linalg.norm(chord) < 0.1 * self.ribbon.strip.lengths.sum():
+            chord = np.array([1.0, 0.0])
+        x, y = chord / np.linalg.norm(chord)
+        turn = np.array([[x, -y], [y, x]])
+        return np.asarray(points @ turn - (self.flat @ turn).reshape(-1, 2).min(axis=0))
+
+    def placed_within(self, outline: shapely.Polygon) -> shapely.Polygon:
+        """A polygon of the strip's own plane in the flat pattern."""
+        import shapely
+
+        return shapely.transform(outline, self.placed)
+
+    def pattern(self, beside: tuple[str, str], face: int) -> FlatPattern:
+        """The flat pattern with its name in a face of the row.
+
+        Args:
+            beside: names of the rows on the right and left of that face.
+            face: its number in the row.
 
         Raises:
             InputError: it overlaps itself.
@@ -104,20 +128,13 @@ class Plate:
                 f"bent-panels: the flat pattern of {self.row.name} overlaps itself; take the other "
                 "family, or cut the mesh"
             )
-        ends = self.flat.mean(axis=0)[[0, -1]]
-        chord = ends[1] - ends[0]
-        if np.linalg.norm(chord) < 0.1 * self.ribbon.strip.lengths.sum():
-            chord = np.array([1.0, 0.0])
-        x, y = chord / np.linalg.norm(chord)
-        turned = self.flat @ np.array([[x, -y], [y, x]])
-        turned = turned - turned.reshape(-1, 2).min(axis=0)
+        turned = self.placed(self.flat)
         right, left = turned
         bends = tuple(
             Bend(turned[:, rung], -float(np.degrees(angle)))
             for rung, angle in enumerate(self.ribbon.strip.bends)
             if abs(angle) > FLAT
         )
-        face = len(right) // 2 - 1
         corner = turned[:, face : face + 2]
         along = corner[:, 1] - corner[:, 0]
         wide = float(np.linalg.norm(corner[1].mean(axis=0) - corner[0].mean(axis=0)))

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.connectivity import Connectivity, IntArray
+from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
 from solver.mesh.lines import FAMILIES, ParameterLines
 from solver.mesh.quadmesh import FloatArray
 
@@ -33,6 +33,35 @@ class Row:
     rungs: IntArray
     closed: bool
 
+    @property
+    def middle(self) -> int:
+        """Number in the row of its middle face."""
+        return (len(self.faces) - 1) // 2
+
+    def runs(self, made: BoolArray) -> list[Row]:
+        """The parts of it whose faces are made, (F,) true, in their order."""
+        chosen = made[self.faces]
+        if chosen.all():
+            return [self]
+        row = self
+        if self.closed and chosen[0] and chosen[-1]:
+            row = self._begun(int(chosen.argmin()))
+            chosen = made[row.faces]
+        bounds = np.flatnonzero(np.diff(np.r_[False, chosen, False].astype(int)))
+        return [row._part(start, end) for start, end in bounds.reshape(-1, 2).tolist()]
+
+    def _begun(self, face: int) -> Row:
+        """The same closed row from another of its faces on."""
+        faces, sides = (np.roll(some, -face) for some in (self.faces, self.first_sides))
+        rungs = np.roll(self.rungs[:-1], -face, axis=0)
+        return Row(self.name, faces, sides, np.concatenate([rungs, rungs[:1]]), self.closed)
+
+    def _part(self, start: int, end: int, name: str = "") -> Row:
+        return Row(
+            *(name or self.name, self.faces[start:end], self.first_sides[start:end]),
+            *(self.rungs[start : end + 1], False),
+        )
+
     def divided(self, lengths: FloatArray, count: int) -> list[Row]:
         """Cut it at its rungs into about equally long pieces, ``R-U002-1``, ``R-U002-2`` ...
 
@@ -47,10 +76,7 @@ class Row:
             nearest = int(np.abs(ends - ends[-1] * number / count).argmin())
             places.append(min(max(nearest, places[-1] + 1), faces - count + number))
         return [
-            Row(
-                *(f"{self.name}-{number}", self.faces[start:end], self.first_sides[start:end]),
-                *(self.rungs[start : end + 1], False),
-            )
+            self._part(start, end, f"{self.name}-{number}")
             for number, (start, end) in enumerate(pairwise([*places, faces]), start=1)
         ]
 

@@ -13,27 +13,57 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.fabrication.cut_patterns import cut_pattern
+from freecad_ortho.fabrication.cut_sheets import CutPiece
 from freecad_ortho.fabrication.nesting.room import Room
-from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.part import Measures, Part, piece_name
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_size
+from freecad_ortho.fabrication.sizes import check_size, not_negative
 from freecad_ortho.fabrication.systems.bent_panels.plate import Plate, plate_of
 from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
+from freecad_ortho.fabrication.systems.bent_panels.trimmed import trimmed_plate
 from freecad_ortho.fabrication.systems.panels.geometry import (
     half_angle_tangents,
 )
-from freecad_ortho.fabrication.systems.sheets import SHEET_OPTIONS, room_on, split_words
+from freecad_ortho.fabrication.systems.sheets import (
+    LEAST_WIDTH,
+    SHEET_OPTIONS,
+    left_out_words,
+    room_on,
+    split_words,
+    trimming_report,
+)
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
 from solver.unroll.measures import smallest_bend_radius
 
 # Distance between a face's diagonals, in mean diagonals, above which it is not nearly plane.
 _NEARLY_PLANE = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    """A plate, or a piece that a border leaves of it."""
+
+    name: str
+    plate: Plate
+    piece: CutPiece | None
+
+    @property
+    def faces(self) -> tuple[int, ...]:
+        """Numbers in the row of the faces that it has a part of."""
+        return tuple(range(len(self.plate.row.faces))) if self.piece is None else self.piece.faces
+
+    @property
+    def middle(self) -> int:
+        """The middle one of them."""
+        return self.faces[(len(self.faces) - 1) // 2]
 
 
 @dataclass(frozen=True)
@@ -48,6 +78,7 @@ class BentPanels(System):
         spacing: from the rim of a sheet, mm.
         grain: "none" lets panels turn on a sheet, "along" does not.
         kerf: width of the cut, mm.
+        least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
 
     Raises:
         InputError: a size that is not positive and finite.
@@ -59,7 +90,9 @@ class BentPanels(System):
     spacing: float = Workshop.spacing
     grain: str = Workshop.grain
     kerf: float = Workshop.kerf
+    least_width: float = 60.0
 
+    trims: ClassVar[bool] = True
     name: ClassVar[str] = "bent-panels"
     excludes: ClassVar[Mapping[str, str]] = {
         "nodes": "cannot be built together: the sheets run over the nodes; take panels, or leave "
@@ -69,11 +102,13 @@ class BentPanels(System):
         Option("thickness", 3.0, "length", "the plates are this thick"),
         Option("gap", 10.0, "length", "the joint between two panels is this wide"),
         *SHEET_OPTIONS,
+        LEAST_WIDTH,
     )
 
     def __post_init__(self) -> None:
         check_size("panel thickness", self.thickness)
         check_size("gap", self.gap)
+        not_negative("least width", self.least_width)
         _ = self._room
 
     @property
@@ -88,25 +123,49 @@ class BentPanels(System):
                 pattern that overlaps itself.
         """
         family = "u" if site.selection.family == "both" else site.selection.family
-        rows = rows_of(site.lines, family)
-        gaps = self._gaps(site)
+        made = np.ones(len(site.mesh.faces), dtype=bool)
+        if site.trimming is not None:
+            made = site.trimming.made
+        rows = [run for row in rows_of(site.lines, family) for run in row.runs(made)]
+        gaps = self._gaps(site, made)
         corner = site.mesh.vertices[site.mesh.faces]
         side = np.roll(corner, -1, axis=1) - corner
         bend = half_angle_tangents(site.mesh.connectivity, site.mesh.face_normals, side)
         insets = self.thickness / 2 * np.abs(np.nan_to_num(bend))
         chosen = [row for row in rows if _beside_chosen_line(site, row)]
         plates = [plate for row in chosen for plate in self._plates(site, row, insets)]
-        others = [row for row in rows if row not in chosen]
-        cut = [*(plate.row for plate in plates), *others]
-        row_of_face = {face: row.name for row in cut for face in row.faces.tolist()}
-        parts = tuple(
-            self._part(site, family, plate.row, plate, gaps, row_of_face) for plate in plates
-        )
-        return SystemParts(
-            *(parts, self._report(family, plates, parts)),
-            split_words("row", chosen, parts, self.sheet),
-            geometry=plates,
-        )
+        cuts, left_out = self._cuts(site, plates)
+        names = {face: row.name for row in rows for face in row.faces.tolist()}
+        for cut in cuts:
+            names |= dict.fromkeys(cut.plate.row.faces[list(cut.faces)].tolist(), cut.name)
+        parts = tuple(self._part(site, family, cut, gaps, names) for cut in cuts)
+        report = self._report(family, plates, parts)
+        words = split_words("row", chosen, plates, self.sheet)
+        if site.trimming is not None:
+            trimmed = sum(cut.piece is not None for cut in cuts)
+            areas = {name: piece.outline.area for name, piece in left_out.items()}
+            report |= trimming_report(trimmed, areas)
+            words += tuple(left_out_words(self.name, areas, self.least_width))
+        return SystemParts(parts, report, words, geometry=plates)
+
+    def _cuts(self, site: Site, plates: Sequence[Plate]) -> tuple[list[_Cut], dict[str, CutPiece]]:
+        """The plates, or what a border leaves of them; by their names pieces too narrow to make."""
+        cuts: list[_Cut] = []
+        left_out: dict[str, CutPiece] = {}
+        counts: dict[str, int] = {}
+        for plate in plates:
+            name = plate.row.name
+            pieces: list[CutPiece | None] = [None]
+            if site.trimming is not None and not site.trimming.whole[plate.row.faces].all():
+                pieces = [*trimmed_plate(plate, site.trimming)]
+            for piece in pieces:
+                own = piece_name(name, counts.get(name, 0))
+                counts[name] = counts.get(name, 0) + 1
+                if piece is not None and piece.width < self.least_width:
+                    left_out[own] = piece
+                else:
+                    cuts.append(_Cut(own, plate, piece))
+        return cuts, left_out
 
     def _plates(self, site: Site, row: Row, insets: FloatArray) -> list[Plate]:
         """The plate of a row, or those of as few pieces as fit a sheet; whole where none do."""
@@ -122,12 +181,12 @@ class BentPanels(System):
             ]
         return plates
 
-    def _gaps(self, site: Site) -> FloatArray:
+    def _gaps(self, site: Site, made: BoolArray) -> FloatArray:
         """(F,) distance of each face from plane, mm."""
         gaps = diagonal_distances(site.mesh)
         corner = site.mesh.vertices[site.mesh.faces]
         diagonals = np.linalg.norm(corner[:, :2] - corner[:, 2:], axis=2).mean(axis=1)
-        worst = int((gaps / diagonals).argmax())
+        worst = int(np.where(made, gaps / diagonals, 0.0).argmax())
         if gaps[worst] > _NEARLY_PLANE * diagonals[worst]:
             raise InputError(
                 f"bent-panels: face {worst} is {gaps[worst]:.3g} mm from plane, "
@@ -137,29 +196,30 @@ class BentPanels(System):
         return gaps
 
     def _part(
-        self,
-        site: Site,
-        family: str,
-        row: Row,
-        plate: Plate,
-        gaps: FloatArray,
-        row_of_face: dict[int, str],
+        self, site: Site, family: str, cut: _Cut, gaps: FloatArray, names: dict[int, str]
     ) -> Part:
         """The part, its own coordinates in its middle face."""
-        place = plate.ribbon.middle()
+        plate, piece = cut.plate, cut.piece
+        row, middle = plate.row, cut.middle
+        place = plate.ribbon.in_face(cut.faces[len(cut.faces) // 2])
         bend = smallest_bend_radius(plate.ribbon.strip, plate.reach, flat_ends=False)
+        pattern = plate.pattern(_beside(site, row, middle, names), middle)
+        if piece is not None:
+            outline, label = plate.placed_within(piece.outline), plate.placed(piece.middle)
+            pattern = cut_pattern(pattern, cut.name, outline, label, piece.width)
+        body = plate.body() if piece is None else piece.body
         return plate_part(
             site,
-            row.name,
+            cut.name,
             "bent panel",
-            plate.body().seen_from(*place),
+            body.seen_from(*place),
             place,
-            plate.pattern(_beside(site, row, row_of_face)),
+            pattern,
             self.thickness,
-            vertices=tuple(np.unique(row.rungs).tolist()),
+            vertices=tuple(np.unique(row.rungs[[*cut.faces, cut.faces[-1] + 1]]).tolist()),
             family=family,
             measures=Measures(
-                gap_mm=float(gaps[row.faces].max()),
+                gap_mm=float(gaps[row.faces[list(cut.faces)]].max()),
                 min_bend_radius_mm=bend if np.isfinite(bend) else None,
             ),
         )
@@ -187,10 +247,9 @@ def _beside_chosen_line(site: Site, row: Row) -> bool:
     return bool(site.chosen_edges[edges].any())
 
 
-def _beside(site: Site, row: Row, row_of_face: dict[int, str]) -> tuple[str, str]:
-    """Names of the rows on the right and left of the middle face, empty at the boundary."""
-    middle = (len(row.faces) - 1) // 2
-    face, side = int(row.faces[middle]), int(row.first_sides[middle])
+def _beside(site: Site, row: Row, number: int, names: dict[int, str]) -> tuple[str, str]:
+    """Names of the rows on the right and left of a face of a row, empty where there is none."""
+    face, side = int(row.faces[number]), int(row.first_sides[number])
     twins = (int(site.mesh.connectivity.twins[4 * face + (side + k) % 4]) for k in (1, 3))
-    right, left = (row_of_face[twin // 4] if twin >= 0 else "" for twin in twins)
+    right, left = (names.get(twin // 4, "") if twin >= 0 else "" for twin in twins)
     return right, left

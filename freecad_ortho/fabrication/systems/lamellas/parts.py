@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from freecad_ortho.fabrication.pattern import (
     Hole,
     Mark,
     fitted_text_size,
+    longest_within,
     overlaps_itself,
     polygon_area,
 )
@@ -33,9 +33,6 @@ from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.spans import Drilled, span_body
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
-
-if TYPE_CHECKING:
-    import shapely
 
 # Length of the marks at crossings, in widths.
 _TICK = 0.3
@@ -274,20 +271,10 @@ def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArr
         up = level + side * 0.25 * ribbon.width
         place = strip.flat_points[station] + text_room * ahead + up * across
         angle = float(np.degrees(np.arctan2(*(ahead @ turn)[::-1])))
-        marks += [
-            *(Mark(placed(piece)) for piece in _inside(tick, plate)),
-            Mark(placed(place[None]), crossing.other, size, angle),
-        ]
+        if (drawn := longest_within(tick, plate)) is not None:
+            marks.append(Mark(placed(drawn)))
+        marks.append(Mark(placed(place[None]), crossing.other, size, angle))
     return marks
-
-
-def _inside(line: FloatArray, plate: shapely.Geometry) -> list[FloatArray]:
-    """The longest part of a line that lies on a plate; none where it is off it."""
-    import shapely
-
-    cut = shapely.LineString(line).intersection(plate)
-    pieces = [piece for piece in shapely.get_parts(cut) if piece.length > 0]
-    return [np.array(max(pieces, key=lambda piece: piece.length).coords)] if pieces else []
 
 
 def _label(made: Cut) -> tuple[FloatArray, float, FloatArray]:

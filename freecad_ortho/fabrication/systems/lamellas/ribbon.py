@@ -42,8 +42,11 @@ class Ribbon:
 
     def middle(self) -> tuple[FloatArray, FloatArray]:
         """Start (3,) of the edge in the middle, and the directions (3, 3) along, across and up."""
+        return self.in_face(len(self.strip.lengths) // 2)
+
+    def in_face(self, face: int) -> tuple[FloatArray, FloatArray]:
+        """The same of any edge."""
         strip = self.strip
-        face = len(strip.lengths) // 2
         along, up, side = strip.along[face], strip.across[0][face], self.sides[face]
         return strip.points[face], np.stack([along, up, side])
 

@@ -9,24 +9,49 @@ Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, figure 20.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
-from freecad_ortho.fabrication.part import Part, part_names
-from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.bodies import BOX_SIDES, Body, Polyhedron
+from freecad_ortho.fabrication.part import Part, part_names, piece_name
+from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size, longest_within
+from freecad_ortho.fabrication.plate_bodies import plate_body
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_size, rounded_down
+from freecad_ortho.fabrication.sizes import check_size, not_negative, rounded_down
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.panels.geometry import half_angle_tangents, inset
+from freecad_ortho.fabrication.systems.panels.trimmed import (
+    Trimmed,
+    trimmed,
+    trimmed_pattern,
+)
+from freecad_ortho.fabrication.systems.sheets import LEAST_WIDTH, left_out_words, trimming_report
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import FAMILIES
 from solver.mesh.quadmesh import FloatArray, unit_rows
 from solver.option import Option
+
+
+@dataclass(frozen=True, eq=False)
+class _Lying:
+    """Louvres of all faces before they are turned.
+
+    Attributes:
+        middles: (F, 3) of the parallelograms, in the site's mesh.
+        frames: (F, 3, 3) rows along the axis, across it, up.
+        corners: (F, 4, 2) of the parallelograms from there, the first and third on the axis.
+        faces: (F, 4, 2) corners of the faces, in the same planes.
+    """
+
+    middles: FloatArray
+    frames: FloatArray
+    corners: FloatArray
+    faces: FloatArray
 
 
 @dataclass(frozen=True)
@@ -39,6 +64,7 @@ class Louvres(System):
             beams their width is added.
         axis: "u" or "v", the family of lines that the plate turns about.
         tilt: by which it is turned, degrees.
+        least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
 
     Raises:
         InputError: a size that is not positive and finite, or an unknown family.
@@ -48,7 +74,9 @@ class Louvres(System):
     gap: float
     axis: str = "u"
     tilt: float = 0.0
+    least_width: float = 60.0
 
+    trims: ClassVar[bool] = True
     name: ClassVar[str] = "louvres"
     options: ClassVar[tuple[Option, ...]] = (
         Option("thickness", 12.0, "length", "the plates are this thick"),
@@ -63,6 +91,7 @@ class Louvres(System):
             "louvre_axis", "u", "choice", "the louvres turn about lines of this family", FAMILIES
         ),
         Option("tilt", 0.0, "angle", "the louvres are turned by this angle about their lines"),
+        LEAST_WIDTH,
     )
 
     def __post_init__(self) -> None:
@@ -72,13 +101,15 @@ class Louvres(System):
             raise InputError(f"louvre axis: expected u or v, got '{self.axis}'")
         if not abs(self.tilt) < 90:
             raise InputError(f"tilt: expected between -90 and 90 degrees, got {self.tilt:g}")
+        not_negative("least width", self.least_width)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Louvres:
         """Make the settings from options; louvres are as thick as the beams unless told."""
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
-        return cls(plate, values["gap"], values["louvre_axis"], values["tilt"])
+        names = "gap louvre_axis tilt least_width"
+        return cls(plate, *(values[name] for name in names.split()))
 
     def build(self, site: Site) -> SystemParts:
         """Work out the louvres.
@@ -88,27 +119,29 @@ class Louvres(System):
         """
         beams = site.geometry_of("beams", BeamGeometry)
         beside = 0.0 if beams is None else 2 * float(beams.section_half)
-        middle, frame, flat = self._parallelograms(site)
+        lying = self._parallelograms(site)
+        flat = lying.corners
         outline = inset(flat, np.full((len(flat), 4), (self.gap + beside) / 2))
-        self._refuse(site, flat, outline)
-        parts = self._parts(site, middle, frame, outline)
-        angle = _angles(flat)
+        made = np.ones(len(flat), dtype=bool) if site.trimming is None else site.trimming.made
+        self._refuse(site, flat, outline, made)
+        parts, left_out = self._parts(site, lying, outline)
+        angle = _angles(flat[made])
         report = {
             "thickness_mm": self.thickness,
             "gap_mm": self.gap,
             "tilt_deg": self.tilt,
-            "sides_differ_max_mm": float(_differences(flat).max()),
+            "sides_differ_max_mm": float(_differences(flat[made]).max()),
             "angle_min_deg": float(angle.min()),
             "angle_max_deg": float(angle.max()),
             **sums(parts),
         }
-        return SystemParts(parts, report)
+        if site.trimming is not None:
+            cut = sum(part.face in site.trimming.regions for part in parts)
+            report |= trimming_report(cut, left_out)
+        words = left_out_words(self.name, left_out, self.least_width)
+        return SystemParts(parts, report, tuple(words))
 
-    def _parallelograms(self, site: Site) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Middles (F, 3), frames (F, 3, 3) and corners (F, 4, 2) of the turned parallelograms.
-
-        The first and third corner lie on the axis, x of the frame.
-        """
+    def _parallelograms(self, site: Site) -> _Lying:
         corner = site.mesh.vertices[site.mesh.faces]
         points = (corner + np.roll(corner, -1, axis=1)) / 2
         first = site.lines.edge_family[site.mesh.connectivity.face_edges[:, 0]]
@@ -118,47 +151,95 @@ class Louvres(System):
         middle = points.mean(axis=1)
         along = unit_rows(points[:, 0] - points[:, 2])
         normal = unit_rows(np.cross(points[:, 2] - points[:, 0], points[:, 3] - points[:, 1]))
-        across = np.cross(normal, along)
-        arms = points - middle[:, None]
-        flat = np.stack(
-            [np.einsum("fck,fk->fc", arms, along), np.einsum("fck,fk->fc", arms, across)], axis=2
+        frame = np.stack([along, np.cross(normal, along), normal], axis=1)
+        flat, faces = (
+            np.einsum("fck,fdk->fcd", some - middle[:, None], frame[:, :2])
+            for some in (points, corner)
         )
+        return _Lying(middle, frame, flat, faces)
+
+    def _turned(self, frame: FloatArray) -> FloatArray:
+        """(3, 3) directions of a louvre that is turned about its axis, x."""
         cosine, sine = np.cos(np.radians(self.tilt)), np.sin(np.radians(self.tilt))
-        turned = cosine * across + sine * normal
-        return middle, np.stack([along, turned, np.cross(along, turned)], axis=1), flat
+        across = cosine * frame[1] + sine * frame[2]
+        return np.stack([frame[0], across, np.cross(frame[0], across)])
 
     def _parts(
-        self, site: Site, middle: FloatArray, frame: FloatArray, outline: FloatArray
-    ) -> tuple[Part, ...]:
+        self, site: Site, lying: _Lying, outline: FloatArray
+    ) -> tuple[tuple[Part, ...], dict[str, float]]:
+        """The louvres, and by their names areas of pieces that are too narrow, mm2."""
         names = part_names("LV", len(outline))
-        faces = site.mesh.faces.tolist()
-        half = self.thickness / 2
-        parts = []
+        trimming = site.trimming
+        parts: list[Part] = []
+        left_out: dict[str, float] = {}
         for face, name in enumerate(names):
-            low = outline[face].min(axis=0)
-            flat = outline[face] - low
-            body = Polyhedron(
-                np.concatenate([np.column_stack([flat, np.full(4, z)]) for z in (-half, half)]),
-                BOX_SIDES,
-            )
-            parts.append(
-                plate_part(
-                    site,
-                    name,
-                    "louvre",
-                    body,
-                    (middle[face] + low @ frame[face, :2], frame[face]),
-                    _pattern(name, flat),
-                    self.thickness,
-                    vertices=tuple(faces[face]),
-                    face=face,
-                )
-            )
-        return tuple(parts)
+            if trimming is None or trimming.whole[face]:
+                parts.append(self._whole(site, lying, face, name, outline[face]))
+            elif face in trimming.regions:
+                regions = trimming.flat_regions(face, lying.faces[face])
+                pieces = trimmed(outline[face], outline[face], outline[face], regions)
+                for number, piece in enumerate(pieces):
+                    own = piece_name(name, number)
+                    if piece.width < self.least_width:
+                        left_out[own] = piece.area
+                    else:
+                        parts.append(self._piece(site, lying, face, own, outline[face], piece))
+        return tuple(parts), left_out
 
-    def _refuse(self, site: Site, flat: FloatArray, outline: FloatArray) -> None:
+    def _whole(self, site: Site, lying: _Lying, face: int, name: str, outline: FloatArray) -> Part:
+        low = outline.min(axis=0)
+        flat = outline - low
+        half = self.thickness / 2
+        body = Polyhedron(
+            np.concatenate([np.column_stack([flat, np.full(4, z)]) for z in (-half, half)]),
+            BOX_SIDES,
+        )
+        return self._part(site, lying, face, (name, low, 0.0), body, _pattern(name, flat))
+
+    def _piece(
+        self,
+        site: Site,
+        lying: _Lying,
+        face: int,
+        name: str,
+        outline: FloatArray,
+        piece: Trimmed,
+    ) -> Part:
+        """What the border leaves of a louvre: cut as it lies, then turned."""
+        low = piece.outline.min(axis=0)
+        piece, axis = piece.moved(-low), outline[[0, 2]] - low
+        body = plate_body(piece.outline, piece.outline, self.thickness, piece.cutouts)
+        pattern = replace(trimmed_pattern(name, piece, []), axis=_within(axis, piece))
+        return self._part(site, lying, face, (name, low, -self.thickness / 2), body, pattern)
+
+    def _part(
+        self,
+        site: Site,
+        lying: _Lying,
+        face: int,
+        named: tuple[str, FloatArray, float],
+        body: Body,
+        pattern: FlatPattern,
+    ) -> Part:
+        """The part of a body that begins at a place (2,) in its plane and at a level."""
+        name, low, level = named
+        frame = self._turned(lying.frames[face])
+        return plate_part(
+            site,
+            name,
+            "louvre",
+            body,
+            (lying.middles[face] + np.append(low, level) @ frame, frame),
+            pattern,
+            self.thickness,
+            vertices=tuple(site.mesh.faces[face].tolist()),
+            face=face,
+        )
+
+    def _refuse(self, site: Site, flat: FloatArray, outline: FloatArray, made: BoolArray) -> None:
         along, kept = (np.roll(one, -1, axis=1) - one for one in (flat, outline))
         left = np.einsum("fcd,fcd->fc", kept, along) / np.einsum("fcd,fcd->fc", along, along)
+        left = np.where(made[:, None], left, 1.0)
         if left.min() <= 1e-3:
             face = int(left.min(axis=1).argmin())
             largest = self.gap / (1 - float(left.min()))
@@ -174,7 +255,7 @@ class Louvres(System):
         tips = np.linalg.norm(flat, axis=2).min(axis=1) - np.linalg.norm(outline, axis=2).min(
             axis=1
         )
-        wrong = closing.max(axis=1) >= tips
+        wrong = (closing.max(axis=1) >= tips) & made
         if wrong.any():
             face = int(wrong.argmax())
             raise InputError(
@@ -205,3 +286,10 @@ def _pattern(name: str, flat: FloatArray) -> FlatPattern:
     place = middle + [0.0, size]
     tick = Mark(np.stack([flat[0], flat[0] + 0.12 * (middle - flat[0])]))
     return FlatPattern(flat, (tick,), place, size, axis=flat[[0, 2]])
+
+
+def _within(axis: FloatArray, piece: Trimmed) -> FloatArray | None:
+    """The longest part (2, 2) of an axis that lies on a piece, None where it is off it."""
+    import shapely
+
+    return longest_within(axis, shapely.Polygon(piece.outline, piece.cutouts))

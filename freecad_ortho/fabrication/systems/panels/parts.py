@@ -10,7 +10,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.material import Material
-from freecad_ortho.fabrication.part import Measures, Part, part_names
+from freecad_ortho.fabrication.part import Measures, Part, part_names, piece_name
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
@@ -119,7 +119,7 @@ def _plates(
     for face, some in _at_the_border(site, geometry, rings).items():
         pieces.wide[face] = [piece for piece in some if piece.width >= least_width]
         for number in range(len(pieces.wide[face]), len(some)):
-            pieces.narrow[_piece_name(names[face], number)] = face, some[number]
+            pieces.narrow[piece_name(names[face], number)] = face, some[number]
     across = neighbours(site.mesh.connectivity)
     if join:
         join_slivers(pieces, geometry, rings, across)
@@ -130,7 +130,7 @@ def _plates(
         if face not in pieces.wide:
             plates.append(_plate(names[face], geometry, rings, face, made_of, beside))
         for number, piece in enumerate(pieces.wide.get(face, ())):
-            name = _piece_name(names[face], number)
+            name = piece_name(names[face], number)
             plates.append(_cut_plate(name, geometry, face, piece, made_of, beside))
     return plates, pieces
 
@@ -147,11 +147,6 @@ def _at_the_border(
         regions = site.trimming.flat_regions(face, geometry.planes.flat[face])
         found[face] = trimmed(under, over, outline, regions)
     return found
-
-
-def _piece_name(name: str, number: int) -> str:
-    """The name of one of a panel's pieces: P0012, P0012b, P0012c ..."""
-    return name if number == 0 else f"{name}{chr(ord('a') + number)}"
 
 
 def _plate(

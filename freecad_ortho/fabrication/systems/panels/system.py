@@ -33,11 +33,11 @@ from freecad_ortho.fabrication.systems.panels.layers import build_up_report
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.panels.trimmed import (
     joined_words,
-    left_out_words,
     trimming_report,
     uncarried_words,
 )
 from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
+from freecad_ortho.fabrication.systems.sheets import LEAST_WIDTH, left_out_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
@@ -118,12 +118,7 @@ class Panels(System):
             AT_HUBS,
         ),
         Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
-        Option(
-            "least_width",
-            60.0,
-            "length",
-            "pieces of panels at the border that are narrower than this are slivers",
-        ),
+        LEAST_WIDTH,
         Option(
             "slivers",
             "join",
@@ -207,8 +202,9 @@ class Panels(System):
         report = self._report(geometry, parts, made, least)
         if site.trimming is not None:
             report |= trimming_report(parts, site.trimming, left_out, joined)
+            areas = {name: piece.area for name, piece in left_out.items()}
             doubts += joined_words(joined, self.least_width)
-            doubts += left_out_words(left_out, self.least_width)
+            doubts += left_out_words(self.name, areas, self.least_width)
             if least is not None:
                 at_border = np.isin(np.arange(len(made)), list(site.trimming.regions))
                 doubts += uncarried_words(least[made & at_border], edge_beam is not None)

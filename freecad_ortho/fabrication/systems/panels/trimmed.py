@@ -191,18 +191,6 @@ def trimming_report(
     }
 
 
-def left_out_words(left_out: Mapping[str, Trimmed], least_width: float) -> list[str]:
-    """A message where narrow pieces are left out."""
-    if not left_out:
-        return []
-    area = sum(piece.area for piece in left_out.values()) / 1e6
-    shown = ", ".join(list(left_out)[:_SHOWN]) + (" ..." if len(left_out) > _SHOWN else "")
-    return [
-        f"panels: left out at the border what is narrower than {least_width:g} mm: {shown}, "
-        f"{area:.2g} m2 in {len(left_out)}; a smaller least width keeps it"
-    ]
-
-
 def joined_words(joined: Mapping[str, tuple[str, float]], least_width: float) -> list[str]:
     """A message where slivers are part of their neighbours, with how far these stand off."""
     if not joined:

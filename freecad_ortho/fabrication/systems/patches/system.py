@@ -15,22 +15,26 @@ from typing import Any, ClassVar
 import numpy as np
 
 from freecad_ortho.fabrication.nesting.room import Room
-from freecad_ortho.fabrication.part import Measures, Part
-from freecad_ortho.fabrication.plates import plate_part
+from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_size, positive
-from freecad_ortho.fabrication.systems.patches.joints import jointed
-from freecad_ortho.fabrication.systems.patches.pattern import patch_pattern
+from freecad_ortho.fabrication.sizes import check_size, not_negative, positive
+from freecad_ortho.fabrication.systems.patches.parts import PatchMaker
 from freecad_ortho.fabrication.systems.patches.pieces import Piece, pieces_of
-from freecad_ortho.fabrication.systems.patches.radius import smallest_radius
-from freecad_ortho.fabrication.systems.patches.sheet import half_thicknesses, sheet_body
+from freecad_ortho.fabrication.systems.patches.sheet import half_thicknesses
 from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
-from freecad_ortho.fabrication.systems.sheets import SHEET_OPTIONS, room_on, split_words
+from freecad_ortho.fabrication.systems.sheets import (
+    LEAST_WIDTH,
+    SHEET_OPTIONS,
+    left_out_words,
+    room_on,
+    split_words,
+    trimming_report,
+)
 from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
-from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.mesh.quadmesh import QuadMesh
 from solver.option import Option
 from solver.unroll.patch import FlatPatch, flattened
 
@@ -52,6 +56,7 @@ class Patches(System):
         spacing: from the rim of a sheet, mm.
         grain: "none" lets pieces turn on a sheet, "along" does not.
         kerf: width of the cut, mm.
+        least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
 
     Raises:
         InputError: a size that is not positive and finite.
@@ -64,7 +69,9 @@ class Patches(System):
     spacing: float = Workshop.spacing
     grain: str = Workshop.grain
     kerf: float = Workshop.kerf
+    least_width: float = 60.0
 
+    trims: ClassVar[bool] = True
     name: ClassVar[str] = "patches"
     excludes: ClassVar[Mapping[str, str]] = {
         "nodes": "cannot be built together: the sheets run over the nodes; take panels, or leave "
@@ -75,11 +82,13 @@ class Patches(System):
         Option("gap", 10.0, "length", "the joint between two patches is this wide"),
         Option("distortion", 1.0, "percent", "a patch is built up to this distortion of an edge"),
         *SHEET_OPTIONS,
+        LEAST_WIDTH,
     )
 
     def __post_init__(self) -> None:
         check_size("patch thickness", self.thickness)
         check_size("gap", self.gap)
+        not_negative("least width", self.least_width)
         positive("distortion", self.distortion, "%")
         _ = self._room
 
@@ -97,27 +106,44 @@ class Patches(System):
         cuts = np.zeros(len(site.mesh.connectivity.edges), dtype=np.bool_)
         if not site.selection.everything:
             cuts |= site.chosen_edges
-        whole = pieces_of(site.mesh, cuts)
-        pieces, laid = self._fitting(site.mesh, cuts)
+        made = np.ones(len(site.mesh.faces), dtype=np.bool_)
+        if site.trimming is not None:
+            made = site.trimming.made
+        whole = _made(site.mesh, cuts, made)
+        pieces, laid = self._fitting(site.mesh, cuts, made)
         piece_of_face = {face: piece.name for piece in pieces for face in piece.faces.tolist()}
         half = half_thicknesses(site.mesh, self.thickness)
-        parts = tuple(
-            self._part(site, piece, patch, half[piece.vertices], piece_of_face)
-            for piece, patch in zip(pieces, laid, strict=True)
-        )
+        parts: list[Part] = []
+        left_out: dict[str, float] = {}
+        trimmed = 0
+        for piece, patch in zip(pieces, laid, strict=True):
+            maker = PatchMaker(
+                *(site, piece, patch, half[piece.vertices], self.thickness, self.gap)
+            )
+            some, narrow = maker.parts(piece_of_face, self.least_width)
+            parts += some
+            left_out |= narrow
+            if site.trimming is not None and not site.trimming.whole[piece.faces].all():
+                trimmed += len(some)
+        report = self._report(laid, tuple(parts))
+        words = split_words("patch", whole, pieces, self.sheet)
+        if site.trimming is not None:
+            report |= trimming_report(trimmed, left_out)
+            words += tuple(left_out_words(self.name, left_out, self.least_width))
         table = Table("distortion.csv", _COLUMNS, _rows(pieces, laid))
-        return SystemParts(
-            *(parts, self._report(laid, parts), split_words("patch", whole, parts, self.sheet)),
-            geometry=laid,
-            tables=(table,),
-        )
+        return SystemParts(tuple(parts), report, words, geometry=laid, tables=(table,))
 
-    def _fitting(self, mesh: QuadMesh, cuts: BoolArray) -> tuple[list[Piece], list[FlatPatch]]:
-        """Pieces of the net and the same laid flat, cut along more lines until they fit a sheet."""
+    def _fitting(
+        self, mesh: QuadMesh, cuts: BoolArray, made: BoolArray
+    ) -> tuple[list[Piece], list[FlatPatch]]:
+        """Pieces of the net and the same laid flat, cut along more lines until they fit a sheet.
+
+        Those without faces that are made, (F,) true, are left out.
+        """
         room = self._room
         known: dict[bytes, FlatPatch] = {}
         while True:
-            pieces = pieces_of(mesh, cuts)
+            pieces = _made(mesh, cuts, made)
             for piece in pieces:
                 faces = piece.faces.tobytes()
                 known[faces] = known.get(faces) or self._laid_flat(piece)
@@ -149,42 +175,6 @@ class Patches(System):
             )
         return patch
 
-    def _part(
-        self,
-        site: Site,
-        piece: Piece,
-        patch: FlatPatch,
-        half: FloatArray,
-        piece_of_face: dict[int, str],
-    ) -> Part:
-        """The part, its own coordinates in the face nearest to the middle."""
-        bend, stretch = smallest_radius(piece.mesh), float(np.abs(patch.stretch).max())
-        patch, half = jointed(site.mesh, piece, patch, half, self.gap)
-        mesh = patch.bent
-        middles = mesh.vertices[mesh.faces].mean(axis=1)
-        face = int(np.linalg.norm(middles - middles.mean(axis=0), axis=1).argmin())
-        corner = mesh.vertices[mesh.faces[face]]
-        normal = mesh.face_normals[face]
-        along = corner[1] - corner[0]
-        x = unit_rows((along - (along @ normal) * normal)[None])[0]
-        frame = np.stack([x, np.cross(normal, x), normal])
-        place = middles[face], frame
-        body = sheet_body(mesh, half, self.thickness, piece.name)
-        return plate_part(
-            site,
-            piece.name,
-            "patch",
-            body.seen_from(*place),
-            place,
-            patch_pattern(site, piece, patch, piece_of_face),
-            self.thickness,
-            vertices=tuple(np.unique(piece.vertices).tolist()),
-            measures=Measures(
-                gap_mm=stretch,
-                min_bend_radius_mm=bend if np.isfinite(bend) else None,
-            ),
-        )
-
     def _report(self, laid: Sequence[FlatPatch], parts: tuple[Part, ...]) -> dict[str, Any]:
         stretch = np.abs(np.concatenate([patch.stretch for patch in laid]))
         percent = 100 * np.abs(np.concatenate([patch.strain for patch in laid]))
@@ -199,6 +189,11 @@ class Patches(System):
             "bend_radius_min_mm": min((r for r in radii if r is not None), default=None),
             **sums(parts),
         }
+
+
+def _made(mesh: QuadMesh, cuts: BoolArray, made: BoolArray) -> list[Piece]:
+    """The pieces of a net that have faces which are made, (F,) true."""
+    return [piece for piece in pieces_of(mesh, cuts) if made[piece.faces].any()]
 
 
 def _rows(pieces: Sequence[Piece], laid: Sequence[FlatPatch]) -> tuple[tuple[object, ...], ...]:
