@@ -26,6 +26,7 @@ from solver.align.prepare import Work, openings, prepared
 from solver.align.seamless import FIRM, seamless_map
 from solver.align.seams import seams
 from solver.align.triangle_mesh import TriangleMesh, one_surface
+from solver.align.unfold import unfolded
 from solver.analysis.measures import flipped
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
@@ -289,7 +290,7 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
                 continue
             places = carried_on(mesh, cut, made, found)
             try:
-                net = quad_mesh(places, found.faces.tolist())[0]
+                net = unfolded(quad_mesh(places, found.faces.tolist())[0], mesh)
             except InputError as error:
                 where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
                 refusal = f"map: it folds near {_at(where)} ({error}); {_REMEDY}"

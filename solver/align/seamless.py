@@ -12,17 +12,18 @@ Source: Bommes, Zimmer, Kobbelt (2009), Mixed-integer quadrangulation.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array, csr_array, eye_array, hstack, vstack
-from scipy.sparse.linalg import splu
+from scipy.sparse import coo_array, csr_array, diags_array, eye_array, hstack, vstack
 
 from solver.align.cut import Cut
 from solver.align.features import Features
 from solver.align.seams import Seams
 from solver.align.triangle_mesh import TriangleMesh
 from solver.align.whole_lines import WholeLines
+from solver.linear.definite import DefiniteSolver
+from solver.linear.squares import WeightedSquares
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -39,6 +40,8 @@ _FOLDED = 1e-3
 GRID = 1 << 20
 # How much more than all else a coordinate of a whole line counts.
 _HEAVY = 1e3
+# How far apart u and v are kept, in sizes of the surface, to be numbered for a factorisation.
+_APART = 3.0
 # Exchanges of whole numbers, at most.
 _EXCHANGES = 100
 
@@ -81,7 +84,7 @@ def seamless_map(
         step: called before each solution; what it raises is passed on.
     """
     whole = WholeLines.none() if features is None else WholeLines.along(mesh, cut, layout, features)
-    system = _Equations.of(mesh, cut, layout, whole, edges)
+    system = _Equations(mesh, cut, layout, whole, edges)
     wanted = 2 * mesh.areas / (edges[0] * edges[1])
     neighbours = _neighbours(mesh)
     spacing, direction = np.ones(len(mesh.areas)), 1 + firm * certainty
@@ -90,7 +93,7 @@ def seamless_map(
     plain = _on_grid(layout, system.solved(spacing, direction, None, whole=False), None)
     mapped = _doubled_areas(plain)[:covered].sum() / GRID**2
     scale = float(np.clip(np.sqrt(wanted[:covered].sum() / max(mapped, 1e-300)), 1.0, _DENSER))
-    system = replace(system, right=scale * system.right)
+    system.shorter(scale)
     wholes: FloatArray | None = None
     for _ in range(_STIFFER):
         step()
@@ -133,66 +136,47 @@ def _widened(neighbours: csr_array, some: BoolArray) -> BoolArray:
     return some
 
 
-@dataclass(frozen=True, eq=False)
 class _Equations:
     """What the map is asked for: four rows a triangle, spacing and direction of u and of v.
 
-    Attributes:
-        matrix: (4 T, unknowns), without weights; unknown last are the values of whole lines.
-        right: (4 T,).
-        areas: (T,).
-        layout: the other unknowns.
-        held: (N, unknowns) what has to be zero, as far as a heavy weight brings it there.
+    Args:
+        mesh: the surface, with its apron.
+        cut: its directions.
+        layout: the unknowns.
+        whole: what lies on whole lines; their values are the last unknowns.
+        edges: wanted edge lengths along u and along v.
     """
 
-    matrix: csr_array
-    right: FloatArray
-    areas: FloatArray
-    layout: Seams
-    held: csr_array
-
-    @classmethod
-    def of(
-        cls,
+    def __init__(
+        self,
         mesh: TriangleMesh,
         cut: Cut,
         layout: Seams,
         whole: WholeLines,
         edges: tuple[float, float],
-    ) -> _Equations:
-        gradients, count = mesh.gradients(), len(mesh.triangles)
-        along = np.stack([np.cos(cut.angles), np.sin(cut.angles)], axis=1)
-        across = np.stack([-along[:, 1], along[:, 0]], axis=1)
-        rows, columns, values, right = [], [], [], []
-        asked = (
-            (along, 0, 1 / edges[0]),
-            (across, 1, 1 / edges[1]),
-            (across, 0, 0.0),
-            (along, 1, 0.0),
+    ) -> None:
+        count = len(mesh.triangles)
+        asked = csr_array(hstack([_slopes(mesh, cut, layout), csr_array((4 * count, whole.count))]))
+        runs = np.arange(len(whole.runs))
+        values = coo_array(
+            (np.full(len(runs), -1.0), (runs, whole.runs)), shape=(len(runs), whole.count)
         )
-        for number, (direction, part, wanted) in enumerate(asked):
-            slopes = np.einsum("tkx,tx->tk", gradients, direction)
-            for k in range(3):
-                rows.append(number * count + np.arange(count))
-                columns.append(2 * layout.copies[:, k] + part)
-                values.append(slopes[:, k])
-            right.append(np.full(count, wanted))
-        shape = (4 * count, layout.matrix.shape[0])
-        matrix = coo_array(
-            (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape
-        ).tocsr()
-        blank = csr_array((4 * count, whole.count))
-        values_of = coo_array(
-            (np.full(len(whole.runs), -1.0), (np.arange(len(whole.runs)), whole.runs)),
-            shape=(len(whole.runs), whole.count),
-        )
-        return cls(
-            csr_array(hstack([matrix @ layout.matrix, blank])),
-            np.concatenate(right),
-            mesh.areas,
-            layout,
-            csr_array(hstack([layout.matrix[whole.rows], values_of])),
-        )
+        held = csr_array(hstack([layout.matrix[whole.rows], values]))
+        self._areas, self._layout, self._held = mesh.areas, layout, held.shape[0]
+        matrix = csr_array(vstack([asked, held]))
+        reals = 2 * layout.reals
+        self._free, self._last = matrix[:, :reals], matrix[:, reals:]
+        self._right = np.repeat([1 / edges[0], 1 / edges[1], 0.0, 0.0], count)
+        self._right = np.concatenate([self._right, np.zeros(self._held)])
+        self._squares = WeightedSquares(self._free)
+        # u and v meet at the cut only: apart in space they are told apart first.
+        lift = np.tile([0.0, _APART], layout.reals)[:, None] * np.ptp(mesh.points, axis=0).max()
+        places = np.repeat(mesh.points[layout.vertices], 2, axis=0) + lift * [0.0, 0.0, 1.0]
+        self._solver = DefiniteSolver(self._squares.of(np.ones(len(self._right))), places)
+
+    def shorter(self, factor: float) -> None:
+        """Ask for edges that are shorter by a factor."""
+        self._right = factor * self._right
 
     def solved(
         self,
@@ -202,43 +186,58 @@ class _Equations:
         whole: bool = True,
     ) -> FloatArray:
         """The unknowns with least energy; whole ones, if not given, rounded on demand."""
-        weight = np.sqrt(
-            np.concatenate([spacing, spacing, spacing * direction, spacing * direction])
-        )
-        weight *= np.sqrt(np.tile(self.areas, 4))
-        matrix = self.matrix.multiply(weight[:, None]).tocsc()
-        right = weight * self.right
-        if self.held.shape[0]:
-            heavy = _HEAVY * float(np.sqrt(matrix.power(2).sum(axis=0).mean()))
-            matrix = vstack([matrix, heavy * self.held]).tocsc()
-            right = np.concatenate([right, np.zeros(self.held.shape[0])])
-        reals = 2 * self.layout.reals
-        free, last = matrix[:, :reals], matrix[:, reals:].toarray()
-        normal = (free.T @ free).tocsc()
-        if not self.layout.places and not self.held.shape[0]:
+        solve, weight = self._factored(spacing, direction)
+        weighted = diags_array(weight)
+        right = self._free.T @ (weight * self._right)
+        if not self._last.shape[1]:
+            return solve(right)
+        mixed = (self._free.T @ weighted @ self._last).toarray()
+        if wholes is not None:
+            return np.concatenate([solve(right - mixed @ wholes), wholes])
+        alone, along = solve(right), solve(mixed)
+        squares = (self._last.T @ weighted @ self._last).toarray() - mixed.T @ along
+        pull = self._last.T @ (weight * self._right) - mixed.T @ alone
+        if whole:
+            wholes = rounded(squares, pull, self._layout.places)
+        else:
+            wholes = np.linalg.lstsq(squares, pull, rcond=1e-12)[0]
+        return np.concatenate([alone - along @ wholes, wholes])
+
+    def _factored(
+        self, spacing: FloatArray, direction: FloatArray
+    ) -> tuple[Callable[[FloatArray], FloatArray], FloatArray]:
+        """What solves for the unknowns that need not be whole, and the weight of each row."""
+        weight = np.concatenate([spacing, spacing, spacing * direction, spacing * direction])
+        weight *= np.tile(self._areas, 4)
+        if self._held:
+            size = self._squares.of(np.append(weight, np.zeros(self._held))).diagonal().mean()
+            weight = np.append(weight, np.full(self._held, _HEAVY**2 * size))
+        normal = self._squares.of(weight)
+        if not self._layout.places and not self._held:
             # Nothing says where the map lies: the first vertex stays.
-            shift = np.zeros(reals)
+            shift = np.zeros(normal.shape[0])
             shift[:2] = normal.diagonal().mean()
-            normal = normal + coo_array((shift, (np.arange(reals), np.arange(reals)))).tocsc()
-        factors = splu(
-            normal.tocsc(),
-            permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
-        if not last.shape[1]:
-            found: FloatArray = factors.solve(free.T @ right)
-            return found
-        mixed = free.T @ last
-        if wholes is None:
-            squares = last.T @ last - mixed.T @ factors.solve(mixed)
-            pull = last.T @ right - mixed.T @ factors.solve(free.T @ right)
-            if whole:
-                wholes = rounded(squares, pull, self.layout.places)
-            else:
-                wholes = np.linalg.lstsq(squares, pull, rcond=1e-12)[0]
-        rest = factors.solve(free.T @ right - mixed @ wholes)
-        return np.concatenate([rest, wholes])
+            normal.setdiag(normal.diagonal() + shift)
+        return self._solver.factor(normal), weight
+
+
+def _slopes(mesh: TriangleMesh, cut: Cut, layout: Seams) -> csr_array:
+    """(4 T, unknowns) slope of u along it and of v across it; of u across it and of v along it."""
+    gradients, count = mesh.gradients(), len(mesh.triangles)
+    along = np.stack([np.cos(cut.angles), np.sin(cut.angles)], axis=1)
+    across = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    rows, columns, values = [], [], []
+    for number, (way, part) in enumerate(((along, 0), (across, 1), (across, 0), (along, 1))):
+        slopes = np.einsum("tkx,tx->tk", gradients, way)
+        for k in range(3):
+            rows.append(number * count + np.arange(count))
+            columns.append(2 * layout.copies[:, k] + part)
+            values.append(slopes[:, k])
+    matrix = coo_array(
+        (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),
+        shape=(4 * count, layout.matrix.shape[0]),
+    )
+    return csr_array(matrix.tocsr() @ layout.matrix)
 
 
 def rounded(squares: FloatArray, pull: FloatArray, places: list[int]) -> FloatArray:

@@ -34,16 +34,21 @@ class Seams:
         copies: (T, 3) number of the pair of coordinates of each corner.
         matrix: (2 C, 2 R + 2 W) coordinates of the copies from the unknowns: first R pairs that may
             be anything, then W pairs of whole numbers.
-        reals: R.
+        vertices: (R,) the vertex of each of the first pairs.
         wholes: W.
         places: which of the whole pairs are places of singular vertices.
     """
 
     copies: IntArray
     matrix: csr_array
-    reals: int
+    vertices: IntArray
     wholes: int
     places: list[int]
+
+    @property
+    def reals(self) -> int:
+        """R."""
+        return len(self.vertices)
 
 
 def seams(mesh: TriangleMesh, cut: Cut, singular: BoolArray) -> Seams:
@@ -74,8 +79,8 @@ def seams(mesh: TriangleMesh, cut: Cut, singular: BoolArray) -> Seams:
             found = _round(joined, cut, known)
             rules |= {copy: (vertex, *rule) for copy, rule in found.items()}
     wholes = len(shifts) + len(places)
-    matrix, reals = _matrix(mesh, copies, rules, number, wholes)
-    return Seams(copies, matrix, reals, wholes, list(number.values()))
+    matrix, vertices = _matrix(mesh, copies, rules, number, wholes)
+    return Seams(copies, matrix, vertices, wholes, list(number.values()))
 
 
 def _copies(mesh: TriangleMesh, cut: Cut) -> IntArray:
@@ -183,7 +188,7 @@ def _matrix(
     rules: dict[int, tuple[int, int, Sum]],
     number: dict[int, int],
     wholes: int,
-) -> tuple[csr_array, int]:
+) -> tuple[csr_array, IntArray]:
     count = int(copies.max()) + 1
     vertices = np.empty(count, dtype=np.int64)
     vertices[copies] = mesh.triangles
@@ -214,4 +219,6 @@ def _matrix(
         entries.append(np.array(some).T)
     rows, columns, values = np.concatenate(entries, axis=1)
     shape = (2 * count, 2 * (reals + wholes))
-    return coo_array((values.astype(float), (rows, columns)), shape=shape).tocsr(), reals
+    return coo_array((values.astype(float), (rows, columns)), shape=shape).tocsr(), np.flatnonzero(
+        free
+    )

@@ -85,7 +85,7 @@ class Multifrontal:
         self._fronts = list(_fronts(sparsity))
 
     def factor(self, lower: FloatArray) -> Callable[[FloatArray], FloatArray]:
-        """Factor the lower triangle (nnz,); return the function that solves for right sides (n,).
+        """Factor the lower triangle (nnz,); return what solves for right sides (n,) or (n, k).
 
         Raises:
             SingularSystemError: the matrix is not positive definite.
@@ -106,13 +106,20 @@ class Multifrontal:
         x = np.array(right, dtype=np.float64)
         with one_thread():
             for front, square, below in factors:
-                own = dtrsv(square, x[front.begin : front.end], lower=1)
+                own = _triangular(square, x[front.begin : front.end], 0)
                 x[front.begin : front.end] = own
                 x[front.border] -= below @ own
             for front, square, below in reversed(factors):
                 own = x[front.begin : front.end] - below.T @ x[front.border]
-                x[front.begin : front.end] = dtrsv(square, own, lower=1, trans=1, overwrite_x=1)
+                x[front.begin : front.end] = _triangular(square, own, 1)
         return x
+
+
+def _triangular(square: FloatArray, right: FloatArray, transposed: int) -> FloatArray:
+    """Solve by a lower triangle, or by it transposed, for right sides (n,) or (n, k)."""
+    if right.ndim == 1:
+        return np.asarray(dtrsv(square, right, lower=1, trans=transposed))
+    return np.asarray(dtrsm(1.0, square, right, lower=1, trans_a=transposed))
 
 
 def _pivot(
