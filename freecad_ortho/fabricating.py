@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +17,8 @@ from freecad_ortho.fabrication import Limits, Structure
 from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.keywords import Sizes, WorkshopSettings
 from freecad_ortho.mesh_files import DEFAULT_UNIT
+from freecad_ortho.structural.check import StructuralCheck
+from freecad_ortho.structural.numbers import check_numbers
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
@@ -105,6 +108,7 @@ def write_fabrication(
     project: str = "",
     way: Way | None = None,
     origin: str | Sequence[float] = "local",
+    check: StructuralCheck | Mapping[str, Any] | str | os.PathLike[str] | None = None,
     **workshop: Unpack[WorkshopSettings],
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports, all or none.
@@ -119,6 +123,8 @@ def write_fabrication(
         way: how the net came to be, which the reports begin with.
         origin: what coordinates in the files are measured from: ``local`` for the round point near
             a net that is far from the origin, ``keep`` for the model's own origin, or a point, mm.
+        check: of ``check_structure`` on the same net, or the ``check.json`` that it wrote, which
+            the reports tell.
         workshop: settings of ``fabrication.Workshop`` (``sheet="3000x1500", kerf=0.2``), mm.
 
     Returns:
@@ -129,6 +135,7 @@ def write_fabrication(
         OutputError: the folder cannot be written.
     """
     chosen = fabrication.Workshop.of(workshop)
+    told = None if check is None else _told(check, len(structure.mesh.connectivity.edges))
     with fabrication.local_pool(None if executor else workers) as pool:
         return fabrication.write(
             structure.measured_from(origin),
@@ -138,4 +145,39 @@ def write_fabrication(
             executor=executor or pool,
             project=project,
             way=way,
+            check=told,
         )
+
+
+def _told(
+    check: StructuralCheck | Mapping[str, Any] | str | os.PathLike[str], edges: int
+) -> Mapping[str, Any]:
+    """Numbers of a structural check of a net with so many edges.
+
+    Raises:
+        InputError: no such check, or one of another net.
+    """
+    if isinstance(check, (str, os.PathLike)):
+        found = _read_check(check)
+    else:
+        found = check_numbers(check) if isinstance(check, StructuralCheck) else check
+    if found["members"] != edges:
+        raise InputError(
+            f"check: is of a net with {found['members']} edges, and this one has {edges}; check "
+            "this one"
+        )
+    return found
+
+
+def _read_check(path: str | os.PathLike[str]) -> Mapping[str, Any]:
+    name = os.fspath(path)
+    try:
+        found = json.loads(Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise InputError(
+            f"check: {name} cannot be read as JSON ({error}); give the check.json of a structural "
+            "check"
+        ) from error
+    if not isinstance(found, dict) or "governing_members" not in found:
+        raise InputError(f"check: {name} is no check.json of a structural check; give one")
+    return found

@@ -83,6 +83,11 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
         metavar="KG/M3",
         help="of what has no material named for it alone (default: the material's)",
     )
+    parser.add_argument(
+        "--check",
+        metavar="FILE",
+        help="check.json that the command stand wrote for this net, told in the reports",
+    )
     held = parser.add_argument_group("limits", "a part that exceeds one is named in the reports")
     for option in Limits.options:
         arguments.add(held, option, length="MM")
@@ -153,6 +158,7 @@ def fabricated(
             workers=options.workers,
             project=project,
             way=way,
+            check=options.check,
             origin=values.origin_of(options, loaded.origin).scaled(scale).shift.tolist(),
             **workshop,
         )

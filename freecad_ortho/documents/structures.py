@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -26,6 +27,7 @@ from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, outdated, places
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.option_properties import stored, with_capital
+from freecad_ortho.objects.structural_check import is_check
 from freecad_ortho.objects.system_properties import options_of, values
 from solver.errors import InputError
 
@@ -231,7 +233,8 @@ def export_fabrication(
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports of structures on one net.
 
-    Parts are written where they are seen in the document.
+    Parts are written where they are seen in the document. A structural check of the net that is up
+    to date is told in the reports.
 
     Args:
         structures: a Structure, or several of different systems on the same Net.
@@ -276,8 +279,15 @@ def export_fabrication(
                 workers=workers,
                 project=project,
                 origin=origin,
+                check=_check_of(chosen[0].Net),
                 **settings,
             )
+
+
+def _check_of(net: FreeCAD.DocumentObject) -> dict[str, Any] | None:
+    """Numbers of the structural check of a net, if there is one that is up to date."""
+    found = [item for item in net.InList if is_check(item) and item.Report and not item.Outdated]
+    return json.loads(found[0].Report) if found else None
 
 
 def lost_on_bars(features: Sequence[Any]) -> dict[str, float]:

@@ -6,10 +6,11 @@ import json
 import os
 import re
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from freecad_ortho.fabrication.different import different_patterns
 from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
@@ -69,6 +70,7 @@ def write(
     executor: Executor | None = None,
     project: str = "",
     way: Way | None = None,
+    check: Mapping[str, Any] | None = None,
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports; with a sheet size the folder ``sheets`` too.
 
@@ -81,6 +83,7 @@ def write(
         executor: for work on parts; the files are the same with any and without.
         project: what the readable report is headed by.
         way: how the net came to be, which the reports begin with.
+        check: numbers of a structural check of the net, which the reports tell.
 
     Returns:
         The files, in the order of ``FILES`` (``flat.dxf`` only where a part has a flat pattern and
@@ -115,7 +118,7 @@ def write(
         _write_formats(staging, production, project, say)
         say(0.95, "lists and reports")
         _write_joints(staging / JOINTS, structure)
-        names = write_lists(staging, production, project, way)
+        names = write_lists(staging, production, project, way, check)
         say(1.0, "written")
     return [target / name for name in names]
 
@@ -161,7 +164,11 @@ def earlier(target: Path) -> Iterator[str]:
 
 
 def write_lists(
-    folder: Path, production: Production, project: str = "", way: Way | None = None
+    folder: Path,
+    production: Production,
+    project: str = "",
+    way: Way | None = None,
+    check: Mapping[str, Any] | None = None,
 ) -> list[str]:
     """Write the lists and reports into a folder that holds all other files.
 
@@ -179,11 +186,13 @@ def write_lists(
     for result in production.structure.results.values():
         for table in result.tables:
             write_table(folder / table.name, table.columns, table.rows)
-    (folder / "report.html").write_text(report_page(production, project, way), encoding="utf-8")
+    page = report_page(production, project, way, check)
+    (folder / "report.html").write_text(page, encoding="utf-8")
     usual = [name for name in FILES if name not in (_FLAT, _STEP) or (folder / name).exists()]
     names = [*usual, *_beside(folder, production.structure)]
     before = {} if way is None else way.numbers
-    write_report(folder / REPORT, {**before, **production.report(), "files": names})
+    after = {} if check is None else {"structural_check": check}
+    write_report(folder / REPORT, {**before, **production.report(), **after, "files": names})
     return names
 
 

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from freecad_ortho import __version__
 from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.combinations import Combination
 from freecad_ortho.structural.model import Model
 from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
+
+# Most members in the list of those that are used most.
+_LISTED = 5
 
 
 def check_numbers(check: StructuralCheck) -> dict[str, Any]:
@@ -45,10 +50,34 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
             }
             for one in check.found
         ],
+        "governing_members": _most_used(check),
         "assumptions": assumptions(check),
         "warnings": warnings(check),
         "not_checked": NOT_CHECKED,
     }
+
+
+def _most_used(check: StructuralCheck) -> list[dict[str, Any]]:
+    """The most used members with the forces that govern them; kN and kNm."""
+    found = []
+    for member in np.argsort(-check.utilisation, kind="stable")[:_LISTED].tolist():
+        by = check.strength[int(check.governing[member])]
+        n, _, _, t, my, mz = check.governing_forces[member].tolist()
+        found.append(
+            {
+                "member": member,
+                "family": check.model.families[member],
+                "used": f"{100 * check.utilisation[member]:.0f} %",
+                "by": "section" if by.section[member] >= by.member[member] else "buckling",
+                "N_kN": n / 1e3,
+                "T_kNm": t / 1e6,
+                "My_kNm": my / 1e6,
+                "Mz_kNm": mz / 1e6,
+                "shape": "deformed" if check.governed_deformed[member] else "as drawn",
+                "combination": by.combination.name,
+            }
+        )
+    return found
 
 
 def combination_numbers(combinations: list[Combination]) -> dict[str, Any]:

@@ -170,6 +170,14 @@ class TestStructures(CheckCase):
         api.change_structural_check(check, beams=None, section="tube:60x40x4")
         self.assertEqual(check.CheckedSection, "tube:60x40x4 of steel")
 
+    def test_the_fabrication_report_tells_the_check(self):
+        panels = api.add_panels(self.net, 10.0)
+        check = api.add_structural_check(self.net, snow=1.0, cladding=panels)
+        folder = tools.SCRATCH / "with-check"
+        api.export_fabrication(panels, folder)
+        page = (folder / "report.html").read_text(encoding="utf-8")
+        self.assertIn(check.Verdict, page)
+
     def test_structures_that_say_nothing_of_members_are_refused(self):
         beams = api.add_beams(self.net, family="u")
         panels = api.add_panels(self.net)

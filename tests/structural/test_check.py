@@ -189,3 +189,20 @@ def test_a_model_that_calculix_has_not_leaves_no_file_of_it(dome, checked, tmp_p
     rolled = api.check_structure(dome, unit="m", section="IPE80", material="S235", snow=1.0)
     names = [path.name for path in api.write_structural_check(rolled, tmp_path)]
     assert "model.inp" not in names and not (tmp_path / "model.inp").exists()
+
+
+def test_the_fabrication_report_tells_the_check_of_its_net(dome, checked, tmp_path):
+    panels = api.fabricate(dome, "panels", unit="m")
+    api.write_structural_check(checked, tmp_path / "check")
+    for check in (checked, tmp_path / "check" / "check.json"):
+        api.write_fabrication(panels, tmp_path / "files", check=check)
+        page = (tmp_path / "files" / "report.html").read_text(encoding="utf-8")
+        assert checked.verdict in page and "Not checked:" in page
+        assert page.count("as drawn</td>") == 5
+        report = json.loads((tmp_path / "files" / "report.json").read_text(encoding="utf-8"))
+        assert report["structural_check"]["verdict"]["words"] == checked.verdict
+    other = api.fabricate(primitive("translational", 4, 4), "panels", unit="m", panel_thickness=5)
+    with pytest.raises(InputError, match="check: is of a net with 58 edges, and this one has 24"):
+        api.write_fabrication(other, tmp_path / "other", check=checked)
+    with pytest.raises(InputError, match=r"report.json is no check.json"):
+        api.write_fabrication(panels, tmp_path, check=tmp_path / "files" / "report.json")

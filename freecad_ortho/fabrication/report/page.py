@@ -7,15 +7,17 @@ holds all of them.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from html import escape
+from typing import Any
 
 import numpy as np
 
 from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.part import Measures, measure_words
 from freecad_ortho.fabrication.production import Production
+from freecad_ortho.fabrication.report.check_section import check_section
 from freecad_ortho.fabrication.report.lists import (
     clash_causes,
     clashes,
@@ -60,13 +62,19 @@ tr.bad td {{ background: #fbe9eb; }}
 """
 
 
-def report_page(production: Production, project: str = "", way: Way | None = None) -> str:
+def report_page(
+    production: Production,
+    project: str = "",
+    way: Way | None = None,
+    check: Mapping[str, Any] | None = None,
+) -> str:
     """Write the page; pictures and plots are part of it, so it works without a network.
 
     Args:
         production: what is reported.
         project: what the page is headed by, such as the name of the mesh.
         way: how the net came to be.
+        check: numbers of a structural check.
     """
     title = escape(f"Fabrication report: {project}" if project else "Fabrication report")
     sections = [
@@ -75,6 +83,7 @@ def report_page(production: Production, project: str = "", way: Way | None = Non
         _summary(production),
         _views(production),
         _messages(production.messages),
+        "" if check is None else check_section(check),
         groups_of_parts(production),
         _plots(production),
         equal_parts(production),
