@@ -191,3 +191,15 @@ def test_hubs_are_as_high_as_the_beams(roof):
     assert heights == pytest.approx([100.0] * len(heights), abs=5)
     assert check_clashes(structure.parts).clashes == ()
     assert math.isclose(structure.report()["beams"]["height_max_mm"], 100.0)
+
+
+def test_sizes_given_beside_a_section_that_has_them_are_said_not_to_count():
+    assert Beams(200, 20, section="HEB160").unheeded == ()
+    assert Beams(160, 8, section="HEB160").unheeded == ()
+    said = Beams(300, 12, section="HEB160").unheeded
+    assert said == (
+        "beams: HEB160 has a height of 160 mm; the 300 mm that were given do not count",
+        "beams: HEB160 has a thickness of 8 mm; the 12 mm that were given do not count",
+    )
+    assert replace(Beams(300, 12, section="HEB160")).unheeded == ()
+    assert Beams(300, 12).unheeded == ()

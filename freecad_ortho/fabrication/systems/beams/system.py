@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -101,6 +101,9 @@ class Beams(System):
     bolts: int = 2
     hub_wall: float | None = None
 
+    # Words on what was given beside a section of the catalogue, which has it already.
+    unheeded: tuple[str, ...] = field(default=(), init=False, repr=False, compare=False)
+
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "beams"
     options: ClassVar[tuple[Option, ...]] = OPTIONS
@@ -108,9 +111,11 @@ class Beams(System):
     def __post_init__(self) -> None:
         rolled = self._rolled
         if rolled is not None:
-            for name, size in (("height", rolled.height), ("thickness", rolled.profile.wall)):
+            own = {"height": rolled.height, "thickness": rolled.profile.wall}
+            own["section_width"] = rolled.overall_width
+            object.__setattr__(self, "unheeded", self._unheeded(own))
+            for name, size in own.items():
                 object.__setattr__(self, name, size)
-            object.__setattr__(self, "section_width", rolled.overall_width)
         check_size("beam height", self.height)
         check_size("beam thickness", self.thickness)
         check_offset(self.offset)
@@ -132,6 +137,17 @@ class Beams(System):
             )
         if isinstance(self.profile, Section):
             self.profile.refuse_low(self.height)
+
+    def _unheeded(self, own: Mapping[str, float]) -> tuple[str, ...]:
+        """Words on each size that was given beside a section with sizes of its own, mm."""
+        usual = {option.name: option.default for option in self.options}
+        given = {name: getattr(self, name) for name in own}
+        return tuple(
+            f"beams: {self.section} has a {name.replace('_', ' ')} of {own[name]:g} mm; the "
+            f"{size:g} mm that were given do not count"
+            for name, size in given.items()
+            if size not in (usual[name], own[name])
+        )
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Beams:
@@ -223,7 +239,8 @@ class Beams(System):
         if border is not None:
             report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
             doubts += stub_words(stubs, self.least_length)
-        return SystemParts(parts, report, (*_messages(report, parts), *doubts), geometry)
+        messages = (*_messages(report, parts), *self.unheeded, *doubts)
+        return SystemParts(parts, report, messages, geometry)
 
     @property
     def profile(self) -> Section | RolledSection:
