@@ -14,6 +14,7 @@ from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK
 from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.sizing import Sizing
+from freecad_ortho.structural.sizing_groups import GROUPINGS
 from freecad_ortho.structural.words import warnings
 
 
@@ -52,7 +53,14 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lightest-of",
         metavar="tubes|plates|glulam|NAME+NAME...",
-        help="find the lightest section that passes, one for all members, instead of --section",
+        help="find the lightest section that passes, instead of --section",
+    )
+    parser.add_argument(
+        "--groups",
+        default="all",
+        metavar="|".join(GROUPINGS),
+        help="with --lightest-of: what has a section of its own, families (u, v, border) or "
+        "three bands of members by how far they are used (default: all the same)",
     )
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
@@ -72,7 +80,7 @@ def run(options: argparse.Namespace) -> int:
         else:
             common.pop("section", None)
             found = api.size_structure(
-                loaded.mesh, options.lightest_of, progress=progress, **common
+                loaded.mesh, options.lightest_of, groups=options.groups, progress=progress, **common
             )
             check = found.check
     api.write_structural_check(found, options.output, Path(options.input).stem)

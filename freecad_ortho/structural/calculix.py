@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import Model
 from solver.frame.model import Frame, Loads
 from solver.mesh.connectivity import IntArray
@@ -22,16 +23,16 @@ def input_file(model: Model) -> str | None:
     None where CalculiX has no such beam: sections other than rectangles and tubes, joints that are
     not rigid, springs as supports.
     """
-    section = _section(model)
+    sections = [found for found in map(_section, model.groups) if found is not None]
     springs = bool(model.supports.springs.any())
-    if section is None or model.design.joints != "rigid" or springs:
+    if len(sections) < len(model.groups) or model.design.joints != "rigid" or springs:
         return None
-    return "\n".join(_lines(model, section)) + "\n"
+    return "\n".join(_lines(model, sections)) + "\n"
 
 
-def _section(model: Model) -> tuple[str, str] | None:
+def _section(group: Group) -> tuple[str, str] | None:
     """Kind and sizes; the first size is along the direction that is given with it."""
-    profile = model.profile
+    profile = group.profile
     height, width, wall = profile.height, profile.width, profile.wall
     if profile.family == "chs":
         return "PIPE", f"{height / 2:g}, {wall:g}"
@@ -42,13 +43,13 @@ def _section(model: Model) -> tuple[str, str] | None:
     return None
 
 
-def _lines(model: Model, section: tuple[str, str]) -> Iterator[str]:
-    frame, material = model.frame, model.material
+def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
+    frame = model.frame
     divided = frame.divided(2 * _PIECES)
     chain = divided.members.reshape(-1, 2, 2)
     elements = np.column_stack([chain[:, 0], chain[:, 1, 1]])
     numbers = np.arange(1, len(elements) + 1).reshape(-1, _PIECES)
-    yield f"** {model.profile.name} of {material.name}; N, mm, t; z upwards"
+    yield f"** {model.section_words} of {model.material_words}; N, mm, t; z upwards"
     yield "*NODE, NSET=ALL"
     used = np.unique(divided.members)
     for node in used.tolist():
@@ -57,19 +58,22 @@ def _lines(model: Model, section: tuple[str, str]) -> Iterator[str]:
     yield "*ELEMENT, TYPE=B32R, ELSET=MEMBERS"
     for number, (one, middle, two) in enumerate(elements.tolist(), 1):
         yield f"{number}, {one + 1}, {middle + 1}, {two + 1}"
-    yield "*MATERIAL, NAME=MATERIAL"
-    yield "*ELASTIC"
-    poisson = material.youngs_modulus / (2 * material.shear_modulus) - 1
-    # What has fibres shears more than any Poisson's ratio says; 0.49 is the most there is.
-    yield f"{material.youngs_modulus:g}, {min(poisson, 0.49):.6g}"
-    yield "*DENSITY"
-    yield f"{material.density * 1e-12:g}"
-    kind, sizes = section
-    up = frame.axes[:, 2]
+    for number, group in enumerate(model.groups, 1):
+        material = group.material
+        yield f"*MATERIAL, NAME=MATERIAL{number}"
+        yield "*ELASTIC"
+        poisson = material.youngs_modulus / (2 * material.shear_modulus) - 1
+        # What has fibres shears more than any Poisson's ratio says; 0.49 is the most there is.
+        yield f"{material.youngs_modulus:g}, {min(poisson, 0.49):.6g}"
+        yield "*DENSITY"
+        yield f"{material.density * 1e-12:g}"
+    up, of_group = frame.axes[:, 2], model.section_numbers.tolist()
     for member, (x, y, z) in enumerate(up.tolist()):
+        kind, sizes = sections[of_group[member]]
+        material_of = f"MATERIAL{of_group[member] + 1}"
         yield f"*ELSET, ELSET=M{member + 1}"
         yield ", ".join(map(str, numbers[member].tolist()))
-        yield f"*BEAM SECTION, ELSET=M{member + 1}, MATERIAL=MATERIAL, SECTION={kind}"
+        yield f"*BEAM SECTION, ELSET=M{member + 1}, MATERIAL={material_of}, SECTION={kind}"
         yield sizes
         yield f"{x:.9g}, {y:.9g}, {z:.9g}"
     yield "*BOUNDARY"

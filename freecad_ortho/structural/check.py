@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 
 from freecad_ortho.structural.combinations import SERVICE, STRENGTH, Combination
+from freecad_ortho.structural.membrane import Membrane, membrane
 from freecad_ortho.structural.model import Model
 from solver.errors import InputError
 from solver.frame.buckling import Buckling, buckling
@@ -49,6 +50,7 @@ class Found:
             that carries by its form alone.
         carried: part of it that is balanced in the deformed, imperfect shape, where that was
             looked for.
+        membrane: how far it carries by axial forces, for strength.
     """
 
     combination: Combination
@@ -61,6 +63,7 @@ class Found:
     buckling: Buckling | None = None
     bent: float | None = None
     carried: float | None = None
+    membrane: Membrane | None = None
 
     @property
     def utilisation(self) -> FloatArray:
@@ -289,19 +292,25 @@ def _one(
     mode = buckling(pieces.system, _summed(factors, pieces.cases), model.design.modes)
     carried = None
     forces = np.stack([whole.forces_at(model.frame, part) for part in STATIONS])
-    share, drawn = _bent(model, forces), len(forces)
+    share, drawn = _bent(strain_energies(model, forces)), len(forces)
     # What buckles under its load does not pass anyway.
     if model.design.second_order and len(mode.factors) and 1 < mode.factors[0] < ENOUGH:
         carried, deformed = pieces.second_order(mode, _summed(factors, pieces.loads))
         forces = np.concatenate([forces, deformed])
     lengths = model.design.buckling_length * model.frame.lengths
     permanent = combination.permanent(model.cases)
-    section = model.rules.section(forces, permanent)
-    member = model.rules.member(forces, lengths, permanent)
+    section, member = np.empty(forces.shape[:2]), np.empty(count)
+    for group in model.groups:
+        own = group.members
+        section[:, own] = group.rules.section(forces[:, own], permanent)
+        member[own] = group.rules.member(forces[:, own], lengths[own], permanent)
     most, at = section.max(axis=0), _governing(section, member, forces)
     governing = np.take_along_axis(forces, at[None], axis=0)[0]
     second = np.asarray((at >= drawn).any(axis=1))
-    return Found(combination, whole, balance, most, member, governing, second, mode, share, carried)
+    axial = membrane(model, loads, whole)
+    return Found(
+        combination, whole, balance, most, member, governing, second, mode, share, carried, axial
+    )
 
 
 def _governing(section: FloatArray, member: FloatArray, forces: FloatArray) -> IntArray:
@@ -312,8 +321,8 @@ def _governing(section: FloatArray, member: FloatArray, forces: FloatArray) -> I
     return np.asarray(np.where((member > section.max(axis=0))[:, None], along, own))
 
 
-def _bent(model: Model, forces: FloatArray) -> float:
-    """Share of the strain energy that is not of axial forces (K, M, 6) in sections."""
+def strain_energies(model: Model, forces: FloatArray) -> FloatArray:
+    """(M, 6) twice the energy of N, Vy, Vz, T, My, Mz in members, of (K, M, 6) along them, Nmm."""
     of = model.frame.stiffness
     stiff = np.stack(
         [
@@ -327,7 +336,11 @@ def _bent(model: Model, forces: FloatArray) -> float:
         axis=1,
     )
     squares = 0.5 * (forces[1:] ** 2 + forces[:-1] ** 2).mean(axis=0)
-    energy = np.asarray(squares / stiff * model.frame.lengths[:, None])
+    return np.asarray(squares / stiff * model.frame.lengths[:, None])
+
+
+def _bent(energy: FloatArray) -> float:
+    """Share of the strain energy (M, 6) that is not of axial forces."""
     total = float(energy.sum())
     return 1.0 - float(energy[:, 0].sum()) / total if total else 0.0
 

@@ -47,7 +47,10 @@ class Design:
     load: tuple[str, ...] = ()
 
     options: ClassVar[tuple[Option, ...]] = (
-        Option("section", "tube:100x60x5", "text", "Profile of the members"),
+        Option(
+            "section", "tube:100x60x5", "text",
+            "Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5",
+        ),
         Option("material", "", "text", "What the members are made of", absent="the profile's own"),
         Option(
             "supports", "boundary", "text",

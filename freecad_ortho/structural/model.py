@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.material import MATERIALS, Material
-from freecad_ortho.fabrication.profiles import Profile, profile
 from freecad_ortho.structural.design import Design
-from freecad_ortho.structural.strength import Rules, rules_for
+from freecad_ortho.structural.groups import Group, groups_of
 from freecad_ortho.structural.supports import supports_of
 from solver.errors import InputError
 from solver.frame.model import Frame, Loads, Stiffness, Supports
+from solver.mesh.connectivity import IntArray
 from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.offset.axes import torsion_free_axes
@@ -46,20 +46,17 @@ class Model:
     Attributes:
         mesh: the net, mm; its vertices are the nodes, its edges the members.
         design: what it was made from.
-        profile: of all members.
-        material: of all members.
-        rules: by which they are checked.
+        groups: of members, each with its section; every member is in one.
         frame: of members.
         supports: of the nodes.
         cases: of loads.
-        families: of each member, ``u``, ``v`` or ``border``; ``inner`` where these do not tell.
+        families: of each member, ``u``, ``v`` or ``border``; ``inner`` where these do not tell. Or
+            the groups that were asked for.
     """
 
     mesh: QuadMesh
     design: Design
-    profile: Profile
-    material: Material
-    rules: Rules
+    groups: tuple[Group, ...]
     frame: Frame
     supports: Supports
     cases: tuple[Case, ...]
@@ -74,60 +71,86 @@ class Model:
     @property
     def mass(self) -> float:
         """Of all members by their length from node to node, kg."""
-        return self.material.mass(self.profile.area * float(self.frame.lengths.sum()))
+        lengths = self.frame.lengths
+        return sum(
+            group.material.mass(group.profile.area * float(lengths[group.members].sum()))
+            for group in self.groups
+        )
+
+    @property
+    def section_numbers(self) -> IntArray:
+        """(M,) which of the groups each member is in."""
+        return np.asarray(np.argmax([group.members for group in self.groups], axis=0))
+
+    @property
+    def section_words(self) -> str:
+        """Names of the sections, with the groups that have them."""
+        words = (f"{group.profile.name} {group.name}".strip() for group in self.groups)
+        return ", ".join(words)
+
+    @property
+    def material_words(self) -> str:
+        """Names of the materials."""
+        return ", ".join(dict.fromkeys(group.material.name for group in self.groups))
 
 
-def model_of(mesh: QuadMesh, design: Design) -> Model:
+def model_of(mesh: QuadMesh, design: Design, groups: Sequence[str] | None = None) -> Model:
     """Make the frame and the load cases.
 
     Args:
         mesh: the net, mm, z upwards.
         design: members, supports and loads.
+        groups: (M,) names of groups that ``design.section`` speaks of; by default the families.
 
     Raises:
         InputError: what cannot be used, or no load at all.
     """
-    section = profile(design.section)
-    name = design.material or section.material
-    rules = rules_for(section, name)
-    frame = _frame(mesh, section, MATERIALS[name], design.joint_spring())
+    words = families_of(mesh) if groups is None else tuple(groups)
+    sections = groups_of(design.section, design.material, words)
+    frame = _frame(mesh, sections, design.joint_spring())
     supports = supports_of(design.supports, mesh.connectivity)
-    cases = tuple(_cases(mesh, frame, design, section, MATERIALS[name]))
+    cases = tuple(_cases(mesh, frame, design, sections))
     if not cases:
         raise InputError("loads: there are none; give snow, wind, panels or a load")
+    return Model(mesh, design, sections, frame, supports, cases, words)
+
+
+def families_of(mesh: QuadMesh) -> tuple[str, ...]:
+    """``u``, ``v``, ``border`` or ``inner`` for every edge."""
     border = mesh.connectivity.boundary_edges
     family = ParameterLines.of(mesh).edge_family
-    words = tuple(
+    return tuple(
         "border" if border[k] else ("u", "v", "inner")[family[k]] for k in range(len(border))
     )
-    return Model(
-        mesh, design, section, MATERIALS[name], rules, frame, supports, cases, words
-    )  # fmt: skip
 
 
-def _frame(mesh: QuadMesh, section: Profile, material: Material, spring: float) -> Frame:
+def _frame(mesh: QuadMesh, groups: Sequence[Group], spring: float) -> Frame:
     members = np.asarray(mesh.connectivity.edges)
     count = len(members)
     axes = torsion_free_axes(mesh).directions
     springs = np.full((count, 12), np.inf)
     springs[:, [4, 5, 10, 11]] = spring
-    stiffness = Stiffness.same(
-        count,
-        area=section.area,
-        about_y=section.inertia_y,
-        about_z=section.inertia_z,
-        torsion=section.torsion,
-        youngs=material.youngs_modulus,
-        shear=material.shear_modulus,
-        shear_area_y=section.shear_area_y,
-        shear_area_z=section.shear_area_z,
+
+    def each(value: Callable[[Group], float]) -> FloatArray:
+        found = np.empty(count)
+        for group in groups:
+            found[group.members] = value(group)
+        return found
+
+    stiffness = Stiffness(
+        area=each(lambda group: group.profile.area),
+        about_y=each(lambda group: group.profile.inertia_y),
+        about_z=each(lambda group: group.profile.inertia_z),
+        torsion=each(lambda group: group.profile.torsion),
+        youngs=each(lambda group: group.material.youngs_modulus),
+        shear=each(lambda group: group.material.shear_modulus),
+        shear_area_y=each(lambda group: group.profile.shear_area_y),
+        shear_area_z=each(lambda group: group.profile.shear_area_z),
     )
     return Frame(mesh.vertices, members, stiffness, axes[members].sum(axis=1), springs)
 
 
-def _cases(
-    mesh: QuadMesh, frame: Frame, design: Design, section: Profile, material: Material
-) -> list[Case]:
+def _cases(mesh: QuadMesh, frame: Frame, design: Design, groups: Sequence[Group]) -> list[Case]:
     found = []
     area = mesh.face_area_vectors
     # Outwards is upwards, over the whole.
@@ -135,9 +158,10 @@ def _cases(
     size = np.linalg.norm(area, axis=1)
     down = np.array([0.0, 0.0, -1.0])
     if design.self_weight:
-        weight = material.mass(1.0) * section.area * GRAVITY
         loads = Loads.none(frame)
-        loads.spread[:] = weight * down
+        for group in groups:
+            weight = group.material.mass(1.0) * group.profile.area * GRAVITY
+            loads.spread[group.members] = weight * down
         found.append(Case("self-weight", PERMANENT, loads))
     if design.panels:
         force = design.panels * _MPA * size[:, None] * down

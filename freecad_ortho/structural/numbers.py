@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from freecad_ortho import __version__
 from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.combinations import Combination
+from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import Model
 from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
 
@@ -23,8 +25,8 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
     return {
         "program": f"freecad_ortho {__version__}",
         "verdict": {"passed": check.passed, "words": check.verdict, "failures": check.failures},
-        "section": model.profile.name,
-        "material": model.material.name,
+        "section": model.section_words,
+        "material": model.material_words,
         "members": len(model.frame.members),
         "mass_of_members_kg": model.mass,
         "utilisation": float(check.utilisation[worst]),
@@ -47,6 +49,7 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
                 "buckling_factors": [] if one.buckling is None else one.buckling.factors.tolist(),
                 "share_of_bending": one.bent,
                 "carried_second_order": one.carried,
+                "membrane": None if one.membrane is None else asdict(one.membrane),
             }
             for one in check.found
         ],
@@ -92,7 +95,7 @@ def combination_numbers(combinations: list[Combination]) -> dict[str, Any]:
 
 def model_numbers(model: Model) -> dict[str, Any]:
     """The frame with sections, supports and load cases; N, mm, MPa, z upwards."""
-    frame, profile, material = model.frame, model.profile, model.material
+    frame = model.frame
     springs = [
         {"node": int(node), "stiffness": model.supports.springs[node].tolist()}
         for node in range(len(frame.nodes))
@@ -102,30 +105,17 @@ def model_numbers(model: Model) -> dict[str, Any]:
         "units": {"force": "N", "length": "mm", "stress": "MPa", "density": "kg/m3"},
         "nodes": frame.nodes.tolist(),
         "members": [
-            {"nodes": pair, "z": up, "family": family}
-            for pair, up, family in zip(
-                frame.members.tolist(), frame.axes[:, 2].tolist(), model.families, strict=True
+            {"nodes": pair, "z": up, "family": family, "section": section}
+            for pair, up, family, section in zip(
+                frame.members.tolist(),
+                frame.axes[:, 2].tolist(),
+                model.families,
+                model.section_numbers.tolist(),
+                strict=True,
             )
         ],
         "joints": model.design.joints,
-        "section": {
-            "name": profile.name,
-            "area": profile.area,
-            "inertia_y": profile.inertia_y,
-            "inertia_z": profile.inertia_z,
-            "torsion": profile.torsion,
-            "shear_area_y": profile.shear_area_y,
-            "shear_area_z": profile.shear_area_z,
-            "modulus_y": profile.modulus_y,
-            "modulus_z": profile.modulus_z,
-        },
-        "material": {
-            "name": material.name,
-            "youngs_modulus": material.youngs_modulus,
-            "shear_modulus": material.shear_modulus,
-            "density": material.density,
-            "strength": material.bending_limit,
-        },
+        "sections": [_section(group) for group in model.groups],
         "supports": [
             {"node": int(node), "fixed": model.supports.fixed[node].tolist()}
             for node in range(len(frame.nodes))
@@ -145,4 +135,27 @@ def model_numbers(model: Model) -> dict[str, Any]:
             }
             for case in model.cases
         ],
+    }
+
+
+def _section(group: Group) -> dict[str, Any]:
+    """Section and material of a group of members."""
+    profile, material = group.profile, group.material
+    return {
+        "name": profile.name,
+        "area": profile.area,
+        "inertia_y": profile.inertia_y,
+        "inertia_z": profile.inertia_z,
+        "torsion": profile.torsion,
+        "shear_area_y": profile.shear_area_y,
+        "shear_area_z": profile.shear_area_z,
+        "modulus_y": profile.modulus_y,
+        "modulus_z": profile.modulus_z,
+        "material": {
+            "name": material.name,
+            "youngs_modulus": material.youngs_modulus,
+            "shear_modulus": material.shear_modulus,
+            "density": material.density,
+            "strength": material.bending_limit,
+        },
     }

@@ -31,8 +31,8 @@ def check_page(check: StructuralCheck, project: str = "") -> str:
     bad = "" if check.passed else " bad"
     sections = [
         f"<h1>{title}</h1>",
-        f"<p>{len(model.frame.members)} members {escape(model.profile.name)} of "
-        f"{escape(model.material.name)}, {model.mass / 1000:.2f} t by their length from node to "
+        f"<p>{len(model.frame.members)} members {escape(model.section_words)} of "
+        f"{escape(model.material_words)}, {model.mass / 1000:.2f} t by their length from node to "
         "node. A design check of a conceptual model, no proof for a permit: an engineer has to "
         "answer for it.</p>",
         f'<p class="verdict{bad}">{escape(check.verdict)}</p>',
@@ -114,16 +114,32 @@ def _combinations(check: StructuralCheck) -> str:
                 f"{used:.0f} %" if strength else "",
                 ", ".join(f"{factor:.2f}" for factor in factors),
                 "" if one.bent is None else f"{100 * one.bent:.0f} %",
+                "" if one.membrane is None else f"{100 * one.membrane.carried:.0f} %",
                 "" if one.carried is None else f"{100 * one.carried:.0f} %",
                 f"{float(one.displacement.max()):.1f}",
             )
         )
-    head = ("combination", "utilisation", "buckling factors", "bending", "carried, 2nd order")
+    head = ("combination", "utilisation", "buckling factors", "bending", "by axial forces")
+    more = ("carried, 2nd order", "moves, mm")
     note = (
         "<p>Bending is the share of the strain energy that is not of axial forces: small where the "
-        "shell carries by its form.</p>"
+        "shell carries by its form. By axial forces: the part of the load at the nodes that these "
+        f"alone balance.{_form(check)}</p>"
     )
-    return "<h2>Combinations</h2>" + note + _table((*head, "moves, mm"), rows)
+    return "<h2>Combinations</h2>" + note + _table((*head, *more), rows)
+
+
+def _form(check: StructuralCheck) -> str:
+    """How near the form is to one that bends nowhere under the load that is worst for it."""
+    some = [one for one in check.strength if one.membrane is not None]
+    worst = max(some, key=lambda one: one.membrane.left if one.membrane else 0.0, default=None)
+    if worst is None or worst.membrane is None:
+        return ""
+    return (
+        f" In this form no axial forces can balance {100 * worst.membrane.left:.1f} % of "
+        f"{escape(worst.combination.name)}, more than of any other; a stress net leaves nothing "
+        "of the load it was made for, but how much its frame then bends is up to its stiffness."
+    )
 
 
 def _governing(check: StructuralCheck) -> str:

@@ -27,8 +27,8 @@ LISTS = {
         "GL24h:120x200", "GL24h:120x240", "GL24h:140x280", "GL24h:160x320", "GL24h:200x400",
     ),
 }  # fmt: skip
-# Most sections that are tried.
-_MOST = 20
+# Most checks that are made.
+MOST = 20
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Sizing:
 
     Attributes:
         tries: from the lightest section on.
-        check: of the last one, which passed where any did.
+        check: of the lightest that passed, or of the last where none did.
     """
 
     tries: tuple[Try, ...]
@@ -67,13 +67,22 @@ class Sizing:
     @property
     def verdict(self) -> str:
         """What it comes to, in one line."""
-        last, count = self.tries[-1], len(self.tries)
-        if not last.passed:
-            return f"None of {count} sections passes. {last.section}: {self.check.verdict}"
-        return (
-            f"{last.section} is the lightest that passes ({last.mass / 1000:.2f} t, {count} tried)."
-            f" {self.check.verdict}"
+        model, count = self.check.model, len(self.tries)
+        if not self.check.passed:
+            return f"None of {count} sections passes. {model.section_words}: {self.check.verdict}"
+        found = (
+            "is the lightest that passes" if len(model.groups) == 1 else "pass, the lightest found"
         )
+        return (
+            f"{model.section_words} {found} ({model.mass / 1000:.2f} t, {count} tried). "
+            f"{self.check.verdict}"
+        )
+
+
+def tried(section: str, found: StructuralCheck) -> Try:
+    """What a section, or those of groups, came to."""
+    used = float(found.utilisation.max())
+    return Try(section, found.model.mass, used, found.factor, found.deflection, found.passed)
 
 
 def sections_of(text: str, material: str = "") -> list[str]:
@@ -87,8 +96,8 @@ def sections_of(text: str, material: str = "") -> list[str]:
         InputError: a name that is no section, or more than twenty.
     """
     names = LISTS.get(text.strip(), [name.strip() for name in text.split("+")])
-    if len(names) > _MOST:
-        raise InputError(f"sections: {len(names)} are too many; name {_MOST} at most")
+    if len(names) > MOST:
+        raise InputError(f"sections: {len(names)} are too many; name {MOST} at most")
 
     def weight(name: str) -> float:
         section = profile(name)
@@ -114,8 +123,7 @@ def least(
         if progress is not None:
             progress(number / len(names), name)
         found = check(name)
-        used, moved = float(found.utilisation.max()), found.deflection
-        tries.append(Try(name, found.model.mass, used, found.factor, moved, found.passed))
+        tries.append(tried(name, found))
         if found.passed:
             break
     return Sizing(tuple(tries), found)

@@ -27,7 +27,7 @@ def members(check: StructuralCheck) -> tuple[tuple[str, ...], Iterator[Row]]:
 
     First those that govern, then those of first order at both ends and in the middle.
     """
-    named = ("member", "first_node", "second_node", "family", "length_mm")
+    named = ("member", "first_node", "second_node", "family", "section_name", "length_mm")
     used = ("utilisation", "section", "member_buckling", "governing", "shape")
     places = (f"{name}_{place}" for place in ("governing", *dict(_AT)) for name in _NAMES)
     return (*named, *used, *places), _members(check)
@@ -35,6 +35,8 @@ def members(check: StructuralCheck) -> tuple[tuple[str, ...], Iterator[Row]]:
 
 def _members(check: StructuralCheck) -> Iterator[Row]:
     frame, found = check.model.frame, check.strength
+    sections = [group.profile.name for group in check.model.groups]
+    of_group = check.model.section_numbers.tolist()
     forces = [[one.response.forces_at(frame, part) for _, part in _AT] for one in found]
     for member, ((one, two), length) in enumerate(zip(frame.members, frame.lengths, strict=True)):
         number = int(check.governing[member])
@@ -43,7 +45,8 @@ def _members(check: StructuralCheck) -> Iterator[Row]:
         row = np.concatenate([each[member] * _KILO for each in values])
         shape = "deformed" if check.governed_deformed[member] else "drawn"
         yield (
-            *(member, int(one), int(two), check.model.families[member], f"{length:.1f}"),
+            *(member, int(one), int(two), check.model.families[member]),
+            *(sections[of_group[member]], f"{length:.1f}"),
             *(f"{check.utilisation[member]:.4f}", f"{by.section[member]:.4f}"),
             *(f"{by.member[member]:.4f}", by.combination.name, shape, *_shown(row)),
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from freecad_ortho.structural.check import ENOUGH, StructuralCheck
+from freecad_ortho.structural.groups import Group
 from freecad_ortho.words import counted
 
 NOT_CHECKED = (
@@ -19,13 +20,13 @@ NOT_CHECKED = (
 def assumptions(check: StructuralCheck) -> list[str]:
     """What was taken for granted, a sentence each."""
     model, design = check.model, check.model.design
-    material = model.material
+    rules = "; ".join(dict.fromkeys(group.rules.words for group in model.groups))
     words = [
-        f"Members are straight between vertices, {model.profile.name} of {material.name} "
-        f"(E {material.youngs_modulus:g} MPa, G {material.shear_modulus:.0f} MPa, strength "
-        f"{material.bending_limit:g} MPa), their middle on the net, upright along its axes.",
+        f"Members are straight between vertices, {model.section_words}, their middle on the net, "
+        "upright along its axes.",
+        *dict.fromkeys(map(_of_material, model.groups)),
         f"Joints are {_joints(design.joints)}; supports: {design.supports}.",
-        f"Sections and members are checked by {model.rules.words}; buckling length "
+        f"Sections and members are checked by {rules}; buckling length "
         f"{design.buckling_length:g} times the length.",
         "Loads of faces lie on their edges, each carries the part of the face nearest to it, "
         "spread evenly.",
@@ -42,6 +43,14 @@ def assumptions(check: StructuralCheck) -> list[str]:
     return words
 
 
+def _of_material(group: Group) -> str:
+    material = group.material
+    return (
+        f"{material.name}: E {material.youngs_modulus:g} MPa, G {material.shear_modulus:.0f} MPa, "
+        f"strength {material.bending_limit:g} MPa."
+    )
+
+
 def _joints(joints: str) -> str:
     return joints if joints in ("rigid", "hinged") else f"springs of {joints} kNm/rad"
 
@@ -49,9 +58,7 @@ def _joints(joints: str) -> str:
 def warnings(check: StructuralCheck) -> list[str]:
     """What the reader has to know of this model in particular."""
     model, found = check.model, []
-    thin = _thin(check)
-    if thin:
-        found.append(thin)
+    found += [words for words in map(_thin, model.groups) if words]
     if not model.design.self_weight:
         found.append("The weight of the members is left out.")
     if not model.design.panels:
@@ -65,9 +72,9 @@ def warnings(check: StructuralCheck) -> list[str]:
     return found
 
 
-def _thin(check: StructuralCheck) -> str:
+def _thin(group: Group) -> str:
     """Walls that buckle before they yield: EN 1993-1-1, table 5.2, for sections in compression."""
-    profile, material = check.model.profile, check.model.material
+    profile, material = group.profile, group.material
     if profile.family not in ("tube", "chs") or material.youngs_modulus < 190_000:
         return ""
     epsilon = (235 / material.bending_limit) ** 0.5

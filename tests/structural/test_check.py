@@ -94,13 +94,13 @@ def test_the_forces_that_are_listed_are_those_that_govern(dome):
     second = api.check_structure(flat, second_order=True, imperfection=20.0, **settings)
     assert not first.governed_deformed.any() and second.governed_deformed.any()
     for found in (first, second):
-        model = found.model
+        model, (group,) = found.model, found.model.groups
         lengths, forces = model.frame.lengths, found.governing_forces[None]
         by = np.array([one.section for one in found.strength])
         section = by[found.governing, np.arange(by.shape[1])] == found.utilisation
-        again = model.rules.section(forces, False)[0]
+        again = group.rules.section(forces, False)[0]
         assert again[section] == pytest.approx(found.utilisation[section])
-        again = model.rules.member(forces, lengths, False)
+        again = group.rules.member(forces, lengths, False)
         assert again[~section] == pytest.approx(found.utilisation[~section])
         assert 0 < section.sum() < len(section)
 

@@ -2,6 +2,7 @@
 
 import csv
 
+import numpy as np
 import pytest
 
 from freecad_ortho import api
@@ -11,6 +12,7 @@ from freecad_ortho.structural.strength import rules_for
 from solver.errors import InputError
 from solver.mesh.primitives import primitive
 
+SMALL = "tube:20x20x2+tube:30x30x2+tube:40x40x3+tube:50x50x3+tube:60x60x4"
 SETTINGS = {"unit": "m", "material": "S355", "snow": 1.0}
 
 
@@ -67,3 +69,47 @@ def test_too_many_and_unknown_sections_are_refused():
         sections_of("+".join(["IPE200"] * 21))
     with pytest.raises(InputError, match="section"):
         sections_of("logs")
+
+
+def test_families_have_sections_of_their_own_and_weigh_less(dome, tmp_path):
+
+    settings = {**SETTINGS, "snow": 3.0}
+    whole = api.size_structure(dome, SMALL, **settings)
+    found = api.size_structure(dome, SMALL, groups="families", **settings)
+    assert found.check.passed and len(found.tries) <= 20
+    assert found.check.model.mass < whole.check.model.mass
+    assert {group.name for group in found.check.model.groups} <= {"", "border", "u", "v"}
+    assert len(found.check.model.groups) > 1 and "the lightest found" in found.verdict
+    # Its text is a section like any other.
+    passing = [one for one in found.tries if one.passed and one.mass == found.check.model.mass]
+    again = api.check_structure(dome, section=passing[-1].section, **settings)
+    assert again.utilisation == pytest.approx(found.check.utilisation)
+    written = api.write_structural_check(found, tmp_path)
+    with written[-1].open(encoding="utf-8") as stream:
+        assert len(list(csv.DictReader(stream))) == len(found.tries)
+
+
+def test_bands_gather_members_by_how_far_they_are_used(dome):
+    settings = {**SETTINGS, "snow": 3.0}
+    found = api.size_structure(dome, SMALL, groups="bands", **settings)
+    assert found.check.passed
+    used = api.check_structure(dome, section="tube:20x20x2", **settings).utilisation
+    bands = np.array(found.check.model.families)
+    most = [used[bands == f"band {k}"] for k in (1, 2, 3)]
+    assert most[0].max() <= most[1].min() and most[1].max() <= most[2].min()
+    assert [len(one) for one in most] == pytest.approx([len(used) / 3] * 3, abs=1)
+
+
+def test_groups_that_there_are_not_are_refused(dome):
+    with pytest.raises(InputError, match="groups: expected all, families, bands, got 'rows'"):
+        api.size_structure(dome, "tubes", groups="rows", **SETTINGS)
+    for section, said in (
+        (
+            "tube:100x60x5,roof=tube:40x40x3",
+            "there is no group 'roof' of members; there are border",
+        ),
+        ("border=tube:40x40x3", "members of '.*' have none; give one for all first"),
+        ("tube:40x40x3,u=tube:50x50x3,u=tube:60x60x3", "'u' has two; give each group one"),
+    ):
+        with pytest.raises(InputError, match=said):
+            api.check_structure(dome, section=section, **SETTINGS)
