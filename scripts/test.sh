@@ -24,7 +24,7 @@ check "ruff check" "$python" -m ruff check .
 check "ruff format" "$python" -m ruff format --check .
 check "mypy" "$python" -m mypy
 # Tests of one file stay together: they share what is costly to make.
-check "pytest" "$python" -m pytest -n "$workers" --dist loadfile "$@"
+check "pytest" "$python" -m pytest -n "$workers" --dist loadfile --durations 40 "$@"
 
 if [ ${#failed[@]} -gt 0 ]; then
   fail "failed: $(printf '%s, ' "${failed[@]}" | sed 's/, $//'); see above"

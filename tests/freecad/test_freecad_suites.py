@@ -38,9 +38,13 @@ HEADLESS = [name for name in SUITES if name not in WINDOWED]
 
 
 def marked(suites):
-    """Suites as parameters, marked with what a run of them has to know."""
+    """Suites as parameters, marked with what a run of them has to know.
+
+    Long ones come first: what is begun last should not keep one worker busy while others rest.
+    """
     marks = {name: [pytest.mark.long_suite] for name in LONG}
-    return [pytest.param(name, marks=marks.get(name, [])) for name in suites]
+    ordered = sorted(suites, key=lambda name: name not in LONG)
+    return [pytest.param(name, marks=marks.get(name, [])) for name in ordered]
 
 
 needs_console = pytest.mark.skipif(
@@ -135,6 +139,15 @@ def scratch(tmp_path_factory):
     return tmp_path_factory.mktemp("scratch")
 
 
+@needs_window
+@pytest.mark.slow
+@pytest.mark.parametrize("suite", marked(WINDOWED))
+def test_with_a_window(run, suite):
+    _, said = run([SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW], suite)
+    for word in ("Traceback", "Exception", "Error in"):
+        assert word not in said
+
+
 @needs_console
 @pytest.mark.parametrize("suite", marked(HEADLESS))
 def test_headless(run, suite):
@@ -147,12 +160,3 @@ def test_headless(run, suite):
         for with_add_on in (True, False):
             result, _ = run([CONSOLE], MISSING, with_add_on=with_add_on)
             assert "skipped=1" in result
-
-
-@needs_window
-@pytest.mark.slow
-@pytest.mark.parametrize("suite", marked(WINDOWED))
-def test_with_a_window(run, suite):
-    _, said = run([SCREEN, "-a", "-s", "-screen 0 1400x900x24", WINDOW], suite)
-    for word in ("Traceback", "Exception", "Error in"):
-        assert word not in said
