@@ -9,6 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from freecad_ortho.rhino_files import ENDINGS as RHINO_ENDINGS
+from freecad_ortho.rhino_files import read_3dm
 from freecad_ortho.units import MILLIMETRES, millimetres_per
 from freecad_ortho.vtk_files import ENDINGS as VTK_ENDINGS
 from freecad_ortho.vtk_files import read_vtk
@@ -23,21 +25,22 @@ UP = ("z", "y")
 DEFAULT_UNIT = "mm"
 # A mesh without a unit that is smaller than this in mm may well be in metres.
 _SMALL = 100.0
-ENDINGS = (*READERS, *VTK_ENDINGS)
+# Files that a library of their own reads.
+_BY_LIBRARY = {**dict.fromkeys(VTK_ENDINGS, read_vtk), **dict.fromkeys(RHINO_ENDINGS, read_3dm)}
+ENDINGS = (*READERS, *_BY_LIBRARY)
 
 
 def read_mesh_file(path: str | os.PathLike[str], up: str = "z") -> ObjData:
     """Read vertices, polygons and unit of a file.
 
     Args:
-        path: an OBJ, PLY, OFF, JSON or VTK file; others count as OBJ.
+        path: an OBJ, PLY, OFF, JSON, VTK or 3DM file; others count as OBJ.
         up: ``z``, or ``y`` for a file whose y points up: it is turned about x.
 
     Raises:
         InputError: no such file, a format for triangles, or a file that cannot be understood.
     """
-    reader = read_vtk if Path(path).suffix.lower() in VTK_ENDINGS else read_polygons
-    data = reader(path)
+    data = _BY_LIBRARY.get(Path(path).suffix.lower(), read_polygons)(path)
     border = tuple(upright(line, up) for line in data.border)
     return replace(data, vertices=upright(data.vertices, up), border=border)
 
@@ -92,7 +95,7 @@ def read_mesh(path: str | os.PathLike[str], unit: str | None = None, up: str = "
     """Read a quad mesh; its unit is the one given, else the one the file names, else mm.
 
     Args:
-        path: an OBJ, PLY, OFF, JSON or VTK file.
+        path: an OBJ, PLY, OFF, JSON, VTK or 3DM file.
         unit: of its coordinates.
         up: ``z``, or ``y`` for a file whose y points up: it is turned about x.
 

@@ -14,8 +14,8 @@ FREECAD = ("FreeCAD", "FreeCADGui", "Part", "PySide", "PySide2", "PySide6", "piv
 CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
 # From the ground up: a room imports only from those before it, within functions and for types too.
 ROOMS = (
-    "answers", "solver", "units", "packages", "preferences", "resources", "vtk_files", "mesh_files",
-    "step_faces", "triangles", "sources", "fabrication", "structural", "keywords", "fabricating",
+    "answers", "solver", "units", "packages", "preferences", "resources", "vtk_files",
+    "rhino_files", "mesh_files", "step_faces", "triangles", "sources", "fabrication", "structural", "keywords", "fabricating",
     "standing", "calls",
     "convert", "objects", "view", "documents", "stand_in", "api", "cli", "window", "panels",
     "commands",

@@ -70,6 +70,10 @@ FORMATS = {
             *("btlx", "structure.btlx", "", ""),
             "BTLx: parts of timber, how they are cut, drilled and marked",
         ),
+        Format(
+            *("3dm", "structure.3dm", "rhino3dm", "rhino3dm"),
+            "Rhino: parts as meshes, the net, its lines and axes, on layers",
+        ),
     )
 }
 

@@ -7,6 +7,7 @@ from freecad_ortho.fabrication.exchange.btlx import write_btlx
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.exchange.labels import write_labels
 from freecad_ortho.fabrication.exchange.nc1 import write_nc1
+from freecad_ortho.fabrication.exchange.rhino import write_3dm
 from freecad_ortho.fabrication.exchange.saw_list import write_saw_list
 from freecad_ortho.fabrication.exchange.spreadsheet import write_xlsx
 from freecad_ortho.fabrication.exchange.viewer import write_glb
@@ -24,6 +25,7 @@ WRITERS: dict[str, Writer] = {
     "saw": write_saw_list,
     "nc1": write_nc1,
     "btlx": write_btlx,
+    "3dm": write_3dm,
 }
 
 __all__ = ["WRITERS", "Writer"]

@@ -7,19 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
+from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.exchange.facets import facets
 from freecad_ortho.fabrication.production import Production
 
-# Colours by what parts are made of: the first word that is in the material's name.
-_COLOURS = {
-    "glass": (150, 200, 220, 120),
-    "steel": (140, 145, 155, 255),
-    "aluminium": (200, 205, 210, 255),
-    "ply": (205, 165, 110, 255),
-    "wood": (205, 165, 110, 255),
-    "timber": (205, 165, 110, 255),
-}
-_OTHER = (180, 180, 180, 255)
 # From x, y, z in mm to x, z, -y in m.
 _UPRIGHT = 1e-3 * np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 
@@ -53,7 +44,7 @@ def write_glb(
             done += 1
             name = part.material.name
             if name not in materials:
-                colour = next((c for word, c in _COLOURS.items() if word in name), _OTHER)
+                colour = colour_of(part.material)
                 materials[name] = PBRMaterial(
                     name=name,
                     baseColorFactor=colour,
