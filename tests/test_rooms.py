@@ -15,10 +15,9 @@ CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
 # From the ground up: a room imports only from those before it, within functions and for types too.
 ROOMS = (
     "answers", "solver", "units", "packages", "preferences", "resources", "vtk_files",
-    "rhino_files", "mesh_files", "step_faces", "triangles", "sources", "fabrication", "structural", "keywords", "fabricating",
-    "standing", "calls",
-    "convert", "objects", "view", "documents", "stand_in", "api", "cli", "window", "panels",
-    "commands",
+    "rhino_files", "mesh_files", "step_faces", "triangles", "sources", "fabrication", "structural",
+    "keywords", "fabricating", "standing", "calls", "convert", "objects", "view", "documents",
+    "stand_in", "api", "cli", "window", "panels", "commands",
 )  # fmt: skip
 
 # How many imports of the project's own modules wait until they are needed: what works without a

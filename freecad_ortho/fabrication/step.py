@@ -1,4 +1,7 @@
-"""STEP: an assembly with a named component for each part, in mm; equal parts share a product."""
+"""STEP: an assembly with a named component for each part, in mm; equal parts share a product.
+
+Products have the colours of their materials and lie on layers that are called as their kinds.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.place import Place
@@ -131,6 +135,7 @@ def _fill(document: Any, parts: Sequence[Part], place: Place, shared_within: flo
             solid = part.solid().wrapped.Located(TopLoc_Location())
             products[number] = shapes.AddShape(solid, False)
             TDataStd_Name.Set_s(products[number], name)
+            _paint(document, products[number], part)
         stands = location(part.origin + copy.shift @ part.frame, copy.turn @ part.frame)
         component = shapes.AddComponent(assembly, products[copy.first], stands)
         TDataStd_Name.Set_s(component, name)
@@ -140,6 +145,20 @@ def _fill(document: Any, parts: Sequence[Part], place: Place, shared_within: flo
         component = shapes.AddComponent(site, assembly, location(place.origin, place.rotation.T))
         TDataStd_Name.Set_s(component, TCollection_ExtendedString(ASSEMBLY_NAME))
     shapes.UpdateAssemblies()
+
+
+def _paint(document: Any, product: Any, part: Part) -> None:
+    """Give a product the colour of its material and the layer of its kind."""
+    from OCP.Quantity import Quantity_Color, Quantity_TypeOfColor
+    from OCP.TCollection import TCollection_ExtendedString
+    from OCP.XCAFDoc import XCAFDoc_ColorType, XCAFDoc_DocumentTool
+
+    shares = [value / 255 for value in colour_of(part.material)[:3]]
+    colour = Quantity_Color(*shares, Quantity_TypeOfColor.Quantity_TOC_sRGB)
+    colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
+    colours.SetColor(product, colour, XCAFDoc_ColorType.XCAFDoc_ColorGen)
+    layers = XCAFDoc_DocumentTool.LayerTool_s(document.Main())
+    layers.SetLayer(product, TCollection_ExtendedString(part.kind), False)
 
 
 def _step_bytes(document: Any) -> bytes:
@@ -156,6 +175,8 @@ def _step_bytes(document: Any) -> bytes:
         # Curves in the parameters of their surfaces follow from those in space.
         Interface_Static.SetIVal_s("write.surfacecurve.mode", 0)
         writer.SetNameMode(True)
+        writer.SetColorMode(True)
+        writer.SetLayerMode(True)
         done = writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
         if done:
             header = APIHeaderSection_MakeHeader(writer.ChangeWriter().Model())

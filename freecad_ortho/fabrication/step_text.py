@@ -1,8 +1,8 @@
 """Smaller STEP files: geometry that is written many times is kept once.
 
-The kernel's writer repeats points, directions, lines and units wherever they are used. They have no
-identity in STEP, so equal ones may be one entity that many refer to. Vertices, edges and faces keep
-theirs: solids share none.
+The kernel's writer repeats points, directions, lines, units and styles wherever they are used. They
+have no identity in STEP, so equal ones may be one entity that many refer to. Vertices, edges and
+faces keep theirs: solids share none.
 """
 
 from __future__ import annotations
@@ -15,6 +15,9 @@ _SHARED = (
     *(b"CARTESIAN_POINT", b"DIRECTION", b"VECTOR", b"LINE"),
     *(b"AXIS2_PLACEMENT_3D", b"PLANE", b"SI_UNIT", b"UNCERTAINTY_MEASURE_WITH_UNIT"),
     *(b"PRODUCT_CONTEXT", b"PRODUCT_DEFINITION_CONTEXT"),
+    *(b"COLOUR_RGB", b"FILL_AREA_STYLE_COLOUR", b"FILL_AREA_STYLE", b"SURFACE_STYLE_FILL_AREA"),
+    *(b"SURFACE_SIDE_STYLE", b"SURFACE_STYLE_USAGE", b"DRAUGHTING_PRE_DEFINED_CURVE_FONT"),
+    *(b"CURVE_STYLE", b"PRESENTATION_STYLE_ASSIGNMENT"),
 )
 _BEGIN, _END = b"DATA;\n", b"ENDSEC;\nEND-ISO-10303-21;"
 _ENTITY = re.compile(rb"#(\d+) = ((?:'[^']*'|[^';])*);\s*")
