@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +30,7 @@ class RhinoReader:
         """
         import rhino3dm
 
-        model = rhino3dm.File3dm.Read(path)
+        model: Any = rhino3dm.File3dm.Read(path)
         if model is None:
             raise ValueError("no 3DM file, or damaged")
         points: list[list[float]] = []
