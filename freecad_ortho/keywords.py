@@ -100,6 +100,8 @@ class WorkshopSettings(TypedDict, total=False):
     step: Literal["one", "systems"]
     step_tolerance: Length
     write: str
+    site_origin: str
+    site_rotation: float
 
 
 class DesignSettings(TypedDict, total=False):

@@ -74,6 +74,10 @@ FORMATS = {
             *("3dm", "structure.3dm", "rhino3dm", "rhino3dm"),
             "Rhino: parts as meshes, the net, its lines and axes, on layers",
         ),
+        Format(
+            *("assembly", "assembly/*", "", ""),
+            "order of assembly, weights, what meets at nodes, points to be surveyed",
+        ),
     )
 }
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from freecad_ortho.fabrication.datum import Datum
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
 from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.formats import FORMATS, Format, formats_of
@@ -46,6 +47,9 @@ class Workshop:
         step_tolerance: distance within which solids agree that are written once and placed several
             times; 0 writes each by itself.
         write: names of ``formats.FORMATS`` to be written besides, with commas between them.
+        site_origin: where the model's origin is on site: east, north and height in metres, with
+            commas between them; empty for zero.
+        site_rotation: by which the model's x axis is turned from east, counter-clockwise, degrees.
 
     Raises:
         InputError: a size that cannot be used, an unknown word.
@@ -68,6 +72,8 @@ class Workshop:
     step: str = "one"
     step_tolerance: float = 0.0
     write: str = ""
+    site_origin: str = ""
+    site_rotation: float = 0.0
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -98,6 +104,11 @@ class Workshop:
             *("write", "", "text", f"files for other programs too: {', '.join(FORMATS)}"),
             written="NAME,...",
         ),
+        Option(
+            *("site_origin", "", "text", "the model's origin is there on site, in metres"),
+            written="EAST,NORTH,HEIGHT",
+        ),
+        Option("site_rotation", 0.0, "angle", "the model's x axis is turned so far from east"),
     )
 
     def __post_init__(self) -> None:
@@ -118,7 +129,7 @@ class Workshop:
             )
         one_of("nesting", self.nesting, NESTINGS)
         one_of("step", self.step, STEP_FILES)
-        _ = self.dxf_form, self.formats
+        _ = self.dxf_form, self.formats, self.datum
 
     @property
     def dxf_form(self) -> DxfForm:
@@ -129,6 +140,11 @@ class Workshop:
     def formats(self) -> tuple[Format, ...]:
         """Files for other programs."""
         return formats_of(self.write)
+
+    @property
+    def datum(self) -> Datum:
+        """Where the model is on site."""
+        return Datum.of(self.site_origin, self.site_rotation)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Workshop:

@@ -246,6 +246,7 @@ class ExportPanel(_WorkshopPanel):
         titles = {
             "labels": translate("Ortho", "Labels"),
             "saw": translate("Ortho", "Saw list"),
+            "assembly": translate("Ortho", "Assembly"),
         }
         self.formats = {name: QtGui.QCheckBox(titles.get(name, name.upper())) for name in FORMATS}
         missing = translate("Ortho", "The Python package {} is not installed")

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from freecad_ortho.fabrication.exchange.assembly import write_assembly
 from freecad_ortho.fabrication.exchange.btlx import write_btlx
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.exchange.labels import write_labels
@@ -26,6 +27,7 @@ WRITERS: dict[str, Writer] = {
     "nc1": write_nc1,
     "btlx": write_btlx,
     "3dm": write_3dm,
+    "assembly": write_assembly,
 }
 
 __all__ = ["WRITERS", "Writer"]

@@ -1,0 +1,239 @@
+"""Putting up a structure: in which order, what each part weighs, what meets at a node, and where.
+
+Parts are put up ring by ring from the border on, or line by line: each stands on the border or on
+what stands already. What no border reaches begins at its lowest vertex.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections import defaultdict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from freecad_ortho.fabrication.exchange.facets import facets
+from freecad_ortho.fabrication.part import Part, part_names
+from freecad_ortho.fabrication.production import Production
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.tables import write_table
+from solver.mesh.quadmesh import FloatArray
+
+SEQUENCE_COLUMNS = (
+    *("step", "name", "kind", "ring", "family", "line", "stands_on", "mass_kg"),
+    *("x_mm", "y_mm", "z_mm", "placed_kg"),
+)
+BOOK_COLUMNS = (
+    *("node", "ring", "order", "parts", "ends", "towards", "right_side_to"),
+    *("angle_deg", "slope_deg"),
+)
+SURVEY_COLUMNS = ("point", "east_m", "north_m", "height_m")
+
+Rank = tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """One part that is put up.
+
+    Attributes:
+        part: which.
+        held: names of the parts that stand already and meet it at a vertex.
+    """
+
+    part: Part
+    held: tuple[str, ...]
+
+
+def write_assembly(
+    path: Path, production: Production, project: str, say: Callable[[float], None]
+) -> None:
+    """Write the two sequences, the node book and the points to be surveyed, as CSV.
+
+    Args:
+        path: folder to make.
+        production: of the structure.
+        project: its name; not written.
+        say: called with the fraction done; may raise to stop.
+
+    Raises:
+        OSError: a file cannot be written.
+    """
+    path.mkdir()
+    structure = production.structure
+    rings = rings_of(structure.site)
+    centres = _centres(structure.parts, lambda done: say(0.8 * done))
+    for name, ranks in (
+        ("by-ring", ranks_by_ring(structure.parts, rings)),
+        ("by-line", ranks_by_line(structure.parts, structure.site, rings)),
+    ):
+        steps = sequence(structure.parts, ranks, rings)
+        rows = _sequence(steps, production, rings, centres)
+        write_table(path / f"sequence-{name}.csv", SEQUENCE_COLUMNS, rows)
+        say(0.9)
+    write_table(path / "node-book.csv", BOOK_COLUMNS, _book(production, rings))
+    write_table(path / "survey.csv", SURVEY_COLUMNS, _survey(production))
+
+
+def rings_of(site: Site) -> list[int]:
+    """Edges from each vertex to the border; where none is reached, to the lowest vertex there."""
+    net = site.mesh.connectivity
+    neighbours: dict[int, list[int]] = defaultdict(list)
+    for one, other in net.edges.tolist():
+        neighbours[one].append(other)
+        neighbours[other].append(one)
+    rings = [-1] * len(site.mesh.vertices)
+    border = np.flatnonzero(net.boundary_vertices & net.referenced).tolist()
+    lowest = np.argsort(site.mesh.vertices[:, 2], kind="stable").tolist()
+    for seeds in (border, *([vertex] for vertex in lowest)):
+        ahead, ring = [vertex for vertex in seeds if rings[vertex] < 0], 0
+        while ahead:
+            for vertex in ahead:
+                rings[vertex] = ring
+            ahead = sorted({k for v in ahead for k in neighbours[v] if rings[k] < 0})
+            ring += 1
+    return rings
+
+
+def ranks_by_ring(parts: Sequence[Part], rings: Sequence[int]) -> list[Rank]:
+    """What is put up first has the least: parts by the furthest of their vertices' rings."""
+    found: list[Rank] = []
+    for number, part in enumerate(parts):
+        here = [rings[vertex] for vertex in part.vertices] or [0]
+        found.append((max(here), min(here), number))
+    return found
+
+
+def ranks_by_line(parts: Sequence[Part], site: Site, rings: Sequence[int]) -> list[Rank]:
+    """Parts by their parameter lines; those on none by the last line that begins them."""
+    first: dict[int, int] = {}
+    lines: dict[tuple[str, int], int] = {}
+    for number, line in enumerate(site.lines.all):
+        lines.setdefault((line.family, line.number), number)
+        for vertex in line.vertices.tolist():
+            first.setdefault(vertex, number)
+    found: list[Rank] = []
+    for number, part in enumerate(parts):
+        place = max((first.get(vertex, 0) for vertex in part.vertices), default=0)
+        if part.line is not None:
+            place = lines.get((part.family, part.line), place)
+        here = [rings[vertex] for vertex in part.vertices] or [0]
+        found.append((place, max(here), min(here), number))
+    return found
+
+
+def sequence(parts: Sequence[Part], ranks: Sequence[Rank], rings: Sequence[int]) -> list[Step]:
+    """The parts in the order of their ranks, but none before it stands on something.
+
+    Args:
+        parts: all that are put up.
+        ranks: one a part, its number last.
+        rings: of the vertices.
+    """
+    touching: dict[int, list[int]] = defaultdict(list)
+    for number, part in enumerate(parts):
+        for vertex in part.vertices:
+            touching[vertex].append(number)
+    waiting, standing = set(range(len(parts))), set[int]()
+    ready = [
+        ranks[number]
+        for number, part in enumerate(parts)
+        if not part.vertices or min(rings[vertex] for vertex in part.vertices) == 0
+    ]
+    heapq.heapify(ready)
+    steps = []
+    while waiting:
+        # Parts that touch nothing that stands, as where some lines are built alone.
+        rank = heapq.heappop(ready) if ready else min(ranks[number] for number in waiting)
+        number = rank[-1]
+        if number not in waiting:
+            continue
+        beside = {k for vertex in parts[number].vertices for k in touching[vertex]}
+        held = tuple(parts[k].name for k in sorted(beside & standing))
+        steps.append(Step(parts[number], held))
+        waiting.discard(number)
+        standing.add(number)
+        for other in beside & waiting:
+            heapq.heappush(ready, ranks[other])
+    return steps
+
+
+def _centres(parts: Sequence[Part], say: Callable[[float], None]) -> dict[str, FloatArray]:
+    """Centre of gravity (3,) of each part in the structure's own coordinates, mm."""
+    found = {}
+    for number, part in enumerate(parts):
+        if number % 16 == 0:
+            say(number / len(parts))
+        corners = facets(part).triangles
+        base = corners[0, 0]
+        arms = corners - base
+        weights = np.einsum("tk,tk->t", arms[:, 0], np.cross(arms[:, 1], arms[:, 2]))
+        centre = base + weights @ arms.sum(axis=1) / 4 / weights.sum()
+        found[part.name] = part.origin + centre @ part.frame
+    return found
+
+
+def _sequence(
+    steps: Sequence[Step],
+    production: Production,
+    rings: Sequence[int],
+    centres: dict[str, FloatArray],
+) -> list[list[object]]:
+    rows: list[list[object]] = []
+    placed = 0.0
+    for number, step in enumerate(steps, start=1):
+        part = step.part
+        placed += part.mass
+        centre = production.structure.place.points(centres[part.name])
+        rows.append(
+            [
+                *(number, part.name, part.kind),
+                max((rings[vertex] for vertex in part.vertices), default=""),
+                *(part.family, "" if part.line is None else part.line, " ".join(step.held)),
+                *(f"{part.mass:.3f}", *(f"{value:.3f}" for value in centre), f"{placed:.3f}"),
+            ]
+        )
+    return rows
+
+
+def _book(production: Production, rings: Sequence[int]) -> list[list[object]]:
+    """What meets at each node, counter-clockwise seen from the tip of its axis."""
+    # Of what goes on ahead from here the right side looks clockwise, else the other way.
+    along: dict[tuple[int, int], list[tuple[str, str, int]]] = defaultdict(list)
+    for part in production.structure.parts:
+        if part.face is not None or len(part.vertices) < 2:
+            continue
+        pairs = list(zip(part.vertices, part.vertices[1:], strict=False))
+        for k, (one, other) in enumerate(pairs):
+            along[one, other].append((part.name, "start" if k == 0 else "through", -1))
+            end = "end" if k == len(pairs) - 1 else "through"
+            along[other, one].append((part.name, end, 1))
+    names = part_names("N", len(production.structure.site.mesh.vertices))
+    rows: list[list[object]] = []
+    for node in production.nodes:
+        count = len(node.neighbours)
+        for k, other in enumerate(node.neighbours):
+            found = along[node.vertex, other]
+            side = names[node.neighbours[(k + found[0][2]) % count]] if found else ""
+            rows.append(
+                [
+                    *(node.name, rings[node.vertex], k + 1),
+                    *(" ".join(each[0] for each in found), " ".join(each[1] for each in found)),
+                    *(names[other], side),
+                    *(f"{node.angles_deg[k]:.4f}", f"{node.slopes_deg[k]:.4f}"),
+                ]
+            )
+    return rows
+
+
+def _survey(production: Production) -> list[list[object]]:
+    """The vertices of the net at which parts meet, on site."""
+    structure, datum = production.structure, production.workshop.datum
+    in_model = structure.place.less(-structure.file_origin)
+    points = datum.points(in_model, np.array([node.point for node in production.nodes]))
+    return [
+        [node.name, *(f"{value:.5f}" for value in point)]
+        for node, point in zip(production.nodes, points.tolist(), strict=True)
+    ]

@@ -1,0 +1,124 @@
+"""How a structure is put up: sequences, node book, survey points; weights against the solids."""
+
+import csv
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
+from freecad_ortho.fabrication.step import read_step
+from freecad_ortho.fabrication.systems.nodes import Nodes
+from solver.errors import InputError
+
+# Coordinates of a national grid, mm.
+FAR = np.array([3.5e9, 5.4e9, 4e5])
+
+
+@pytest.fixture(scope="module")
+def job(roof):
+    return build(roof, [Nodes(), Beams(200, 20, ends="hub"), Panels(20, 15)])
+
+
+@pytest.fixture(scope="module")
+def folder(job, tmp_path_factory):
+    root = tmp_path_factory.mktemp("assembly")
+    shop = Workshop(write="assembly", site_origin="1000,2000,300", site_rotation=90.0)
+    write(job, root, workshop=shop)
+    return root
+
+
+def rows_of(folder, name):
+    with (folder / "assembly" / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+@pytest.mark.parametrize("name", ["sequence-by-ring", "sequence-by-line"])
+def test_every_part_once_and_none_before_it_stands_on_something(job, folder, name):
+    rows = rows_of(folder, name)
+    assert sorted(row["name"] for row in rows) == sorted(part.name for part in job.parts)
+    assert [int(row["step"]) for row in rows] == list(range(1, len(rows) + 1))
+    vertices = {part.name: set(part.vertices) for part in job.parts}
+    border = set(np.flatnonzero(job.mesh.connectivity.boundary_vertices).tolist())
+    standing = set()
+    for row in rows:
+        here = vertices[row["name"]]
+        assert here & (border | standing)
+        held = row["stands_on"].split()
+        assert all(vertices[other] & here for other in held)
+        standing |= here
+    assert float(rows[-1]["placed_kg"]) == pytest.approx(sum(job.masses.values()), rel=1e-6)
+
+
+def test_rings_go_up_and_lines_stay_together(job, folder):
+    rings = [int(row["ring"]) for row in rows_of(folder, "sequence-by-ring")]
+    assert rings == sorted(rings)
+    assert max(rings) > 1
+    beams = [row for row in rows_of(folder, "sequence-by-line") if row["kind"] == "beam"]
+    lines = [(row["family"], row["line"]) for row in beams]
+    changes = sum(one != other for one, other in pairwise(lines))
+    # A line that hangs in the air when its turn comes may have to wait.
+    assert changes < 2 * len(set(lines))
+
+
+def test_weights_and_centres_are_those_of_the_solids(job, folder):
+    rows = {row["name"]: row for row in rows_of(folder, "sequence-by-ring")}
+    solids = dict(read_step(folder / "structure.step"))
+    for part in job.parts[::9]:
+        row, solid = rows[part.name], solids[part.name]
+        assert float(row["mass_kg"]) == pytest.approx(part.mass, abs=6e-4)
+        seen = solid.Center().toTuple()
+        np.testing.assert_allclose([float(row[f"{k}_mm"]) for k in "xyz"], seen, atol=0.01)
+
+
+def test_the_book_goes_round_each_node(job, folder):
+    book = {}
+    for row in rows_of(folder, "node-book"):
+        book.setdefault(row["node"], []).append(row)
+    points, axes = job.mesh.vertices, job.axes.directions
+    parts = {part.name: part for part in job.parts}
+    for name, rows in list(book.items())[::5]:
+        vertex = int(name[1:])
+        assert sum(float(row["angle_deg"]) for row in rows) == pytest.approx(360, abs=1e-3)
+        for row, following in zip(rows, [*rows[1:], rows[0]], strict=True):
+            arms = [points[int(each["towards"][1:])] - points[vertex] for each in (row, following)]
+            flat = [arm - arm @ axes[vertex] * axes[vertex] for arm in arms]
+            turn = np.arctan2(np.cross(*flat) @ axes[vertex], flat[0] @ flat[1])
+            assert np.degrees(turn) % 360 == pytest.approx(float(row["angle_deg"]), abs=1e-2)
+            (beam,) = row["parts"].split()
+            assert row["ends"] == ("start" if parts[beam].vertices[0] == vertex else "end")
+            # The side that is named lies to the beam's right.
+            side = points[int(row["right_side_to"][1:])] - points[vertex]
+            others = [points[int(each["towards"][1:])] - points[vertex] for each in rows]
+            right = parts[beam].frame[2]
+            if len(rows) == 4 and row["ring"] != "0":
+                assert side @ right == max(other @ right for other in others)
+
+
+def test_survey_points_are_on_site(job, folder):
+    rows = {row["point"]: row for row in rows_of(folder, "survey")}
+    assert len(rows) == len(job.mesh.vertices)
+    for vertex in (0, 17, 40):
+        x, y, z = job.mesh.vertices[vertex] / 1000
+        row = rows[f"N{vertex:04d}"]
+        found = [float(row[name]) for name in ("east_m", "north_m", "height_m")]
+        np.testing.assert_allclose(found, [1000 - y, 2000 + x, 300 + z], rtol=0, atol=1e-5)
+
+
+def test_national_grid_coordinates_lose_nothing(roof, tmp_path):
+    near = build(roof, [Beams(200, 20)])
+    far = build(roof.with_vertices(roof.vertices + FAR), [Beams(200, 20)])
+    for name, job in (("near", near), ("far", far.measured_from("local"))):
+        write(job, tmp_path / name, workshop=Workshop(write="assembly"))
+    for one, other in zip(
+        rows_of(tmp_path / "near", "survey"), rows_of(tmp_path / "far", "survey"), strict=True
+    ):
+        names = ("east_m", "north_m", "height_m")
+        moved = [float(other[name]) - float(one[name]) for name in names]
+        np.testing.assert_allclose(moved, FAR / 1000, rtol=0, atol=2e-5)
+
+
+@pytest.mark.parametrize("origin", ["1,2", "a,b,c", "1,2,nan", "1;2;3"])
+def test_a_site_that_is_none_is_refused(origin):
+    with pytest.raises(InputError, match=r"site origin: expected east,north,height in metres"):
+        Workshop(site_origin=origin)
