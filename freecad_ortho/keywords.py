@@ -47,6 +47,11 @@ class Sizes(TypedDict, total=False):
     at_hubs: Literal["cut", "lift"]
     least_width: Length
     slivers: Literal["join", "leave-out"]
+    frame: Literal["none", "plate", "silicone"]
+    frame_width: Length
+    edge_cover: Length
+    gasket: Length
+    bite: Length
     least_length: Length
     rounded: bool
     louvre_axis: Literal["u", "v"]

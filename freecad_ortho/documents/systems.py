@@ -170,6 +170,11 @@ def add_panels(
     clearance: Length = 1.0,
     least_width: Length = 60.0,
     slivers: str = "join",
+    frame: str = "none",
+    frame_width: Length = 50.0,
+    edge_cover: Length = 15.0,
+    gasket: Length = 5.0,
+    bite: Length = 12.0,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -188,6 +193,12 @@ def add_panels(
         clearance: to hubs.
         least_width: narrower pieces at the border of the surface are slivers.
         slivers: ``"join"`` makes them part of neighbours where they fit, ``"leave-out"`` does not.
+        frame: ``"plate"``: pressure plates and caps hold them, ``"silicone"``: adapters that they
+            are glued onto, or ``"none"``.
+        frame_width: of pressure plates; the joint is that less twice the edge cover.
+        edge_cover: how far panels reach under pressure plates.
+        gasket: thickness of gaskets.
+        bite: of structural silicone.
         family: parameter lines that the beams are on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

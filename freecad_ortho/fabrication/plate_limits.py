@@ -12,6 +12,8 @@ from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # Corners where an outline turns by less, degrees, are those of a curved side.
 _TURNS = 10.0
+# What a cut may be off, mm: shorter sides are none.
+_UNSEEN = 1.0
 
 
 @dataclass(frozen=True)
@@ -78,7 +80,7 @@ def complaints(
         name: of its material.
         limits: of that.
     """
-    yield from _about_corners(pattern.outline, name, limits)
+    yield from _about_corners(_cut(pattern.outline), name, limits)
     yield from _about_size(pattern.outline, name, limits)
     if mass > limits.mass_kg:
         yield f"weighs {mass:.0f} kg, {name} at most {limits.mass_kg:g} kg"
@@ -166,6 +168,12 @@ def _about_holes(
                 f"its hole {place} is {to_corner:.1f} mm from a corner, {name} needs "
                 f"{limits.hole_to_corner * thickness:g} mm"
             )
+
+
+def _cut(outline: FloatArray) -> FloatArray:
+    """An outline (N, 2) as a glazier cuts it, without sides that nobody sees."""
+    steps = np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1)
+    return outline[steps > _UNSEEN] if (steps > _UNSEEN).sum() > 2 else outline
 
 
 def _turns(outline: FloatArray) -> FloatArray:

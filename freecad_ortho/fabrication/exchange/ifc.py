@@ -37,6 +37,9 @@ _CLASSES = {
     "patch": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "splice": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "end-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
+    "pressure-plate": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
+    "cap": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
+    "adapter": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
     "node": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
 }
 _UNKNOWN = ("IfcBuildingElementProxy", "NOTDEFINED", "Qto_BuildingElementProxyQuantities")
@@ -165,7 +168,7 @@ class _Model:
         place = self.make(
             "IfcLocalPlacement", building.ObjectPlacement, self._axes(np.zeros(3), np.eye(3))
         )
-        panes = all(part.kind == "panel" and "glass" in part.material.name for part in parts)
+        panes = parts[0].kind == "panel" and "glass" in parts[0].material.name
         known = [self.guid(f"assembly {name}"), None, name, None, None, place, None, None]
         if panes:
             return self.make("IfcCurtainWall", *known, "NOTDEFINED"), place

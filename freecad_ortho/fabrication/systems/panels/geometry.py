@@ -72,6 +72,8 @@ def panel_geometry(
     inward: FloatArray | None = None,
     stands: Stands | None = None,
     wanted: BoolArray | None = None,
+    bed: float = 0.0,
+    depth: float = 0.0,
 ) -> PanelGeometry:
     """Compute the corners of all panels.
 
@@ -85,6 +87,8 @@ def panel_geometry(
         stands: hubs that the panels stay clear of. Panels on beams whose cut corners would leave
             nothing of a side are lifted over them.
         wanted: (F,) faces of which something is to be left, by default all.
+        bed: what lies between panels and beams, mm.
+        depth: of what is below panels, as wide as they are; square ones leave room for it, mm.
 
     Raises:
         InputError: a face that the gap or the hubs leave nothing of.
@@ -93,17 +97,17 @@ def panel_geometry(
     lift = np.zeros(len(mesh.faces))
     over_hubs = np.zeros(len(mesh.faces), dtype=bool)
     if beams is not None:
-        lift = _lift(mesh.connectivity, beams, planes)
+        lift = _lift(mesh.connectivity, beams, planes) + bed
         if stands is not None:
             over_hubs |= not stands.cut
             if stands.cut:
                 both = np.stack([lift, lift + thickness])
-                rings = _rings(mesh, planes, both, gap, inward)
+                rings = _rings(mesh, planes, both, gap, inward, depth)
                 over_hubs = corner_cuts(planes, both, stands).through(*rings).gone(*rings)
             lift = np.where(over_hubs, np.maximum(lift, lift_over(planes, stands.hubs)), lift)
     lower = np.full(len(lift), levels[0]) if beams is None else lift
     both = np.stack([lower, lower + thickness])
-    rings = _rings(mesh, planes, both, gap, inward)
+    rings = _rings(mesh, planes, both, gap, inward, depth)
     for ring in rings:
         _refuse_gap(gap, thickness, planes.flat, ring, wanted)
     lines = uncut(len(lift))
@@ -132,11 +136,17 @@ def panel_geometry(
 
 
 def _rings(
-    mesh: QuadMesh, planes: Planes, levels: FloatArray, gap: float, inward: FloatArray | None
+    mesh: QuadMesh,
+    planes: Planes,
+    levels: FloatArray,
+    gap: float,
+    inward: FloatArray | None,
+    depth: float,
 ) -> list[FloatArray]:
     """Outlines (F, 4, 2) of the lower and upper side of the panels at levels (2, F)."""
     if inward is None:
-        return [inset(planes.flat, _square_sides(mesh, levels, gap))] * 2
+        taken = np.stack([levels[0] - depth, levels[1]])
+        return [inset(planes.flat, _square_sides(mesh, taken, gap))] * 2
     return [
         inset(planes.flat, _bevelled_sides(planes.frame, inward, level, gap)) for level in levels
     ]

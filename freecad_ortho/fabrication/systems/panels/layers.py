@@ -17,7 +17,7 @@ from freecad_ortho.fabrication.plate_bodies import Pierced, plate_body
 from freecad_ortho.fabrication.systems.panels.geometry import inset
 from freecad_ortho.fabrication.systems.system import Table
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, unit_rows
 
 COLUMNS = (
     *("part", "layer", "kind", "of", "thickness_mm", "density_kg_m3", "step_mm"),
@@ -83,6 +83,15 @@ class Layered:
         body = plate_body(self.under, self.over, self.thickness)
         assert isinstance(body, Polyhedron)
         return body
+
+    def below(self, depth: float) -> FloatArray:
+        """(N, 2) outline below the lowest layer, within it and, at a depth, within the joints."""
+        step = self.layers[-1].step
+        lowest, deep = self.outlines(step, 0.0, -depth)
+        side = unit_rows(np.roll(lowest, -1, axis=0) - lowest)
+        arms = deep - lowest
+        within = np.maximum(side[:, 0] * arms[:, 1] - side[:, 1] * arms[:, 0], 0.0)
+        return np.asarray(inset(lowest[None], within[None])[0])
 
     def body(self) -> Body:
         """The solid of all layers that stand on each other."""

@@ -23,6 +23,7 @@ from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
 from freecad_ortho.fabrication.systems.panels.bearing import at_the_edge, bearings, least_bearing
+from freecad_ortho.fabrication.systems.panels.framing import FRAMES, Framing
 from freecad_ortho.fabrication.systems.panels.geometry import (
     PanelGeometry,
     neighbours,
@@ -38,7 +39,7 @@ from freecad_ortho.fabrication.systems.panels.trimmed import (
 )
 from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
 from freecad_ortho.fabrication.systems.sheets import LEAST_WIDTH, left_out_words
-from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
+from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -71,6 +72,12 @@ class Panels(System):
         least_width: pieces at the border are slivers where no circle of this diameter fits in, mm.
         slivers: "join" makes them part of a neighbour whose plane goes on over them 0 to 5 mm above
             theirs, others and those of bevelled panels are left out; "leave-out" leaves all out.
+        frame: "plate": pressure plates and caps along the edges hold them, which say how wide the
+            joints are; "silicone": adapters that they are glued onto; "none".
+        frame_width: of pressure plates, mm.
+        edge_cover: how far panels reach under these, mm.
+        gasket: thickness of the gaskets below and above panels in frames, mm.
+        bite: width of joints of structural silicone, mm.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown offset.
@@ -84,6 +91,11 @@ class Panels(System):
     clearance: float = 1.0
     least_width: float = 60.0
     slivers: str = "join"
+    frame: str = "none"
+    frame_width: float = 50.0
+    edge_cover: float = 15.0
+    gasket: float = 5.0
+    bite: float = 12.0
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "panels"
@@ -126,6 +138,17 @@ class Panels(System):
             "slivers at the border become part of their neighbours where they can, or are left out",
             SLIVERS,
         ),
+        Option(
+            "frame",
+            "none",
+            "choice",
+            "pressure plates and caps hold the panels, or structural silicone on adapters",
+            FRAMES,
+        ),
+        Option("frame_width", 50.0, "length", "pressure plates and caps are this wide"),
+        Option("edge_cover", 15.0, "length", "panels reach this far under pressure plates"),
+        Option("gasket", 5.0, "length", "gaskets below and above framed panels are this thick"),
+        Option("bite", 12.0, "length", "joints of structural silicone are this wide"),
     )
 
     def __post_init__(self) -> None:
@@ -140,6 +163,7 @@ class Panels(System):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
         not_negative("least width", self.least_width)
         one_of("slivers", self.slivers, SLIVERS)
+        object.__setattr__(self, "gap", self.framing.joint(self.gap))
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Panels:
@@ -147,7 +171,13 @@ class Panels(System):
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
         names = "gap offset panel_edge at_hubs clearance least_width slivers"
-        return cls(plate, *(values[name] for name in names.split()))
+        own = "frame frame_width edge_cover gasket bite"
+        return cls(plate, *(values[name] for name in f"{names} {own}".split()))
+
+    @property
+    def framing(self) -> Framing:
+        """How the panels are held."""
+        return Framing(self.frame, self.frame_width, self.edge_cover, self.gasket, self.bite)
 
     @property
     def levels(self) -> tuple[float, float]:
@@ -171,7 +201,10 @@ class Panels(System):
         wanted = np.ones(len(mesh.faces), dtype=bool)
         if site.trimming is not None:
             wanted = site.trimming.made
-        geometry = panel_geometry(mesh, levels, self.gap, beams, inward, stands, wanted)
+        bed, depth = self.framing.bed, self.framing.depth
+        geometry = panel_geometry(
+            mesh, levels, self.gap, beams, inward, stands, wanted, bed=bed, depth=depth
+        )
         widths = None
         if beams is not None:
             widths = bearings(mesh.connectivity, beams, geometry.lower_edges())
@@ -199,7 +232,10 @@ class Panels(System):
                 below = closing(-normals, inward, beside, self.thickness, self.gap)
                 closes = np.minimum(closes, below)
             parts, doubts = judged(parts, closes[faces], self.gap)
-        report = self._report(geometry, parts, made, least)
+        unders = [layered.below(self.framing.depth) for layered in made_parts.layers]
+        held = self.framing.held(site, geometry, parts, unders, made)
+        report = self._report(geometry, parts, made, least) | sums((*parts, *held.parts))
+        report |= held.report or {}
         if site.trimming is not None:
             report |= trimming_report(parts, site.trimming, left_out, joined)
             areas = {name: piece.area for name, piece in left_out.items()}
@@ -210,16 +246,17 @@ class Panels(System):
                 doubts += uncarried_words(least[made & at_border], edge_beam is not None)
                 report["bearing_min_mm"] = float(least[made & ~at_border].min(initial=np.inf))
         messages = (*_messages(report, float(gaps[made].max()), site.material), *doubts)
+        messages += held.messages
         if beams is not None and _faces_down(site.mesh):
             messages += (
                 "panels: they lie under the beams, because the upper side of the net faces down; "
                 "turn it over (Flip net, or orient on the command line)",
             )
-        tables: tuple[Table, ...] = ()
+        tables = held.tables
         if site.material.layers:
             report |= build_up_report(site.material, parts)
-            tables = (made_parts.table,)
-        return SystemParts(parts, report, messages, geometry, tables=tables)
+            tables = (made_parts.table, *tables)
+        return SystemParts((*parts, *held.parts), report, messages, geometry, tables=tables)
 
     def _bed(
         self, site: Site, beams: BeamGeometry | None, edge_beam: EdgeGeometry | None
@@ -230,7 +267,8 @@ class Panels(System):
         if not tops:
             return site.mesh, self.levels
         raised = site.mesh.vertices + tops[0] * site.axes.offsets
-        return site.mesh.with_vertices(raised), (0.0, self.thickness)
+        bed = self.framing.bed
+        return site.mesh.with_vertices(raised), (bed, bed + self.thickness)
 
     def _report(
         self,
@@ -255,7 +293,6 @@ class Panels(System):
             "lifted_over_hubs": int(geometry.over_hubs[made].sum()),
             "bearing_min_mm": None if bearing is None else float(bearing[made].min()),
             "not_put_on": sum(bool(part.assembly) for part in parts),
-            **sums(parts),
         }
 
 

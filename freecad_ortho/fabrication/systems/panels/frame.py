@@ -1,0 +1,317 @@
+"""Frames of panels: pressure plates and caps along the edges of the net, mitred at its nodes.
+
+A stick system as facades have it: panels lie on gaskets on the beams and reach under plates that
+are screwed onto the beams between them and covered by caps. So the joint between two panels is the
+plate's width less what it covers of both.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.part import Part, part_names
+from freecad_ortho.fabrication.profiled import ProfiledBody
+from freecad_ortho.fabrication.profiles import Profile, polygon
+from freecad_ortho.fabrication.profiles.end import End
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import check_size, rounded_down
+from freecad_ortho.fabrication.systems.beams.border import BorderEnds
+from freecad_ortho.fabrication.systems.beams.frames import (
+    Frames,
+    around_axes,
+    beam_frames,
+    edge_name,
+)
+from freecad_ortho.fabrication.systems.beams.geometry import Cuts, mitred, square
+from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
+from freecad_ortho.fabrication.systems.system import Table
+from solver.errors import InputError
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import FloatArray
+
+# Sizes that stick systems have in common, mm: the plate, and the cap that is clipped onto it.
+_PLATE, _CAP, _WALL = 6.0, 15.0, 2.0
+# Screws are no further apart, mm, in what makers of systems publish.
+_SCREWS = 250.0
+_SAW_WORDS = (
+    "{}; start: elevation {:.2f}, plan right {:.2f} left {:.2f} deg; "
+    "end: elevation {:.2f}, plan right {:.2f} left {:.2f} deg"
+)
+COLUMNS = (
+    *("plate", "cap", "panels", "length_mm", "screws"),
+    *("gasket_least_mm", "gasket_most_mm", "cover_least_mm"),
+)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A pressure plate and its cap.
+
+    Args:
+        width: of both, mm.
+        cover: how far panels reach under the plate, mm.
+        gasket: thickness of the gaskets under and above the panels, mm.
+
+    Raises:
+        InputError: sizes that leave no joint.
+    """
+
+    width: float = 50.0
+    cover: float = 15.0
+    gasket: float = 5.0
+
+    def __post_init__(self) -> None:
+        check_size("frame width", self.width)
+        check_size("edge cover", self.cover)
+        check_size("gasket", self.gasket)
+        if self.joint <= 0:
+            raise InputError(
+                f"edge cover: {self.cover:g} mm on both sides leave no joint under a frame of "
+                f"{self.width:g} mm; take less than {rounded_down(self.width / 2)} mm"
+            )
+
+    @property
+    def joint(self) -> float:
+        """Between two panels, mm."""
+        return self.width - 2 * self.cover
+
+    @cached_property
+    def plate(self) -> Profile:
+        """The section of the pressure plate."""
+        half = self.width / 2
+        ring = np.array([[-half, 0.0], [half, 0.0], [half, _PLATE], [-half, _PLATE]])
+        return polygon(f"pressure plate {self.width:g}x{_PLATE:g}", ring)
+
+    @cached_property
+    def cap(self) -> Profile:
+        """The section of the cap, a channel that is open below."""
+        half, inner = self.width / 2, self.width / 2 - _WALL
+        right = [[half, 0.0], [half, _CAP], [-half, _CAP], [-half, 0.0]]
+        left = [[-inner, 0.0], [-inner, _CAP - _WALL], [inner, _CAP - _WALL], [inner, 0.0]]
+        return polygon(f"cap {self.width:g}x{_CAP:g}x{_WALL:g}", np.array(right + left))
+
+
+@dataclass(frozen=True, eq=False)
+class Framed:
+    """What frames are made of.
+
+    Attributes:
+        parts: plates and caps, edge by edge.
+        table: the list of them.
+        report: sums, and the extremes of gaskets and of what plates cover, mm.
+    """
+
+    parts: tuple[Part, ...]
+    table: Table
+    report: dict[str, Any]
+
+
+def framed(
+    site: Site, frame: Frame, geometry: PanelGeometry, panels: Sequence[Part], made: BoolArray
+) -> Framed:
+    """Plates and caps along every edge that has a panel beside it.
+
+    Args:
+        site: the net.
+        frame: their sizes.
+        geometry: of the panels.
+        panels: the panels.
+        made: (F,) faces that have one.
+
+    Raises:
+        InputError: a frame too wide for an edge of the net.
+    """
+    members = _Members.of(site, frame.width, made)
+    beside = _Beside.of(members, frame, geometry, made)
+    names = part_names("F", len(members.built))
+    panel_names = {part.face: part.name for part in reversed(panels)}
+    edges = np.flatnonzero(members.built).tolist()
+    parts, rows = [], []
+    for edge in edges:
+        under = float(beside.highest[edge]) + frame.gasket
+        name = names[edge]
+        plate = members.part(f"{name}-plate", edge, under, (frame.plate, _PLATE))
+        cap = members.part(f"{name}-cap", edge, under + _PLATE, (frame.cap, _WALL))
+        if beside.cover[edge] < site.material.bearing:
+            words = f"covers panels by {beside.cover[edge]:.3g} mm only, {site.material.name} needs"
+            plate = replace(plate, assembly=f"{words} {site.material.bearing:g} mm")
+        parts += [plate, cap]
+        faces = [panel_names.get(face) for face in site.mesh.connectivity.edge_faces[edge].tolist()]
+        rows.append(
+            (
+                *(plate.name, cap.name, " ".join(filter(None, faces))),
+                *(f"{plate.length:.6f}", math.ceil(plate.length / _SCREWS) + 1),
+                *(f"{frame.gasket:.3f}", f"{under - float(beside.lowest[edge]):.3f}"),
+                f"{float(beside.cover[edge]):.3f}",
+            )
+        )
+    report = {
+        "edges": len(edges),
+        "width_mm": frame.width,
+        "joint_mm": frame.joint,
+        "plates_mm": sum(part.length for part in parts[::2]),
+        "gasket_min_mm": frame.gasket,
+        "gasket_max_mm": float((beside.highest - beside.lowest)[edges].max()) + frame.gasket,
+        "cover_min_mm": float(beside.cover[edges].min()),
+        "mass_kg": sum(part.mass for part in parts),
+    }
+    return Framed(tuple(parts), Table("frames.csv", COLUMNS, tuple(rows)), report)
+
+
+@dataclass(frozen=True, eq=False)
+class _Members:
+    """Straight members along the edges, cut as beams of their width are.
+
+    Attributes:
+        site: the net.
+        frames: planes of the members.
+        cuts: where they end.
+        built: (E,) edges that have one.
+    """
+
+    site: Site
+    frames: Frames
+    cuts: Cuts
+    built: BoolArray
+
+    @classmethod
+    def of(cls, site: Site, width: float, made: BoolArray) -> _Members:
+        """Members of a width along the edges of faces (F,) that have a panel."""
+        sides = site.mesh.connectivity.edge_faces
+        built: BoolArray = np.asarray((made[sides] & (sides >= 0)).any(axis=1))
+        frames = beam_frames(site.mesh, site.axes)
+        border = None
+        if site.trimming is not None:
+            border = BorderEnds.at_border(site, frames)
+            built = built & border.within
+            cuts = mitred(frames, around_axes(site.mesh, site.axes, frames.along, built))
+            built = built & (border.lengths(site.mesh.edge_lengths, cuts, width / 2) > width)
+        cuts = mitred(frames, around_axes(site.mesh, site.axes, frames.along, built))
+        if border is not None:
+            both = np.stack([built, built], axis=1)
+            cuts = cuts.where(both, square(frames, 0 * frames.slope))
+            border = replace(border, cut=border.cut & built[:, None])
+            frames, cuts = border.applied(frames, cuts, site.mesh.edge_lengths, width / 2)
+        members = cls(site, frames, cuts, built)
+        members._refuse_wide(width)
+        return members
+
+    def _refuse_wide(self, width: float) -> None:
+        setback = self.cuts.setback(width / 2)
+        taken = np.maximum(setback[:, 0] + setback[:, 1], setback[:, 2] + setback[:, 3])
+        room = self.site.mesh.edge_lengths
+        wrong = self.built & (taken >= room)
+        if wrong.any():
+            edge = int(np.argmax(np.where(wrong, taken / room, 0.0)))
+            raise InputError(
+                f"frame width: {width:g} mm does not fit "
+                f"{edge_name(self.site.mesh, np.arange(len(room)) == edge)}, whose mitres need "
+                f"{taken[edge]:.1f} of its {room[edge]:.1f} mm; take at most "
+                f"{rounded_down(width * float(room[edge] / taken[edge]))} mm"
+            )
+
+    def part(self, name: str, edge: int, under: float, section: tuple[Profile, float]) -> Part:
+        """One member whose lower side is at a height above its edge, mm.
+
+        Args:
+            name: of the part.
+            edge: its number.
+            under: the height.
+            section: of the member, and its wall, mm.
+        """
+        profile, wall = section
+        up = under + profile.height / 2
+        body = self._body(edge, up, profile)
+        site, frames = self.site, self.frames
+        degrees = [
+            math.degrees(math.atan(value))
+            for end in (body.first, body.last)
+            for value in (end.up, end.right, end.left)
+        ]
+        return Part(
+            name=name,
+            kind="cap" if name.endswith("cap") else "pressure-plate",
+            body=body,
+            origin=site.mesh.vertices[site.mesh.connectivity.edges[edge, 0]]
+            + up * frames.up[edge]
+            + site.shift,
+            frame=np.stack([frames.along[edge], frames.up[edge], -frames.left[edge]]),
+            pattern=None,
+            length=float(np.ptp(body.points[:, 0])),
+            width=profile.height,
+            thickness=wall,
+            area=body.skin,
+            volume=body.volume,
+            material=MATERIALS["aluminium"],
+            vertices=tuple(site.mesh.connectivity.edges[edge].tolist()),
+            family=site.edge_family[edge],
+            line=int(site.lines.edge_line[edge]),
+            note=_SAW_WORDS.format(profile.name, *degrees),
+            section_width=profile.width,
+            section=profile.name,
+        )
+
+    def _body(self, edge: int, up: float, profile: Profile) -> ProfiledBody:
+        slopes = self.frames.slope[edge] / self.frames.rise[edge]
+        ends = self.cuts.middle[edge] * [1.0, -1.0] + [0.0, self.site.mesh.edge_lengths[edge]]
+        first, last = (ends + up * slopes).tolist()
+        right_first, right_last, left_last, left_first = self.cuts.slope[edge].tolist()
+        return ProfiledBody(
+            profile,
+            End(first, float(slopes[0]), right_first, left_first),
+            End(last, float(slopes[1]), -right_last, -left_last),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class _Beside:
+    """Panels below the members, one row an edge; mm, NaN where there is none.
+
+    Attributes:
+        highest: (E,) height of the panels' upper sides above the edge where they are highest under
+            the member.
+        lowest: (E,) where they are lowest.
+        cover: (E,) least width that the member covers of a panel.
+    """
+
+    highest: FloatArray
+    lowest: FloatArray
+    cover: FloatArray
+
+    @classmethod
+    def of(
+        cls, members: _Members, frame: Frame, geometry: PanelGeometry, made: BoolArray
+    ) -> _Beside:
+        """Look up the planes and edges of the panels (F,) that there are."""
+        net, frames, mesh = members.site.mesh.connectivity, members.frames, members.site.mesh
+        edge, half = net.face_edges, frame.width / 2
+        on_left = net.edge_faces[edge, 0] == np.arange(len(edge))[:, None]
+        outwards = np.where(on_left, 1.0, -1.0)[..., None] * frames.left[edge]
+        start = mesh.vertices[net.edges[edge, 0]]
+        normal = geometry.planes.frame[:, 2]
+        on_top = geometry.planes.middle + geometry.levels[1][:, None] * normal
+        rise = np.einsum("fk,fsk->fs", normal, frames.up[edge])
+        heights = []
+        for along in (0 * rise, mesh.edge_lengths[edge]):
+            for across in (frame.joint / 2, half):
+                point = start + along[..., None] * frames.along[edge] + across * outwards
+                above = np.einsum("fk,fsk->fs", normal, on_top[:, None] - point)
+                heights.append(above / rise)
+        rims = geometry.planes.in_space(
+            geometry.corners.trimmed(geometry.upper), geometry.levels[1]
+        )
+        away = np.einsum("fsek,fsk->fse", rims - start[:, :, None], outwards).max(axis=2)
+        chosen = edge[made]
+        highest, lowest = np.full(len(net.edges), -np.inf), np.full(len(net.edges), np.inf)
+        cover = np.full(len(net.edges), np.inf)
+        np.maximum.at(highest, chosen, np.max(heights, axis=0)[made])
+        np.minimum.at(lowest, chosen, np.min(heights, axis=0)[made])
+        np.minimum.at(cover, chosen, half - away[made])
+        return cls(highest, lowest, cover)

@@ -1,0 +1,157 @@
+"""What holds panels: nothing, pressure plates and caps, or structural silicone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import one_of
+from freecad_ortho.fabrication.systems.panels.blocks import setting_blocks
+from freecad_ortho.fabrication.systems.panels.frame import Frame, framed
+from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
+from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone_table
+from freecad_ortho.fabrication.systems.system import Table
+from freecad_ortho.words import counted
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import FloatArray
+
+FRAMES = ("none", "plate", "silicone")
+
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """What was made to hold panels.
+
+    Attributes:
+        parts: of the frames.
+        tables: lists of them.
+        report: what is to be said of them.
+        messages: what is out of the ordinary.
+    """
+
+    parts: tuple[Part, ...] = ()
+    tables: tuple[Table, ...] = ()
+    report: dict[str, Any] | None = None
+    messages: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Framing:
+    """How panels are held.
+
+    Args:
+        kind: one of ``FRAMES``.
+        width: of pressure plates, mm.
+        cover: how far panels reach under them, mm.
+        gasket: thickness of the gaskets, mm.
+        bite: of structural silicone, mm.
+
+    Raises:
+        InputError: an unknown kind, or sizes that cannot be used.
+    """
+
+    kind: str
+    width: float
+    cover: float
+    gasket: float
+    bite: float
+
+    def __post_init__(self) -> None:
+        one_of("frame", self.kind, FRAMES)
+        # Both refuse what cannot be used.
+        _ = self.frame, self.silicone
+
+    @cached_property
+    def frame(self) -> Frame | None:
+        """Pressure plates and caps, where it is these."""
+        return Frame(self.width, self.cover, self.gasket) if self.kind == "plate" else None
+
+    @cached_property
+    def silicone(self) -> Silicone | None:
+        """Structural silicone, where it is that."""
+        return Silicone(self.bite) if self.kind == "silicone" else None
+
+    @property
+    def depth(self) -> float:
+        """Of what is fixed below panels, along their sides, mm."""
+        return 0.0 if self.silicone is None else self.silicone.bed
+
+    def joint(self, gap: float) -> float:
+        """Between two panels, mm: the gap that was asked for, or what the frame makes it."""
+        return gap if self.frame is None else self.frame.joint
+
+    @property
+    def bed(self) -> float:
+        """From what carries panels to these, mm."""
+        if self.silicone is not None:
+            return self.silicone.bed
+        return 0.0 if self.frame is None else self.frame.gasket
+
+    def held(
+        self,
+        site: Site,
+        geometry: PanelGeometry,
+        panels: tuple[Part, ...],
+        unders: Sequence[FloatArray],
+        made: BoolArray,
+    ) -> Held:
+        """Make the frames of panels.
+
+        Args:
+            site: the net.
+            geometry: of the panels.
+            panels: the panels.
+            unders: (N, 2) outlines of their lowest layers, in their own coordinates.
+            made: (F,) faces that have one.
+
+        Raises:
+            InputError: a frame too wide for an edge of the net.
+        """
+        if self.frame is not None:
+            plates = framed(site, self.frame, geometry, panels, made)
+            return Held(
+                plates.parts,
+                (plates.table, setting_blocks(panels)),
+                {"frame": plates.report},
+                _covered(plates.report["cover_min_mm"], site.material.bearing, site.material.name),
+            )
+        if self.silicone is not None:
+            pairs = zip(panels, unders, strict=True)
+            adapters = tuple(
+                part for panel, under in pairs for part in self.silicone.adapters(panel, under)
+            )
+            report = {
+                "bite_mm": self.silicone.bite,
+                "wind_min_kN_m2": min(self.silicone.wind(panel) for panel in panels),
+                "adapters_mm": sum(part.length for part in adapters),
+                "mass_kg": sum(part.mass for part in adapters),
+            }
+            tables = silicone_table(panels, self.silicone), setting_blocks(panels)
+            loose = [panel.name for panel in panels if not self.silicone.fits(panel)]
+            return Held(adapters, tables, {"silicone": report}, _narrow(loose))
+        return Held()
+
+
+def _narrow(names: Sequence[str]) -> tuple[str, ...]:
+    """A message where panels are too narrow for adapters."""
+    if not names:
+        return ()
+    shown = ", ".join(names[:5]) + (" ..." if len(names) > 5 else "")
+    return (
+        f"panels: {counted(len(names), 'panel')} too narrow for adapters, without any: {shown}; a "
+        "larger least width leaves them out",
+    )
+
+
+def _covered(cover: float, needed: float, material: str) -> tuple[str, ...]:
+    """A message where plates cover less of the panels than their material needs."""
+    if cover >= needed:
+        return ()
+    return (
+        f"panels: pressure plates cover them by {cover:.3g} mm at the narrowest, {material} needs "
+        f"{needed:g} mm; take a wider frame or more edge cover",
+    )
