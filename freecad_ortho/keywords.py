@@ -52,6 +52,7 @@ class Sizes(TypedDict, total=False):
     edge_cover: Length
     gasket: Length
     bite: Length
+    bending: Literal["none", "cold"]
     least_length: Length
     rounded: bool
     louvre_axis: Literal["u", "v"]

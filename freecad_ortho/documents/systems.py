@@ -175,6 +175,7 @@ def add_panels(
     edge_cover: Length = 15.0,
     gasket: Length = 5.0,
     bite: Length = 12.0,
+    bending: str = "none",
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -199,6 +200,7 @@ def add_panels(
         edge_cover: how far panels reach under pressure plates.
         gasket: thickness of gaskets.
         bite: of structural silicone.
+        bending: ``"cold"``: flat panels are pressed into faces that are not planar.
         family: parameter lines that the beams are on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

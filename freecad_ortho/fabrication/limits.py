@@ -119,6 +119,12 @@ def verdict(part: Part, limits: Limits) -> str:
             f"bears {bearing:.3g} mm" if bearing >= 0 else f"ends {-bearing:.3g} mm beside a beam"
         )
         complaints.append(f"{where}, {material.name} needs {material.bearing:g} mm of bearing")
+    use = part.measures.bend_use_percent
+    if use is not None and use > 100:
+        complaints.append(
+            f"warp {part.measures.warp_mm:.3g} mm is {use:.0f} % of what {material.name} may be "
+            f"bent to cold, it leaves {part.measures.cold_MPa:.3g} MPa"
+        )
     if part.assembly:
         complaints.append(part.assembly)
     if part.pattern is not None and material.plate_limits is not None:

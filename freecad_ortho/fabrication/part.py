@@ -34,6 +34,9 @@ class Measures:
         lean_deg: largest angle between the part's upright and the surface normal.
         torsion_deg_per_m: largest torsion along the part.
         misfit_mm: how far lower sides of beams of one constant section lie apart at its nodes.
+        warp_mm: how far the fourth corner of a panel that is bent cold is off the others' plane.
+        cold_MPa: stress that this leaves in it.
+        bend_use_percent: of what its material may take of that for long.
         bearing_mm: least width that a panel lies on beams; negative where it ends beside them.
     """
 
@@ -50,6 +53,9 @@ class Measures:
     torsion_deg_per_m: float | None = None
     bearing_mm: float | None = None
     misfit_mm: float | None = None
+    warp_mm: float | None = None
+    cold_MPa: float | None = None
+    bend_use_percent: float | None = None
 
 
 def measure_words(field: str) -> tuple[str, str]:

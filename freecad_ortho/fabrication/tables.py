@@ -30,6 +30,9 @@ _MEASURES = (
     "torsion_deg_per_m",
     "bearing_mm",
     "misfit_mm",
+    "warp_mm",
+    "cold_MPa",
+    "bend_use_percent",
 )
 COLUMNS = (
     "name",

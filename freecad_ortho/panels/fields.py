@@ -11,6 +11,8 @@ from solver.errors import InputError
 NARROW = 100
 # The most that one line of a task panel holds, in the width that FreeCAD gives it at first.
 _BROAD = 190
+# Of an editable list of words, what its arrow and frame take.
+_ARROW = 45
 # Letters of a name in a title.
 _TITLE = 14
 
@@ -25,7 +27,12 @@ def form_rows(parent: QtGui.QWidget | None = None) -> QtGui.QFormLayout:
 
 def leave_room(box: QtGui.QComboBox) -> None:
     """Make a list of words as wide as its longest word, as far as the task panel allows."""
-    box.setMinimumWidth(min(max(box.sizeHint().width(), NARROW), _BROAD))
+    wide = box.sizeHint().width()
+    if box.isEditable():
+        # Its own hint is that of a line of text.
+        words = (box.itemText(k) for k in range(box.count()))
+        wide = max(box.fontMetrics().boundingRect(word).width() for word in words) + _ARROW
+    box.setMinimumWidth(min(max(wide, NARROW), _BROAD))
 
 
 class _Elided(QtGui.QLabel):

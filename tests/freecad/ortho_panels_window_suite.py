@@ -210,6 +210,16 @@ class TestSettings(WindowCase):
             press("Cancel")
         self.assertEqual(self.errors, [])
 
+    def test_a_build_up_may_be_chosen_or_typed(self):
+        panels = api.add_panels(self.net)
+        for word, thickness in (("glass:8+1.52+8", 17.52), ("toughened-glass:6/12/44.2", 26.76)):
+            self.opened(panels)
+            self.panel.material.choose(word)
+            press("Ok")
+            self.assertEqual(panels.Material, word.capitalize())
+            self.assertAlmostEqual(panels.Thickness.Value, thickness)
+        self.assertEqual(self.errors, [])
+
     def test_sizes_that_do_not_fit_are_said_and_leave_it_as_it_was(self):
         beams = api.add_beams(self.net)
         volume, steps = beams.Shape.Volume, self.document.UndoCount

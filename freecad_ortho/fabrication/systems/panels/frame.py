@@ -114,7 +114,11 @@ class Framed:
 
 
 def framed(
-    site: Site, frame: Frame, geometry: PanelGeometry, panels: Sequence[Part], made: BoolArray
+    site: Site,
+    frame: Frame,
+    geometry: PanelGeometry,
+    panels: Sequence[Part],
+    faces: tuple[BoolArray, FloatArray],
 ) -> Framed:
     """Plates and caps along every edge that has a panel beside it.
 
@@ -123,13 +127,13 @@ def framed(
         frame: their sizes.
         geometry: of the panels.
         panels: the panels.
-        made: (F,) faces that have one.
+        faces: (F,) those that have one, and how far panels bow from their planes, mm.
 
     Raises:
         InputError: a frame too wide for an edge of the net.
     """
-    members = _Members.of(site, frame.width, made)
-    beside = _Beside.of(members, frame, geometry, made)
+    members = _Members.of(site, frame.width, faces[0])
+    beside = _Beside.of(members, frame, geometry, faces)
     names = part_names("F", len(members.built))
     panel_names = {part.face: part.name for part in reversed(panels)}
     edges = np.flatnonzero(members.built).tolist()
@@ -143,10 +147,10 @@ def framed(
             words = f"covers panels by {beside.cover[edge]:.3g} mm only, {site.material.name} needs"
             plate = replace(plate, assembly=f"{words} {site.material.bearing:g} mm")
         parts += [plate, cap]
-        faces = [panel_names.get(face) for face in site.mesh.connectivity.edge_faces[edge].tolist()]
+        around = site.mesh.connectivity.edge_faces[edge].tolist()
         rows.append(
             (
-                *(plate.name, cap.name, " ".join(filter(None, faces))),
+                *(plate.name, cap.name, " ".join(filter(None, map(panel_names.get, around)))),
                 *(f"{plate.length:.6f}", math.ceil(plate.length / _SCREWS) + 1),
                 *(f"{frame.gasket:.3f}", f"{under - float(beside.lowest[edge]):.3f}"),
                 f"{float(beside.cover[edge]):.3f}",
@@ -287,9 +291,14 @@ class _Beside:
 
     @classmethod
     def of(
-        cls, members: _Members, frame: Frame, geometry: PanelGeometry, made: BoolArray
+        cls,
+        members: _Members,
+        frame: Frame,
+        geometry: PanelGeometry,
+        faces: tuple[BoolArray, FloatArray],
     ) -> _Beside:
-        """Look up the planes and edges of the panels (F,) that there are."""
+        """Look up planes and edges of the panels (F,) that there are, which may bow (F,)."""
+        made, bow = faces
         net, frames, mesh = members.site.mesh.connectivity, members.frames, members.site.mesh
         edge, half = net.face_edges, frame.width / 2
         on_left = net.edge_faces[edge, 0] == np.arange(len(edge))[:, None]
@@ -311,7 +320,7 @@ class _Beside:
         chosen = edge[made]
         highest, lowest = np.full(len(net.edges), -np.inf), np.full(len(net.edges), np.inf)
         cover = np.full(len(net.edges), np.inf)
-        np.maximum.at(highest, chosen, np.max(heights, axis=0)[made])
-        np.minimum.at(lowest, chosen, np.min(heights, axis=0)[made])
+        np.maximum.at(highest, chosen, (np.max(heights, axis=0) + bow[:, None])[made])
+        np.minimum.at(lowest, chosen, (np.min(heights, axis=0) - bow[:, None])[made])
         np.minimum.at(cover, chosen, half - away[made])
         return cls(highest, lowest, cover)

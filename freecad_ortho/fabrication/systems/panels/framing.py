@@ -97,7 +97,7 @@ class Framing:
         geometry: PanelGeometry,
         panels: tuple[Part, ...],
         unders: Sequence[FloatArray],
-        made: BoolArray,
+        faces: tuple[BoolArray, FloatArray],
     ) -> Held:
         """Make the frames of panels.
 
@@ -106,13 +106,13 @@ class Framing:
             geometry: of the panels.
             panels: the panels.
             unders: (N, 2) outlines of their lowest layers, in their own coordinates.
-            made: (F,) faces that have one.
+            faces: (F,) those that have one, and how far panels bow from their planes, mm.
 
         Raises:
             InputError: a frame too wide for an edge of the net.
         """
         if self.frame is not None:
-            plates = framed(site, self.frame, geometry, panels, made)
+            plates = framed(site, self.frame, geometry, panels, faces)
             return Held(
                 plates.parts,
                 (plates.table, setting_blocks(panels)),

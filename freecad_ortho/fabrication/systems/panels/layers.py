@@ -93,6 +93,12 @@ class Layered:
         within = np.maximum(side[:, 0] * arms[:, 1] - side[:, 1] * arms[:, 0], 0.0)
         return np.asarray(inset(lowest[None], within[None])[0])
 
+    @property
+    def bends(self) -> bool:
+        """Whether it is a plain plate with four corners."""
+        plain = not self.cutouts and max(layer.step for layer in self.layers) == 0
+        return plain and len(self.under) == 4
+
     def body(self) -> Body:
         """The solid of all layers that stand on each other."""
         whole: Polyhedron = self.whole

@@ -9,11 +9,13 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_ortho.fabrication.bevels import bevels_of
+from freecad_ortho.fabrication.bodies import Body
 from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Measures, Part, part_names, piece_name
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.panels.cold import ColdBent, unbent
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
 from freecad_ortho.fabrication.systems.panels.layers import Layered, layers_table
 from freecad_ortho.fabrication.systems.panels.slivers import Pieces, join_slivers
@@ -49,10 +51,10 @@ def panel_parts(
     site: Site,
     geometry: PanelGeometry,
     thickness: float,
-    gaps: FloatArray,
-    bearing: FloatArray | None,
+    measures: Sequence[Measures],
     least_width: float = 0.0,
     join: bool = False,
+    cold: ColdBent | None = None,
 ) -> PanelParts:
     """Return one part a face, or what the border leaves of it.
 
@@ -60,10 +62,11 @@ def panel_parts(
         site: the net.
         geometry: corners of the panels.
         thickness: of the plates, mm.
-        gaps: (F,) distance of each face from planar, mm.
-        bearing: (F,) least width on the beams, mm; None without beams.
+        measures: of the panel in each face.
         least_width: pieces at the border that are narrower are left out, mm,
         join: or part of their neighbours where they fit on.
+        cold: the faces where panels are bent into them. Those with other than four corners, and
+            whose layers stand back, are drawn flat.
 
     Raises:
         InputError: layers that are set back too far.
@@ -73,24 +76,22 @@ def panel_parts(
     names = part_names("P", len(faces))
     left_out = {name: piece for name, (_, piece) in pieces.narrow.items()}
     joined = {name: (names[face], above) for name, (face, above) in pieces.joined.items()}
+    made = [_bent(plate, geometry, thickness, cold) for plate in plates]
     parts = tuple(
         plate_part(
             site,
             plate.name,
             "panel",
-            plate.layered.body(),
+            body,
             (plate.origin, geometry.planes.frame[plate.face]),
-            plate.pattern,
+            pattern,
             thickness,
             vertices=tuple(faces[plate.face].tolist()),
             face=plate.face,
-            measures=Measures(
-                gap_mm=float(gaps[plate.face]),
-                bearing_mm=None if bearing is None else float(bearing[plate.face]),
-            ),
+            measures=measures[plate.face],
             weighed=plate.layered.weighed(site.material.density),
         )
-        for plate in plates
+        for plate, (body, pattern) in zip(plates, made, strict=True)
     )
     return PanelParts(parts, tuple(plate.layered for plate in plates), left_out, joined)
 
@@ -133,6 +134,22 @@ def _plates(
             name = piece_name(names[face], number)
             plates.append(_cut_plate(name, geometry, face, piece, made_of, beside))
     return plates, pieces
+
+
+def _bent(
+    plate: _Plate, geometry: PanelGeometry, thickness: float, cold: ColdBent | None
+) -> tuple[Body, FlatPattern]:
+    """Solid and pattern of a panel, bent where it has four corners and its layers are of one size.
+
+    The pattern of a bent panel is the flat plate that is bent into it.
+    """
+    if cold is None or not plate.layered.bends:
+        return plate.layered.body(), plate.pattern
+    corner = plate.origin - geometry.planes.middle[plate.face]
+    low = geometry.planes.frame[plate.face, :2] @ corner
+    body = cold.body(plate.face, plate.layered.under, low, thickness)
+    flat = unbent(body.corners[:4])
+    return body, replace(plate.pattern, outline=flat - flat.min(axis=0))
 
 
 def _at_the_border(

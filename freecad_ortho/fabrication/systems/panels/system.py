@@ -8,8 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from freecad_ortho.fabrication.material import Material
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
     OFFSETS,
@@ -23,6 +22,7 @@ from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
 from freecad_ortho.fabrication.systems.panels.bearing import at_the_edge, bearings, least_bearing
+from freecad_ortho.fabrication.systems.panels.cold import ColdBent, bending_report
 from freecad_ortho.fabrication.systems.panels.framing import FRAMES, Framing
 from freecad_ortho.fabrication.systems.panels.geometry import (
     PanelGeometry,
@@ -31,15 +31,17 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 )
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.layers import build_up_report
-from freecad_ortho.fabrication.systems.panels.parts import panel_parts
+from freecad_ortho.fabrication.systems.panels.parts import PanelParts, panel_parts
 from freecad_ortho.fabrication.systems.panels.trimmed import (
     joined_words,
     trimming_report,
     uncarried_words,
 )
 from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
+from freecad_ortho.fabrication.systems.panels.words import UNDER_BEAMS, messages_of
 from freecad_ortho.fabrication.systems.sheets import LEAST_WIDTH, left_out_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
+from freecad_ortho.fabrication.trimming import Trimming
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -49,9 +51,8 @@ from solver.option import Option
 EDGES = ("square", "bevel")
 AT_HUBS = ("cut", "lift")
 SLIVERS = ("join", "leave-out")
+BENDINGS = ("none", "cold")
 
-# Distance between diagonals above which a face is visibly not planar, mm.
-_GAP_WORTH_SAYING = 0.1
 # Mean height of the faces' unit normals from which on a net has an upper and a lower side.
 _CLEARLY = 0.2
 
@@ -78,6 +79,8 @@ class Panels(System):
         edge_cover: how far panels reach under these, mm.
         gasket: thickness of the gaskets below and above panels in frames, mm.
         bite: width of joints of structural silicone, mm.
+        bending: "cold": panels are flat plates that are pressed into faces that are not planar;
+            "none": they are the faces' best planes.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown offset.
@@ -96,6 +99,7 @@ class Panels(System):
     edge_cover: float = 15.0
     gasket: float = 5.0
     bite: float = 12.0
+    bending: str = "none"
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "panels"
@@ -149,6 +153,13 @@ class Panels(System):
         Option("edge_cover", 15.0, "length", "panels reach this far under pressure plates"),
         Option("gasket", 5.0, "length", "gaskets below and above framed panels are this thick"),
         Option("bite", 12.0, "length", "joints of structural silicone are this wide"),
+        Option(
+            "bending",
+            "none",
+            "choice",
+            "the panels are flat, or bent cold into faces that are not planar",
+            BENDINGS,
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -163,6 +174,16 @@ class Panels(System):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
         not_negative("least width", self.least_width)
         one_of("slivers", self.slivers, SLIVERS)
+        one_of("bending", self.bending, BENDINGS)
+        if self.bending == "cold" and self.edge != "square":
+            raise InputError(
+                "bending: bevelled panels cannot be bent cold; take square edges or none"
+            )
+        if self.bending == "cold" and self.frame == "silicone":
+            raise InputError(
+                "bending: panels that are bent cold pull at structural silicone for ever; hold "
+                "them by frame plate, or leave one of both out"
+            )
         object.__setattr__(self, "gap", self.framing.joint(self.gap))
 
     @classmethod
@@ -171,7 +192,7 @@ class Panels(System):
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
         names = "gap offset panel_edge at_hubs clearance least_width slivers"
-        own = "frame frame_width edge_cover gasket bite"
+        own = "frame frame_width edge_cover gasket bite bending"
         return cls(plate, *(values[name] for name in f"{names} {own}".split()))
 
     @property
@@ -194,69 +215,107 @@ class Panels(System):
         edge_beam = site.geometry_of("edge-beam", EdgeGeometry)
         mesh, levels = self._bed(site, beams, edge_beam)
         inward = _inward(site) if self.edge == "bevel" else None
-        stands, hubs = None, site.geometry_of("nodes", dict)
-        if hubs is not None:
-            cut = self.at_hubs == "cut" or beams is None
-            stands = Stands(hubs, cut, self.clearance)
-        wanted = np.ones(len(mesh.faces), dtype=bool)
-        if site.trimming is not None:
-            wanted = site.trimming.made
-        bed, depth = self.framing.bed, self.framing.depth
+        whole = np.ones(len(mesh.faces), dtype=bool)
         geometry = panel_geometry(
-            mesh, levels, self.gap, beams, inward, stands, wanted, bed=bed, depth=depth
+            *(mesh, levels, self.gap, beams, inward, self._stands(site, beams)),
+            wanted=whole if site.trimming is None else site.trimming.made,
+            bed=self.framing.bed,
+            depth=self.framing.depth,
         )
-        widths = None
-        if beams is not None:
-            widths = bearings(mesh.connectivity, beams, geometry.lower_edges())
-            if edge_beam is not None:
-                widths = np.concatenate([widths, at_the_edge(site, edge_beam, self.gap)], axis=1)
-            if site.material.layers:
-                widths = widths - site.material.layers[-1].step
+        least = None if beams is None else self._bearing(site, geometry, beams, edge_beam)
         gaps = diagonal_distances(site.mesh)
-        least = None if widths is None else least_bearing(widths)
+        cold = None if self.bending == "none" else ColdBent.of(geometry.planes, mesh)
+        measures = _measures(gaps, least)
+        if cold is not None:
+            measures = cold.measured(measures, site.material, self.thickness)
         join = self.slivers == "join" and self.edge == "square"
-        made_parts = panel_parts(
-            site, geometry, self.thickness, gaps, least, self.least_width, join
-        )
-        parts, left_out, joined = made_parts.parts, made_parts.left_out, made_parts.joined
-        faces = [part.face for part in parts if part.face is not None]
-        made = np.zeros(len(wanted), dtype=bool)
-        made[faces] = True
-        doubts: list[str] = []
+        laid = panel_parts(site, geometry, self.thickness, measures, self.least_width, join, cold)
+        parts, doubts = laid.parts, list[str]()
+        made = ~whole
+        made[[part.face for part in parts if part.face is not None]] = True
         if inward is not None:
-            across = neighbours(mesh.connectivity)
-            beside = (across >= 0) & made[across]
-            normals = geometry.planes.frame[:, 2]
-            closes = closing(normals, inward, beside, self.thickness, self.gap)
-            if beams is None:
-                below = closing(-normals, inward, beside, self.thickness, self.gap)
-                closes = np.minimum(closes, below)
-            parts, doubts = judged(parts, closes[faces], self.gap)
-        unders = [layered.below(self.framing.depth) for layered in made_parts.layers]
-        held = self.framing.held(site, geometry, parts, unders, made)
+            parts, doubts = self._put_in(parts, mesh, geometry, inward, made, beams is not None)
+        unders = [layered.below(self.framing.depth) for layered in laid.layers]
+        bow = np.zeros(len(made)) if cold is None else cold.bow
+        held = self.framing.held(site, geometry, parts, unders, (made, bow))
         report = self._report(geometry, parts, made, least) | sums((*parts, *held.parts))
         report |= held.report or {}
         if site.trimming is not None:
-            report |= trimming_report(parts, site.trimming, left_out, joined)
-            areas = {name: piece.area for name, piece in left_out.items()}
-            doubts += joined_words(joined, self.least_width)
-            doubts += left_out_words(self.name, areas, self.least_width)
-            if least is not None:
-                at_border = np.isin(np.arange(len(made)), list(site.trimming.regions))
-                doubts += uncarried_words(least[made & at_border], edge_beam is not None)
-                report["bearing_min_mm"] = float(least[made & ~at_border].min(initial=np.inf))
-        messages = (*_messages(report, float(gaps[made].max()), site.material), *doubts)
-        messages += held.messages
+            more, words = self._at_border(laid, site.trimming, made, least, edge_beam is not None)
+            report, doubts = report | more, doubts + words
+        gap = 0.0 if cold is not None else float(gaps[made].max())
+        messages = (*messages_of(report, gap, site.material), *doubts, *held.messages)
         if beams is not None and _faces_down(site.mesh):
-            messages += (
-                "panels: they lie under the beams, because the upper side of the net faces down; "
-                "turn it over (Flip net, or orient on the command line)",
-            )
+            messages += (UNDER_BEAMS,)
         tables = held.tables
+        if cold is not None:
+            report |= bending_report(parts)
+            tables = (cold.table(parts), *tables)
         if site.material.layers:
             report |= build_up_report(site.material, parts)
-            tables = (made_parts.table, *tables)
+            tables = (laid.table, *tables)
         return SystemParts((*parts, *held.parts), report, messages, geometry, tables=tables)
+
+    def _stands(self, site: Site, beams: BeamGeometry | None) -> Stands | None:
+        """Hubs in the way of panels."""
+        hubs = site.geometry_of("nodes", dict)
+        if hubs is None:
+            return None
+        return Stands(hubs, self.at_hubs == "cut" or beams is None, self.clearance)
+
+    def _bearing(
+        self,
+        site: Site,
+        geometry: PanelGeometry,
+        beams: BeamGeometry,
+        edge_beam: EdgeGeometry | None,
+    ) -> FloatArray:
+        """(F,) least width of each panel on its beams, mm."""
+        widths = bearings(site.mesh.connectivity, beams, geometry.lower_edges())
+        if edge_beam is not None:
+            widths = np.concatenate([widths, at_the_edge(site, edge_beam, self.gap)], axis=1)
+        if site.material.layers:
+            widths = widths - site.material.layers[-1].step
+        return least_bearing(widths)
+
+    def _put_in(
+        self,
+        parts: tuple[Part, ...],
+        mesh: QuadMesh,
+        geometry: PanelGeometry,
+        inward: FloatArray,
+        made: BoolArray,
+        on_beams: bool,
+    ) -> tuple[tuple[Part, ...], list[str]]:
+        """Bevelled panels with what keeps them from being put in between their neighbours."""
+        across = neighbours(mesh.connectivity)
+        beside = (across >= 0) & made[across]
+        normals = geometry.planes.frame[:, 2]
+        closes = closing(normals, inward, beside, self.thickness, self.gap)
+        if not on_beams:
+            below = closing(-normals, inward, beside, self.thickness, self.gap)
+            closes = np.minimum(closes, below)
+        faces = [part.face for part in parts if part.face is not None]
+        return judged(parts, closes[faces], self.gap)
+
+    def _at_border(
+        self,
+        laid: PanelParts,
+        trimming: Trimming,
+        made: BoolArray,
+        least: FloatArray | None,
+        edge_beam: bool,
+    ) -> tuple[dict[str, Any], list[str]]:
+        """What a report, and what messages say of panels at the border."""
+        report = trimming_report(laid.parts, trimming, laid.left_out, laid.joined)
+        words = joined_words(laid.joined, self.least_width)
+        areas = {name: piece.area for name, piece in laid.left_out.items()}
+        words += left_out_words(self.name, areas, self.least_width)
+        if least is not None:
+            at_border = np.isin(np.arange(len(made)), list(trimming.regions))
+            words += uncarried_words(least[made & at_border], edge_beam)
+            report["bearing_min_mm"] = float(least[made & ~at_border].min(initial=np.inf))
+        return report, words
 
     def _bed(
         self, site: Site, beams: BeamGeometry | None, edge_beam: EdgeGeometry | None
@@ -296,6 +355,13 @@ class Panels(System):
         }
 
 
+def _measures(gaps: FloatArray, bearing: FloatArray | None) -> list[Measures]:
+    """Of the panel in each face, from distances (F,) from planar and least bearings (F,), mm."""
+    wide = [None] * len(gaps) if bearing is None else bearing.tolist()
+    pairs = zip(gaps.tolist(), wide, strict=True)
+    return [Measures(gap_mm=gap, bearing_mm=width) for gap, width in pairs]
+
+
 def _faces_down(mesh: QuadMesh) -> bool:
     """Tell whether the upper side faces down; a wall or a closed shape has none that does."""
     areas = mesh.face_area_vectors
@@ -308,30 +374,3 @@ def _inward(site: Site) -> FloatArray:
     left = beam_frames(site.mesh, site.axes).left[net.face_edges]
     on_left = net.edge_faces[net.face_edges, 0] == np.arange(len(net.faces))[:, None]
     return np.where(on_left[:, :, None], left, -left)
-
-
-def _messages(report: dict[str, Any], gap: float, material: Material) -> tuple[str, ...]:
-    messages = []
-    bearing = report["bearing_min_mm"]
-    if bearing is not None and bearing < material.bearing:
-        messages.append(
-            f"panels: they bear on the beams by {bearing:.3g} mm at the narrowest, "
-            f"{material.name} needs {material.bearing:g} mm; take a smaller gap, thicker beams or "
-            "a section with flanges"
-        )
-    if report["corners_cut"] and report["lifted_over_hubs"]:
-        messages.append(
-            f"panels: {report['lifted_over_hubs']} are lifted over hubs, as corners cut off beside "
-            "them would leave nothing of a side"
-        )
-    if report["sides_shrunk_more"]:
-        messages.append(
-            f"panels: {report['sides_shrunk_more']} sides shrunk by more than half the gap, "
-            "because the plates lean together there"
-        )
-    if gap > _GAP_WORTH_SAYING:
-        messages.append(
-            f"panels: faces are up to {gap:.3g} mm from planar, the plates are their best "
-            "planes; optimise the mesh first"
-        )
-    return tuple(messages)
