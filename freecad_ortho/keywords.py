@@ -119,6 +119,7 @@ class DesignSettings(TypedDict, total=False):
     joints: str
     self_weight: bool
     panels: float
+    panel_shear: float
     snow: float
     snow_side: str | Sequence[float]
     wind: str | Sequence[str]

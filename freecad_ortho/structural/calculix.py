@@ -20,11 +20,11 @@ _SHARES = (1 / 6, 2 / 3, 1 / 6)
 def input_file(model: Model) -> str | None:
     """Beams with three nodes, a static step a load case; N, mm, t.
 
-    None where CalculiX has no such beam: sections other than rectangles and tubes, joints that are
-    not rigid, springs as supports.
+    None where CalculiX has no such model: sections other than rectangles and tubes, joints that are
+    not rigid, springs as supports, panels that stiffen.
     """
     sections = [found for found in map(_section, model.groups) if found is not None]
-    springs = bool(model.supports.springs.any())
+    springs = bool(model.supports.springs.any()) or model.design.panel_shear > 0
     if len(sections) < len(model.groups) or model.design.joints != "rigid" or springs:
         return None
     return "\n".join(_lines(model, sections)) + "\n"

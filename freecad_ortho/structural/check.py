@@ -166,6 +166,18 @@ class StructuralCheck:
         """Largest imbalance of loads and reactions."""
         return max(one.balance for one in self.found)
 
+    @cached_property
+    def panel_shear(self) -> float:
+        """Largest shear in panels that stiffen, force by the length of their sides, N/mm."""
+        frame = self.model.frame
+        if not len(frame.panels.corners):
+            return 0.0
+        flows = [
+            frame.panels.shear_flows(frame.nodes, one.response.displacements[:, :3])
+            for one in self.strength
+        ]
+        return float(np.abs(flows).max())
+
     @property
     def failures(self) -> tuple[str, ...]:
         """What does not hold, each in words."""

@@ -35,6 +35,7 @@ class Design:
     joints: str = "rigid"
     self_weight: bool = True
     panels: float = 0.0
+    panel_shear: float = 0.0
     snow: float = 0.0
     snow_side: str | Sequence[float] = (0.0, 0.0, 0.0)
     modes: int = 5
@@ -66,6 +67,10 @@ class Design:
             brief="leave out the weight of the members",
         ),
         Option("panels", 0.0, "pressure", "Weight of panels by their surface, kN/m2"),
+        Option(
+            "panel_shear", 0.0, "number",
+            "Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only",
+        ),
         Option("snow", 0.0, "pressure", "Snow by the plan, kN/m2"),
         Option(
             "snow_side", (0.0, 0.0, 0.0), "direction",
@@ -106,9 +111,9 @@ class Design:
             value = getattr(self, option.name)
             if not (value is None and option.default is None):
                 option.check(option.plain(value))
-        for name in ("panels", "snow"):
+        for name, unit in (("panels", "kN/m2"), ("snow", "kN/m2"), ("panel_shear", "kN/mm")):
             if getattr(self, name) < 0:
-                raise InputError(f"{name}: expected 0 kN/m2 or more, got {getattr(self, name):g}")
+                raise InputError(f"{name}: expected 0 {unit} or more, got {getattr(self, name):g}")
         if self.pieces < 2:
             raise InputError(f"pieces: expected 2 or more, so that members bow, got {self.pieces}")
         for name in ("modes", "buckling_length", "deflection"):

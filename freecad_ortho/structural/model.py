@@ -12,6 +12,7 @@ from freecad_ortho.structural.groups import Group, groups_of
 from freecad_ortho.structural.supports import supports_of
 from solver.errors import InputError
 from solver.frame.model import Frame, Loads, Stiffness, Supports
+from solver.frame.panels import Panels
 from solver.mesh.connectivity import IntArray
 from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -107,7 +108,7 @@ def model_of(mesh: QuadMesh, design: Design, groups: Sequence[str] | None = None
     """
     words = families_of(mesh) if groups is None else tuple(groups)
     sections = groups_of(design.section, design.material, words)
-    frame = _frame(mesh, sections, design.joint_spring())
+    frame = _frame(mesh, sections, design)
     supports = supports_of(design.supports, mesh.connectivity)
     cases = tuple(_cases(mesh, frame, design, sections))
     if not cases:
@@ -124,12 +125,12 @@ def families_of(mesh: QuadMesh) -> tuple[str, ...]:
     )
 
 
-def _frame(mesh: QuadMesh, groups: Sequence[Group], spring: float) -> Frame:
+def _frame(mesh: QuadMesh, groups: Sequence[Group], design: Design) -> Frame:
     members = np.asarray(mesh.connectivity.edges)
     count = len(members)
     axes = torsion_free_axes(mesh).directions
     springs = np.full((count, 12), np.inf)
-    springs[:, [4, 5, 10, 11]] = spring
+    springs[:, [4, 5, 10, 11]] = design.joint_spring()
 
     def each(value: Callable[[Group], float]) -> FloatArray:
         found = np.empty(count)
@@ -147,7 +148,11 @@ def _frame(mesh: QuadMesh, groups: Sequence[Group], spring: float) -> Frame:
         shear_area_y=each(lambda group: group.profile.shear_area_y),
         shear_area_z=each(lambda group: group.profile.shear_area_z),
     )
-    return Frame(mesh.vertices, members, stiffness, axes[members].sum(axis=1), springs)
+    panels = Panels()
+    if design.panel_shear:
+        faces = np.asarray(mesh.faces)
+        panels = Panels.of_shear(mesh.vertices, faces, 1000.0 * design.panel_shear)
+    return Frame(mesh.vertices, members, stiffness, axes[members].sum(axis=1), springs, panels)
 
 
 def _cases(mesh: QuadMesh, frame: Frame, design: Design, groups: Sequence[Group]) -> list[Case]:

@@ -40,6 +40,7 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
             "up": up / 1e3,
             "sideways": sideways / 1e3,
         },
+        "largest_shear_of_panels_kN_m": check.panel_shear,
         "imbalance": check.balance,
         "combinations": [
             {

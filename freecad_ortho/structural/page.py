@@ -174,7 +174,8 @@ def _governing(check: StructuralCheck) -> str:
 def _supports(check: StructuralCheck) -> str:
     down, up, sideways = (force / 1e3 for force in check.largest_reactions)
     return (
-        f"<h2>Supports</h2><p>In combinations for strength one support pushes the shell up by "
+        "<h2>Supports</h2><p>In combinations for strength, by first order, one support pushes the "
+        "shell up by "
         f"{up:.1f} kN at most, holds it down by {down:.1f} kN and sideways by {sideways:.1f} kN. "
         "What is below has to take that. All are in reactions.csv.</p>"
     )

@@ -8,7 +8,7 @@ from freecad_ortho.words import counted
 
 NOT_CHECKED = (
     "the nodes and their bolts and welds, the supports and what is below them",
-    "the panels, and whatever they do to stiffen the shell: they are weight and area only",
+    "the panels and their fixings, whether they are weight and area only or stiffen the shell too",
     "local buckling of thin walls (class 4 sections), warping torsion, eccentric joints",
     "erection, fatigue, fire, earthquake, temperature, settlement, accidental loads",
     "pressure coefficients, gusts and drifted snow by EN 1991: loads act as they are given",
@@ -32,6 +32,12 @@ def assumptions(check: StructuralCheck) -> list[str]:
         "spread evenly.",
         f"Buckling is linear, with {counted(design.pieces, 'piece')} a member.",
     ]
+    if design.panel_shear:
+        words.append(
+            f"Panels stiffen the shell with G t = {design.panel_shear:g} kN/mm, in every "
+            f"combination; by first order up to {check.panel_shear:.1f} kN/m run along their "
+            "sides, which they and their fixings have to bear."
+        )
     if check.imperfection is not None:
         words.append(
             "Forces are first order, and where the buckling factor is below "
@@ -59,6 +65,13 @@ def warnings(check: StructuralCheck) -> list[str]:
     """What the reader has to know of this model in particular."""
     model, found = check.model, []
     found += [words for words in map(_thin, model.groups) if words]
+    factor = check.factor
+    if factor is not None and 1 < factor < ENOUGH:
+        found.append(
+            "Displacements and forces of supports are first order: in the deformed shape they are "
+            f"larger, by up to about {1 / (1 - 1 / factor):.1f} times at a buckling factor of "
+            f"{factor:.2f}."
+        )
     if not model.design.self_weight:
         found.append("The weight of the members is left out.")
     if not model.design.panels:

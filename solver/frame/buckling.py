@@ -54,7 +54,12 @@ def buckling(system: System, under: Response, count: int = 5) -> Buckling:
     # With springs the member's own ends bow, not the nodes.
     geometric = elements.geometric(system.frame, under.ends)
     geometric = np.swapaxes(follow, 1, 2) @ geometric @ follow
-    loose = -system.assembled(geometric)[system.free][:, system.free].tocsc()
+    frame, moved = system.frame, under.displacements[:, :3]
+    # By small movements, as all that is linear.
+    longer = frame.panels.sheared_a_little(frame.nodes, moved)
+    of_panels = system.assembled_panels(frame.panels.geometric(frame.nodes, longer))
+    whole = system.assembled(geometric) + of_panels
+    loose = -whole[system.free][:, system.free].tocsc()
     size = len(system.free)
     if size <= _FEW:
         values, vectors = eigh(loose.toarray(), system.kept.toarray())

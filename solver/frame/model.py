@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, fields, replace
 import numpy as np
 
 from solver.errors import InputError
+from solver.frame.panels import Panels
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, row_lengths
 
@@ -80,6 +81,7 @@ class Frame:
         springs: (M, 12) stiffness of the joints between a member's ends and its nodes along and
             about the member's axes: infinite where they are rigid (all, where none are given), 0
             where a hinge lets go.
+        panels: that stiffen it against shear.
 
     Raises:
         InputError: what makes no frame: members without length or stiffness, numbers of no node.
@@ -90,6 +92,7 @@ class Frame:
     stiffness: Stiffness
     up: FloatArray
     springs: FloatArray = field(default_factory=lambda: np.empty((0, 12)))
+    panels: Panels = field(default_factory=Panels)
 
     def __post_init__(self) -> None:
         if not len(self.springs):

@@ -94,9 +94,8 @@ def response(system: System, loads: Loads) -> Response:
     springs = system.supports.springs.ravel()
     # What the supports do is what the members and the loads leave.
     nodal = system.along_supports(loads.nodal).ravel()
-    reactions = np.where(
-        system.supports.fixed.ravel(), system.gathered(ends) - nodal, -springs * movement
-    )
+    resisted = system.gathered(ends) + system.panels @ movement
+    reactions = np.where(system.supports.fixed.ravel(), resisted - nodal, -springs * movement)
     return Response(
         system.own(movement.reshape(-1, 6)),
         ends,

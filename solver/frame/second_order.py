@@ -168,13 +168,17 @@ class _Moving:
         k = system.joined.stiffness
         whole, own = corotational.forces(self._ends(), self._axes, self._lengths, k)
         held = self._springs * system.along_supports(self.displacements()).ravel()
-        return system.gathered(whole, self._turn) + held, own
+        panels = system.frame.panels.forces(system.frame.nodes, self.state[0])
+        resisted = system.gathered(whole, self._turn) + system.gathered_panels(panels)
+        return resisted + held, own
 
     def _factored(self) -> SuperLU:
         system = self._system
         k = corotational.tangent(self._ends(), self._axes, self._lengths, system.joined.stiffness)
         springs = diags_array(self._springs, format="csc")
-        matrix = (system.assembled(k, self._turn) + system.idle + springs).tocsc()
+        panels = system.frame.panels.tangent(system.frame.nodes, self.state[0])
+        matrix = system.assembled(k, self._turn) + system.assembled_panels(panels)
+        matrix = (matrix + system.idle + springs).tocsc()
         return factored(matrix[system.free][:, system.free].tocsc())
 
     def _move(self, step: FloatArray) -> None:

@@ -32,7 +32,9 @@ class System:
     Attributes:
         turn: (M, 12, 12) from the unknowns of a member's nodes to the member's own axes.
         joined: the members with their springs.
-        matrix: (6 N, 6 N) stiffness, springs of supports included, in the directions of supports.
+        panels: (6 N, 6 N) stiffness of the panels alone.
+        matrix: (6 N, 6 N) stiffness, panels and springs of supports included, in the directions of
+            supports.
         free: numbers of the unknowns that may move.
         idle: stiffness of rotations that turn no member, which nothing else would hold.
         kept: (n, n) stiffness of the free unknowns.
@@ -51,7 +53,8 @@ class System:
         rigid = elements.stiffness(frame)
         self.joined = elements.joined(frame, rigid)
         self._numbers = _unknowns(frame)
-        own = self.assembled(self.joined.stiffness)
+        self.panels = self.assembled_panels(frame.panels.elastic(frame.nodes))
+        own = self.assembled(self.joined.stiffness) + self.panels
         self.matrix = (own + diags_array(supports.springs.ravel(), format="csc")).tocsc()
         self._refuse_loose()
         used = np.zeros(len(frame.nodes), dtype=bool)
@@ -73,6 +76,31 @@ class System:
         size = 6 * len(self.frame.nodes)
         pair = (rows.ravel(), columns.ravel())
         return coo_array((whole.ravel(), pair), shape=(size, size)).tocsc()
+
+    def assembled_panels(self, k: FloatArray) -> csc_array:
+        """(6 N, 6 N) sum of matrices (P, 12, 12) of panels in the model's directions."""
+        turn, numbers = self._panel_turns()
+        whole = np.swapaxes(turn, 1, 2) @ k @ turn
+        rows = np.broadcast_to(numbers[:, :, None], whole.shape).ravel()
+        columns = np.broadcast_to(numbers[:, None, :], whole.shape).ravel()
+        size = 6 * len(self.frame.nodes)
+        return coo_array((whole.ravel(), (rows, columns)), shape=(size, size)).tocsc()
+
+    def gathered_panels(self, forces: FloatArray) -> FloatArray:
+        """(6 N,) sum at the nodes of forces (P, 12) of panels in the model's directions."""
+        turn, numbers = self._panel_turns()
+        own = np.einsum("pji,pj->pi", turn, forces).ravel()
+        size = 6 * len(self.frame.nodes)
+        return np.asarray(np.bincount(numbers.ravel(), own, minlength=size), dtype=np.float64)
+
+    def _panel_turns(self) -> tuple[FloatArray, IntArray]:
+        """(P, 12, 12) from the directions of supports to the model's, and (P, 12) unknowns."""
+        corners = self.frame.panels.corners
+        turn = np.zeros((len(corners), 4, 3, 4, 3))
+        for k in range(4):
+            turn[:, k, :, k, :] = np.swapaxes(self.supports.directions[corners[:, k]], 1, 2)
+        numbers = 6 * corners[:, :, None] + np.arange(3)
+        return turn.reshape(-1, 12, 12), np.asarray(numbers.reshape(-1, 12))
 
     def gathered(self, ends: FloatArray, turn: FloatArray | None = None) -> FloatArray:
         """(6 N,) sum at the nodes of forces (M, 12) in the members' own axes, or others."""

@@ -8,7 +8,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.structural.files import FILES
-from freecad_ortho.structural.words import warnings
+from freecad_ortho.structural.words import assumptions, warnings
 from solver.errors import InputError
 from solver.mesh.primitives import primitive
 
@@ -77,6 +77,8 @@ def test_second_order_is_asked_for_and_done(dome):
     settings = {"unit": "m", "section": "tube:40x40x3", "material": "S355", "snow": 1.0}
     first = api.check_structure(flat, **settings)
     assert 1 < first.factor < 10 and "only balance in the deformed shape" in first.verdict
+    growth = 1 / (1 - 1 / first.factor)
+    assert f"by up to about {growth:.1f} times" in " ".join(warnings(first))
     second = api.check_structure(flat, second_order=True, imperfection=20.0, **settings)
     assert second.imperfection == 20.0
     assert second.utilisation.max() > 1.1 * first.utilisation.max()
@@ -206,3 +208,17 @@ def test_the_fabrication_report_tells_the_check_of_its_net(dome, checked, tmp_pa
         api.write_fabrication(other, tmp_path / "other", check=checked)
     with pytest.raises(InputError, match=r"report.json is no check.json"):
         api.write_fabrication(panels, tmp_path, check=tmp_path / "files" / "report.json")
+
+
+def test_panels_stiffen_where_they_are_told_to(dome, checked):
+    settings = {"unit": "m", "material": "S355", "snow": 1.5, "panels": 0.4, "wind": "0.6@x"}
+    stiff = api.check_structure(dome, panel_shear=5.0, **settings)
+    assert stiff.factor > 1.2 * checked.factor and stiff.deflection < checked.deflection
+    assert stiff.balance < 1e-9 and stiff.panel_shear > 0 == checked.panel_shear
+    assert "G t = 5 kN/mm" in " ".join(assumptions(stiff))
+    flat = dome.with_vertices(dome.vertices * [1.0, 1.0, 0.1])
+    weak = {"unit": "m", "section": "tube:40x40x3", "material": "S355", "snow": 1.0}
+    second = api.check_structure(flat, second_order=True, panel_shear=2.0, **weak)
+    assert all(one.carried == 1.0 for one in second.strength if one.carried is not None)
+    with pytest.raises(InputError, match="panel_shear: expected 0 kN/mm or more"):
+        api.check_structure(dome, panel_shear=-1.0, **settings)

@@ -10,7 +10,7 @@ YOUNGS, SHEAR = 210e3, 81e3
 RIGID = "x y z rx ry rz"
 
 
-def frame(nodes, members, up=(0.0, 0.0, 1.0), springs=None, **other):
+def frame(nodes, members, up=(0.0, 0.0, 1.0), springs=None, panels=None, **other):
     sizes = {
         "area": AREA, "about_y": ABOUT_Y, "about_z": ABOUT_Z, "torsion": TORSION,
         "youngs": YOUNGS, "shear": SHEAR,
@@ -18,6 +18,7 @@ def frame(nodes, members, up=(0.0, 0.0, 1.0), springs=None, **other):
     count = len(members)
     ups = np.array(np.broadcast_to(np.asarray(up, dtype=float), (count, 3)))
     given = {} if springs is None else {"springs": springs}
+    given |= {} if panels is None else {"panels": panels}
     return Frame(
         np.asarray(nodes, dtype=float),
         np.asarray(members),
