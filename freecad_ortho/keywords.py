@@ -34,7 +34,7 @@ class Sizes(TypedDict, total=False):
     hub_wall: Length | None
     clearance: Length
     no_boundary_beams: bool
-    edge_section: Literal["plate", "tube", "round"]
+    edge_section: str
     edge_height: Length | None
     edge_width: Length | None
     edge_wall: Length
@@ -73,6 +73,12 @@ class Sizes(TypedDict, total=False):
     grain: Literal["none", "along"]
     kerf: Length
     distortion: float
+    foot_at: str
+    foot_height: Length
+    post_diameter: Length
+    post_wall: Length
+    foot_plate: Length
+    anchor: Literal["M12", "M16", "M20", "M24", "M27", "M30"]
 
 
 class StructureSettings(Sizes, total=False):

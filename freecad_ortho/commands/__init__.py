@@ -22,6 +22,7 @@ TOOLBARS = {
         "BentPanels",
         "Louvres",
         "Nodes",
+        "Feet",
         "UpdateStructures",
         "FlatPatterns",
         "DrawingPage",

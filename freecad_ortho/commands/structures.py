@@ -57,6 +57,17 @@ class EdgeBeam(StructureCommand):
     )
 
 
+class Feet(StructureCommand):
+    """Feet below the supported vertices of a net."""
+
+    icon = "feet"
+    text = QT_TRANSLATE_NOOP("Ortho_Feet", "Support feet")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Feet",
+        "Put corners, the boundary or some vertices of the selected net on posts with base plates",
+    )
+
+
 class Lamellas(StructureCommand):
     """Developable strips along the parameter lines of a net."""
 

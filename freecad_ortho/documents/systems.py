@@ -84,6 +84,7 @@ def add_edge_beam(
     offset: str = "centre",
     clearance: Length = 1.0,
     stock: Length | None = None,
+    rounded: bool = False,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -93,7 +94,8 @@ def add_edge_beam(
 
     Args:
         net: the Net.
-        edge_section: ``"plate"``, ``"tube"`` or ``"round"``.
+        edge_section: ``"plate"``, ``"tube"`` or ``"round"``, or one of the catalogue such as
+            ``"HEB160"``, which has a height and widths of its own.
         edge_height: of the section, by default that of the beams.
         edge_width: of the section, by default that of the plates, or 60 mm.
         edge_wall: of tubes.
@@ -102,12 +104,51 @@ def add_edge_beam(
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
         clearance: that is left before it.
         stock: length that longer pieces are cut into.
+        rounded: solids have the rounded corners and roots of a section of the catalogue.
         family: parameter lines that the beams are on.
         lines: numbers of these lines; empty for all.
         material: of all parts.
         density: kg/m3, 0 for the material's own.
     """
     return _added("edge-beam", locals())
+
+
+def add_feet(
+    net: Feature,
+    *,
+    foot_at: str = "corners",
+    foot_height: Length = 600.0,
+    post_diameter: Length = 88.9,
+    post_wall: Length = 5.0,
+    foot_plate: Length = 15.0,
+    anchor: str = "M16",
+    height: Length = 200.0,
+    offset: str = "centre",
+    clearance: Length = 1.0,
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Put vertices of a Net on feet: base plates with anchor bolts, posts and caps.
+
+    Args:
+        net: the Net.
+        foot_at: ``"corners"``, ``"boundary"``, or numbers of vertices, ``"0,12,40"``.
+        foot_height: from the vertices down to the lower sides of the base plates.
+        post_diameter: of the posts, round tubes.
+        post_wall: of these.
+        foot_plate: thickness of base plates and caps.
+        anchor: size of the anchor bolts, ``"M16"``.
+        height: of the beams above them.
+        offset: ``"above"`` the net, ``"centre"`` or ``"below"``, of these beams.
+        clearance: between beams and caps.
+        family: parameter lines that are built on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return _added("feet", locals())
 
 
 def add_nodes(

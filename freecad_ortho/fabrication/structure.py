@@ -250,6 +250,8 @@ def build(
     for system in systems:
         for other in system.excludes.keys() & set(names):
             raise InputError(f"system: {system.name}+{other} {system.excludes[other]}")
+    together = {system.name: system for system in systems}
+    systems = [system.beside(together) for system in systems]
     say = progress or (lambda fraction, words: None)
     say(0.0, "net")
     results: dict[str, SystemParts] = {}

@@ -10,6 +10,7 @@ from cadquery import importers
 from freecad_ortho.fabrication import Beams, Panels, build
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.files import write
+from freecad_ortho.fabrication.profiles import profile
 from freecad_ortho.fabrication.systems import EdgeBeam, Nodes, systems_of
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
@@ -20,6 +21,9 @@ SECTIONS = {
     "plate": EdgeBeam("plate"),
     "tube": EdgeBeam("tube", section_height=150, width=60, wall=6),
     "round": EdgeBeam("round", width=90, wall=4),
+    "rolled": EdgeBeam("HEB160", rounded=True),
+    "channel": EdgeBeam("UPE160"),
+    "timber": EdgeBeam("GL24h:100x240"),
 }
 
 
@@ -102,6 +106,7 @@ JOINED = {
     "plates": (Beams(200, 12), Panels(20, 15)),
     "tubes": (Beams(200, 5, section="hollow", section_width=60), Panels(20, 15, edge="bevel")),
     "hubs": (Beams(200, 12, ends="hub", hub_diameter=120), Nodes(diameter=120), Panels(20, 15)),
+    "rolled": (Beams(200, 5, section="HEA100"), Panels(20, 15)),
     "lapped": (Beams(200, 12, ends="lapped"), Panels(20, 15)),
     "panels alone": (Panels(20, 15),),
 }
@@ -110,7 +115,7 @@ JOINED = {
 @pytest.mark.parametrize("systems", JOINED)
 @pytest.mark.parametrize("trims", [True, False], ids=["trimmed", "whole"])
 def test_what_ends_at_it_or_lies_on_it_does_not_clash(roof, border, systems, trims):
-    edge_beam = SECTIONS["plate"] if systems != "tubes" else SECTIONS["tube"]
+    edge_beam = SECTIONS[{"tubes": "tube", "rolled": "rolled"}.get(systems, "plate")]
     made = build(roof, [edge_beam, *JOINED[systems]], border=border if trims else ())
     assert check_clashes(made.parts).clashes == ()
 
@@ -166,11 +171,50 @@ def test_a_net_without_a_border_has_no_other_beams_along_its_boundary(roof):
     assert len(pieces_of(structure)) == int(rim.sum())
 
 
+def test_sections_of_the_catalogue_are_listed_as_they_are_ordered(sheet):
+    (report,) = (build(sheet, [EdgeBeam(name)]) for name in ("HEB160",))
+    pieces = pieces_of(report)
+    area = profile("HEB160").area
+    # Middle lines of the mitred frame, its sections symmetric about them.
+    assert sum(part.weighed for part in pieces) == pytest.approx(area * 2 * (6000 + 5000))
+    assert {part.section for part in pieces} == {"HEB160"}
+    assert {part.section_height for part in pieces} == {160.0}
+    assert all(part.note.startswith("HEB160; start: elevation") for part in pieces)
+    (timber,) = {part.material.name for part in pieces_of(build(sheet, [SECTIONS["timber"]]))}
+    assert timber == "GL24h"
+    rows = report.results["edge-beam"].tables[0].rows
+    assert {row[1] for row in rows} == {"HEB160"}
+    # The upper side is at the level of the beams, whatever the section's height.
+    assert max(part.points[:, 2].max() for part in pieces) == pytest.approx(100)
+
+
+@pytest.mark.parametrize(
+    ("name", "words"), [("HEB", "edge section: expected plate"), ("HEB161", "there is no HEB161")]
+)
+def test_unknown_sections_are_refused(name, words):
+    with pytest.raises(InputError, match=words):
+        EdgeBeam(name)
+
+
 def test_hubs_leave_room_for_it(roof):
     structure = build(roof, [EdgeBeam(), *JOINED["hubs"]])
     rim = roof.connectivity.boundary_vertices
     stand = {part.vertices[0] for part in structure.results["nodes"].parts}
     assert stand == set(np.flatnonzero(~rim).tolist())
+
+
+def test_hubs_without_room_beside_it_are_said(roof, border):
+    structure = build(roof, [EdgeBeam(), *JOINED["hubs"]], border=border)
+    without = build(roof, JOINED["hubs"], border=border)
+    names = [{part.name for part in one.results["nodes"].parts} for one in (structure, without)]
+    left_out = structure.report()["nodes"]["no_room"]
+    assert left_out == sorted(names[1] - names[0])
+    assert left_out
+    said = [words for words in structure.report()["messages"] if "no room for a hub" in words]
+    assert [f"{len(left_out)} in all" in words for words in said] == [True]
+    whole = build(roof, [EdgeBeam(), *JOINED["hubs"]]).report()
+    assert "no_room" not in whole["nodes"]
+    assert "no_room" not in without.report()["nodes"]
 
 
 def test_too_wide_for_the_border_is_refused_with_the_width_that_fits(roof):

@@ -35,6 +35,7 @@ PANELS = {
     "Panels": ("Net",),
     "BentPanels": ("Net",),
     "Louvres": ("Net",),
+    "Feet": ("Net",),
     "Nodes": ("Net",),
     "FlatPatterns": ("Beams",),
     "ExportFabrication": ("Beams",),

@@ -124,6 +124,9 @@ class Sequence:
     def add_louvres(self):
         return self.add_one(api.add_louvres, tilt=self.dice.uniform(0, 40))
 
+    def add_feet(self):
+        return self.add_one(api.add_feet, foot_height=self.dice.uniform(300, 2000))
+
     def add_bent_panels(self):
         return self.add_one(api.add_bent_panels, gap=self.dice.uniform(2, 12))
 

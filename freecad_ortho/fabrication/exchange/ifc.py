@@ -40,6 +40,8 @@ _CLASSES = {
     "pressure-plate": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
     "cap": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
     "adapter": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
+    "foot": ("IfcMember", "POST", "Qto_MemberBaseQuantities"),
+    "foot-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "node": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
 }
 _UNKNOWN = ("IfcBuildingElementProxy", "NOTDEFINED", "Qto_BuildingElementProxyQuantities")

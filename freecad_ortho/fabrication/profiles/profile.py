@@ -11,8 +11,9 @@ from functools import cached_property
 
 import numpy as np
 
-from freecad_ortho.fabrication.material import Material
+from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.profiles.outline import Moments, Side, moments, rounded
+from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -146,3 +147,20 @@ class Profile:
     def less_round(self) -> Profile:
         """The same without roundings of corners and roots; round tubes stay."""
         return replace(self, rings=tuple(ring.less_round() for ring in self.rings))
+
+    def made_of(self, chosen: Material) -> Material:
+        """The chosen material, or the section's own in place of plain steel.
+
+        Raises:
+            InputError: a material that the section is not made of.
+        """
+        if not self.materials or chosen.name in self.materials:
+            return chosen
+        if chosen.name == "steel":
+            usual, own = MATERIALS["steel"], MATERIALS[self.material]
+            same = chosen.density == usual.density
+            return own if same else replace(own, density=chosen.density)
+        raise InputError(
+            f"section: {self.name} is made of {', '.join(self.materials)}, not of {chosen.name}; "
+            "choose another material or section"
+        )

@@ -9,6 +9,7 @@ from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.systems.beams import Beams
 from freecad_ortho.fabrication.systems.bent_panels import BentPanels
 from freecad_ortho.fabrication.systems.edge_beam import EdgeBeam
+from freecad_ortho.fabrication.systems.feet import Feet
 from freecad_ortho.fabrication.systems.lamellas import Lamellas
 from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import ENDS_OF, Nodes
@@ -20,7 +21,7 @@ from solver.errors import InputError
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
     system.name: system
-    for system in (EdgeBeam, Beams, Nodes, Panels, Louvres, Lamellas, BentPanels, Patches)
+    for system in (EdgeBeam, Beams, Nodes, Panels, Louvres, Lamellas, BentPanels, Patches, Feet)
 }
 
 __all__ = [
@@ -28,6 +29,7 @@ __all__ = [
     "Beams",
     "BentPanels",
     "EdgeBeam",
+    "Feet",
     "Lamellas",
     "Louvres",
     "Nodes",

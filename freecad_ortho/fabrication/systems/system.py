@@ -69,6 +69,10 @@ class System(ABC):
         """
         return cls(**values)
 
+    def beside(self, others: Mapping[str, System]) -> System:
+        """The settings where others are built with it, by their names; by default the same."""
+        return self
+
     @abstractmethod
     def build(self, site: Site) -> SystemParts:
         """Work out the parts; none where the net has nothing that this system builds on.

@@ -6,19 +6,18 @@ is constant, their lower sides meet at a node only where the net has one height 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body
-from freecad_ortho.fabrication.material import MATERIALS, Material
+from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.profiled import ProfiledBody
 from freecad_ortho.fabrication.profiles import Profile
 from freecad_ortho.fabrication.profiles.end import End
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.sections import Piece, prism
-from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -51,22 +50,8 @@ class RolledSection:
         return self.profile if self.rounded else self.profile.less_round()
 
     def material(self, chosen: Material) -> Material:
-        """The material of the beams: the chosen one, or the section's own in place of plain steel.
-
-        Raises:
-            InputError: a material that the section is not made of.
-        """
-        possible = self.profile.materials
-        if not possible or chosen.name in possible:
-            return chosen
-        if chosen.name == "steel":
-            usual, own = MATERIALS["steel"], MATERIALS[self.profile.material]
-            same = chosen.density == usual.density
-            return own if same else replace(own, density=chosen.density)
-        raise InputError(
-            f"section: {self.profile.name} is made of {', '.join(possible)}, not of {chosen.name}; "
-            "choose another material or section"
-        )
+        """The material of the beams, see :meth:`Profile.made_of`."""
+        return self.profile.made_of(chosen)
 
     @property
     def name(self) -> str:

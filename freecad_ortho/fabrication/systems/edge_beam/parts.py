@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from freecad_ortho.fabrication.bevels import bevels_of
-from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.bodies import Body, Polyhedron
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.profiled import ProfiledBody
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
+from freecad_ortho.fabrication.systems.edge_beam.rolled import RolledEdge
 from freecad_ortho.fabrication.systems.edge_beam.sections import EdgeSection
 from freecad_ortho.fabrication.systems.system import Table
 from solver.mesh.connectivity import IntArray
@@ -134,28 +137,39 @@ def _part(
     # Where the planes of the ends cross the middle of the upper side.
     middles = outer[:, 1:3].mean(axis=1)[:, 0] - low[0]
     body = section.body(outer - low, inner - low, middles, ends)
-    pattern = None
+    pattern, origin = None, low
+    if isinstance(section, RolledEdge):
+        origin = low + section.lift
     if section.kind == "plate":
         assert isinstance(body, Polyhedron)
         pattern = _pattern(name, (flat - low)[[0, 2, 3, 1], :2], beside)
         pattern = replace(pattern, bevels=bevels_of(body), seen="right")
     length = float(np.ptp(outer[..., 0]))
+    bought: dict[str, Any] = {}
+    if isinstance(section, RolledEdge):
+        bought = {"section": section.words, "weighed": section.weighed(middles, ends)}
     return Part(
         name=name,
         kind="edge-beam",
         body=body,
-        origin=geometry.start[piece] + low @ geometry.frame[piece] + site.shift,
+        origin=geometry.start[piece] + origin @ geometry.frame[piece] + site.shift,
         frame=geometry.frame[piece],
         pattern=pattern,
         length=length if pattern is None else float(pattern.size[0]),
         width=section.height,
         thickness=section.width if pattern is not None else section.wall,
-        area=section.skin(outer) if pattern is None else pattern.area,
+        area=_skin(section, body, outer) if pattern is None else pattern.area,
         volume=body.volume,
         material=site.material,
         note="" if pattern is not None else _cut_words(section, ends),
         section_width=None if pattern is not None else section.width,
+        **bought,
     )
+
+
+def _skin(section: EdgeSection, body: Body, outer: FloatArray) -> float:
+    """Outer surface of a bar without its ends, mm2."""
+    return body.skin if isinstance(body, ProfiledBody) else section.skin(outer)
 
 
 def _pattern(name: str, outline: FloatArray, beside: tuple[str, str]) -> FlatPattern:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.fabrication.profiles import Profile, names, profile
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
     OFFSETS,
@@ -19,9 +20,11 @@ from freecad_ortho.fabrication.sizes import (
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry, edge_geometry
 from freecad_ortho.fabrication.systems.edge_beam.parts import bends, edge_parts
 from freecad_ortho.fabrication.systems.edge_beam.path import joints_of, paths_of
+from freecad_ortho.fabrication.systems.edge_beam.rolled import RolledEdge
 from freecad_ortho.fabrication.systems.edge_beam.sections import SECTIONS, EdgeSection
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.words import counted
+from solver.errors import InputError
 from solver.option import Option
 
 # Pieces are at least this long, mm, and twice as long as wide.
@@ -37,7 +40,7 @@ class EdgeBeam(System):
     turns, and where it would leave a piece by more than half its width.
 
     Args:
-        section: plate, tube or round.
+        section: plate, tube or round, or one of the catalogue, which has sizes of its own.
         section_height: mm; by default as high as the beams; a round tube is as high as wide.
         width: mm; by default a plate is as thick as the plates, a tube 60 mm wide.
         wall: of tubes, mm.
@@ -46,6 +49,8 @@ class EdgeBeam(System):
         offset: of the beams.
         clearance: that they leave before it, mm.
         stock: longer pieces are cut into equal lengths, mm.
+        rounded: solids have the rounded corners and roots of a section of the catalogue; masses
+            always do.
 
     Raises:
         InputError: a length that is not positive and finite, or an unknown choice.
@@ -60,6 +65,7 @@ class EdgeBeam(System):
     offset: str = "centre"
     clearance: float = 1.0
     stock: float | None = None
+    rounded: bool = False
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "edge-beam"
@@ -67,7 +73,14 @@ class EdgeBeam(System):
         ("louvres", "lamellas", "bent-panels", "patches"), _STANDS
     )
     options: ClassVar[tuple[Option, ...]] = (
-        Option("edge_section", "plate", "choice", "the edge beam has this cross section", SECTIONS),
+        Option(
+            "edge_section",
+            "plate",
+            "choice",
+            "the edge beam has this cross section, or one of the catalogue such as HEB160",
+            SECTIONS,
+            examples=names(),
+        ),
         Option(
             "edge_height",
             None,
@@ -92,6 +105,12 @@ class EdgeBeam(System):
         ),
         Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
         Option("stock", None, "length", "strips are cut from this length; longer ones are spliced"),
+        Option(
+            "rounded",
+            False,
+            "flag",
+            "solids have the rounded corners and roots of a section of the catalogue",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -107,12 +126,24 @@ class EdgeBeam(System):
     def of(cls, values: Mapping[str, Any]) -> EdgeBeam:
         """Make the settings from options."""
         given = dict(values)
-        names = {"section": "section", "section_height": "height", "width": "width", "wall": "wall"}
-        return cls(**{own: given.pop(f"edge_{word}") for own, word in names.items()}, **given)
+        words = {"section": "section", "section_height": "height", "width": "width", "wall": "wall"}
+        return cls(**{own: given.pop(f"edge_{word}") for own, word in words.items()}, **given)
+
+    def beside(self, others: Mapping[str, System]) -> EdgeBeam:
+        """The same at the level of the beams that it is built with: theirs may be a section's."""
+        beams = others.get("beams")
+        height = getattr(beams, "height", self.height)
+        return replace(self, height=height, offset=getattr(beams, "offset", self.offset))
 
     @property
     def profile(self) -> EdgeSection:
-        """The cross section."""
+        """The cross section.
+
+        Raises:
+            InputError: sizes or a name that make no section.
+        """
+        if self.section not in SECTIONS:
+            return RolledEdge.of(self._bought, self.rounded)
         width = self.width
         if width is None:
             width = self.thickness if self.section == "plate" else 60.0
@@ -121,6 +152,16 @@ class EdgeBeam(System):
             height = width
         return EdgeSection(self.section, height, width, self.wall)
 
+    @property
+    def _bought(self) -> Profile:
+        """The section of the catalogue."""
+        if self.section.isalpha():
+            raise InputError(
+                f"edge section: expected {', '.join(SECTIONS)} or one of the catalogue such as "
+                f"HEB160 or tube:100x60x5, got '{self.section}'"
+            )
+        return profile(self.section)
+
     def build(self, site: Site) -> SystemParts:
         """Work out the pieces.
 
@@ -128,6 +169,8 @@ class EdgeBeam(System):
             InputError: a width that does not fit the border.
         """
         section = self.profile
+        if isinstance(section, RolledEdge):
+            site = replace(site, material=section.bought.made_of(site.material))
         least = max(_LEAST, 2 * section.width)
         ways = [(path, joints_of(path, least, section.width / 2)) for path in paths_of(site)]
         # Fewer than three pieces do not go round.

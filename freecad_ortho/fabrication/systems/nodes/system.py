@@ -17,7 +17,11 @@ from freecad_ortho.fabrication.systems.beams.frames import around_axes, beam_fra
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.options import HUB_OPTIONS, PLAIN_HUB
 from freecad_ortho.fabrication.systems.beams.system import Beams
-from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
+from freecad_ortho.fabrication.systems.edge_beam.hubs import (
+    beside_edge_beam,
+    no_room_words,
+    without_hubs,
+)
 from freecad_ortho.fabrication.systems.nodes.bolted import bolted_nodes
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
@@ -204,14 +208,24 @@ class Nodes(System):
             built &= kept if geometry is None else geometry.built
             within = site.trimming.vertices(site.mesh.connectivity.edges)
         bolted = geometry if self.kind == "bolted" else None
-        within &= ~without_hubs(site, self.across) if bolted is None else bolted.hub_radii > 0
+        room = ~without_hubs(site, self.across) if bolted is None else bolted.hub_radii > 0
         if not built.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
-        joined = [star for star in stars(frames, around) if within[star.vertex]]
-        if bolted is not None and beams is not None:
-            return self._bolted(site, bolted, beams, joined)
+        meeting = [star for star in stars(frames, around) if within[star.vertex]]
+        joined = [star for star in meeting if room[star.vertex]]
         names = part_names("N", len(site.mesh.vertices))
+        missing = [star.vertex for star in meeting if not room[star.vertex]]
+        left_out = [names[vertex] for vertex in beside_edge_beam(site, missing)]
+        if bolted is not None and beams is not None:
+            made = self._bolted(site, bolted, beams, joined)
+        else:
+            made = self._plain(site, names, joined)
+        report = made.report | ({"no_room": left_out} if left_out else {})
+        return replace(made, report=report, messages=(*made.messages, *no_room_words(left_out)))
+
+    def _plain(self, site: Site, names: Sequence[str], joined: Sequence[Star]) -> SystemParts:
+        """Solid hubs, or sockets."""
         parts = tuple(self._part(site, names[star.vertex], star) for star in joined)
         groups = _groups(parts)
         report = {

@@ -1,0 +1,146 @@
+"""The system of support feet: settings, parts, and the list of anchors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from freecad_ortho.fabrication.bolts import BOLTS, GRADE, bolt_of
+from freecad_ortho.fabrication.part import part_names
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.systems.feet.parts import FootSizes, foot_parts
+from freecad_ortho.fabrication.systems.feet.places import standing, undersides
+from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
+from solver.errors import InputError
+from solver.option import Option
+
+_ANCHORS = 4
+_COLUMNS = ("foot", "vertex", "anchor", "grade", "count", "hole_mm", "post_mm")
+
+
+@dataclass(frozen=True)
+class Feet(System):
+    """A base plate with four anchors, a post and a cap below every supported vertex.
+
+    The cap is square to the node axis, below the beams or the hub; the post stands upright under
+    its middle. Both plates are welded to it.
+
+    Args:
+        places: "corners", "boundary", or numbers of vertices joined by commas.
+        foot_height: from the vertex down to the lower side of the base plate, mm.
+        diameter: of the post, a round tube, mm.
+        wall: of the post, mm.
+        plate: thickness of base plate and cap, mm.
+        anchor: size of the anchor bolts.
+        height: of the beams, where none are built, mm.
+        offset: of these beams.
+        clearance: between the beams and the cap, mm.
+
+    Raises:
+        InputError: a length that is not positive and finite, or an unknown choice.
+    """
+
+    places: str = "corners"
+    foot_height: float = 600.0
+    diameter: float = 88.9
+    wall: float = 5.0
+    plate: float = 15.0
+    anchor: str = "M16"
+    height: float = 200.0
+    offset: str = "centre"
+    clearance: float = 1.0
+
+    trims: ClassVar[bool] = True
+    name: ClassVar[str] = "feet"
+    excludes: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("lamellas", "bent-panels", "patches"),
+        "cannot be built together: feet stand below nodes and beams; leave the feet out",
+    )
+    options: ClassVar[tuple[Option, ...]] = (
+        Option(
+            "foot_at",
+            "corners",
+            "text",
+            "these vertices stand on feet: corners, boundary, or their numbers as 0,12,40",
+        ),
+        Option("foot_height", 600.0, "length", "the base plates lie this far below the vertices"),
+        Option("post_diameter", 88.9, "length", "the posts are round tubes of this diameter"),
+        Option("post_wall", 5.0, "length", "the walls of the posts are this thick"),
+        Option("foot_plate", 15.0, "length", "base plates and caps are this thick"),
+        Option("anchor", "M16", "choice", "four anchor bolts hold a base plate", tuple(BOLTS)),
+        Option("height", 200.0, "length", "the beams are this high"),
+        Option(
+            "offset",
+            "centre",
+            "choice",
+            "the parts lie above the net, about it or below it",
+            OFFSETS,
+        ),
+        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+    )
+
+    def __post_init__(self) -> None:
+        for words, value in (
+            ("foot height", self.foot_height),
+            ("post diameter", self.diameter),
+            ("post wall", self.wall),
+            ("foot plate", self.plate),
+            ("beam height", self.height),
+            ("clearance", self.clearance),
+        ):
+            check_size(words, value)
+        check_offset(self.offset)
+        if 2 * self.wall >= self.diameter:
+            raise InputError(
+                f"post wall: {self.wall:g} mm fills a tube of {self.diameter:g} mm; take less than "
+                f"{self.diameter / 2:g} mm"
+            )
+        _ = self.sizes
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> Feet:
+        """Make the settings from options."""
+        given = dict(values)
+        names = {"places": "foot_at", "diameter": "post_diameter", "wall": "post_wall"}
+        names["plate"] = "foot_plate"
+        return cls(**{own: given.pop(option) for own, option in names.items()}, **given)
+
+    @property
+    def sizes(self) -> FootSizes:
+        """Of every foot."""
+        return FootSizes(self.diameter, self.wall, self.plate, bolt_of(self.anchor))
+
+    def build(self, site: Site) -> SystemParts:
+        """Work out the feet.
+
+        Raises:
+            InputError: no such vertices, axes that lie flat there, or a height without room.
+        """
+        sizes = self.sizes
+        numbers = standing(site, self.places)
+        levels = offset_levels(self.offset, self.height)
+        below = undersides(site, numbers, levels, sizes.reach) + self.clearance
+        names = part_names("FT", len(site.mesh.vertices))
+        feet = [
+            foot_parts(site, vertex, names[vertex], sizes, level, self.foot_height)
+            for vertex, level in zip(numbers.tolist(), below.tolist(), strict=True)
+        ]
+        parts = tuple(part for foot in feet for part in foot)
+        bolts = self.anchor, GRADE, _ANCHORS, f"{sizes.bolt.hole:g}"
+        rows = tuple(
+            (post.name, vertex, *bolts, f"{post.length:.3f}")
+            for vertex, (_, post, _) in zip(numbers.tolist(), feet, strict=True)
+        )
+        report = {
+            "feet": len(feet),
+            "base_mm": sizes.base,
+            "cap_mm": sizes.cap,
+            "anchors": _ANCHORS * len(feet),
+            "anchor": self.anchor,
+            "post_min_mm": min(post.length for _, post, _ in feet),
+            "post_max_mm": max(post.length for _, post, _ in feet),
+            **sums(parts),
+        }
+        return SystemParts(parts, report, tables=(Table("anchors.csv", _COLUMNS, rows),))
