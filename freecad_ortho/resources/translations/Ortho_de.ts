@@ -1,5 +1,4 @@
-<?xml version="1.0" encoding="utf-8"?>
-<!DOCTYPE TS>
+<?xml version='1.0' encoding='utf-8'?>
 <TS version="2.1" language="de" sourcelanguage="en">
  <context>
   <name>App::Property</name>
@@ -12,6 +11,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Along: parts keep their length along the sheet</source>
    <translation>Along: Teile behalten ihre Länge längs der Tafel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Anchor: four anchor bolts hold a base plate</source>
+   <translation>Anker: vier Anker halten eine Fußplatte</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -39,14 +43,44 @@
    <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Axial force of each member where it is used most, kN; tension positive</source>
+   <translation>Normalkraft jedes Stabs, wo er am stärksten ausgenutzt ist, kN; Zug positiv</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Beams that the parts lie on or join; empty: the net</source>
    <translation>Träger, auf denen die Teile liegen oder die sie verbinden; leer: das Netz</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Beams whose section and material count; empty: those given here</source>
+   <translation>Träger, deren Querschnitt und Werkstoff gelten; leer: die hier angegebenen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bending: the panels are flat, or bent cold into faces that are not planar</source>
+   <translation>Biegung: die Platten sind eben oder kalt in nicht ebene Flächen gebogen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bite: joints of structural silicone are this wide</source>
+   <translation>Fugenbreite: so breit sind Fugen aus tragendem Silikon</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Blue at and below this value (mm, 1/m, 1/m2, degrees) if not automatic</source>
    <translation>Blau bei und unter diesem Wert (mm, 1/m, 1/m2, Grad), wenn nicht automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolt: end plates are bolted with bolts of this size</source>
+   <translation>Schraube: Kopfplatten werden mit Schrauben dieser Größe angeschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolts: an end plate has so many bolts, 1 or 2</source>
+   <translation>Schrauben: so viele Schrauben hat eine Kopfplatte, 1 oder 2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -57,6 +91,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Boxes: fast; outlines: denser, with a library</source>
    <translation>Boxes: schnell; Outlines: dichter, mit einer Bibliothek</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Buckling shape that is drawn; 1 is the first</source>
+   <translation>Gezeichnete Knickform; 1 ist die erste</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -139,6 +178,11 @@
    <translation>Dichte in kg/m3; 0: die des Materials</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Displacements are drawn so many times as large; 0: as it fits</source>
+   <translation>Verschiebungen werden so vielfach gezeichnet; 0: wie es passt</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Distance along the normals, negative for below</source>
    <translation>Abstand längs der Normalen, negativ für darunter</translation>
@@ -160,13 +204,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge cover: panels reach this far under pressure plates</source>
+   <translation>Einstand: so weit reichen Platten unter die Pressleisten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge height: the edge beam is this high, by default as high as the beams</source>
    <translation>Randhöhe: so hoch ist der Randträger, sonst so hoch wie die Träger</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge section: the edge beam has this cross section</source>
-   <translation>Randprofil: der Randträger hat diesen Querschnitt</translation>
+   <source>Edge section: the edge beam has this cross section, or one of the catalogue such as HEB160</source>
+   <translation>Randprofil: der Randträger hat diesen Querschnitt oder einen des Katalogs wie HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -280,6 +329,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot at: these vertices stand on feet: corners, boundary, or their numbers as 0,12,40</source>
+   <translation>Füße an: diese Ecken stehen auf Füßen: corners, boundary oder ihre Nummern wie 0,12,40</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot height: the base plates lie this far below the vertices</source>
+   <translation>Fußhöhe: so weit liegen die Fußplatten unter den Ecken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot plate: base plates and caps are this thick</source>
+   <translation>Fußplatte: so dick sind Fuß- und Kopfplatten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Force density of border cables; 0: the same</source>
    <translation>Kraftdichte der Randseile; 0: dieselbe</translation>
   </message>
@@ -305,6 +369,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame width: pressure plates and caps are this wide</source>
+   <translation>Rahmenbreite: so breit sind Press- und Deckleisten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame: pressure plates and caps hold the panels, or structural silicone on adapters</source>
+   <translation>Rahmen: Press- und Deckleisten halten die Platten, oder tragendes Silikon auf Adaptern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap: the joint between two panels is this wide</source>
    <translation>Fuge: die Fuge zwischen zwei Platten ist so breit</translation>
   </message>
@@ -312,6 +386,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap: the joint between two patches is this wide</source>
    <translation>Fuge: die Fuge zwischen zwei Flächenstücken ist so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gasket: gaskets below and above framed panels are this thick</source>
+   <translation>Dichtung: so dick sind die Dichtungen unter und über gerahmten Platten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -370,13 +449,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: hubs or sockets measure this across their faces</source>
-   <translation>Nabendurchmesser: so viel messen Naben oder Hülsen über ihre Flächen</translation>
+   <source>Hub diameter: the hubs measure this across their faces</source>
+   <translation>Nabendurchmesser: so viel messen die Naben über ihre Flächen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: the hubs measure this across their faces</source>
-   <translation>Nabendurchmesser: so viel messen die Naben über ihre Flächen</translation>
+   <source>Hub wall: bolted hubs have walls of this thickness</source>
+   <translation>Nabenwand: geschraubte Naben haben Wände dieser Dicke</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -409,6 +488,11 @@
    <translation>Größter zulässiger Winkel zur Flächennormalen; 0: jeder</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Largest displacement that passes</source>
+   <translation>Größte zulässige Verschiebung</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance from plane or developable that passes; 0: any</source>
    <translation>Größter zulässiger Abstand von eben oder abwickelbar; 0: jeder</translation>
@@ -429,6 +513,11 @@
    <translation>Größtes Residuum, das als null gilt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Largest share of the strain energy that is not of axial forces, %</source>
+   <translation>Größter Anteil der Formänderungsarbeit, der nicht von Normalkräften kommt, %</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest twist of a beam that passes; 0: any</source>
    <translation>Größte zulässige Verwindung eines Trägers; 0: jede</translation>
@@ -437,6 +526,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Layers: one layer has slots where strips cross, two have bolt holes</source>
    <translation>Lagen: eine Lage hat Schlitze, wo Streifen sich kreuzen, zwei haben Schraubenlöcher</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Least factor on the loads; 0 where nothing buckles</source>
+   <translation>Kleinster Faktor auf die Lasten; 0, wo nichts knickt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -467,6 +561,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Less than 1 moves the centre away</source>
    <translation>Weniger als 1 rückt das Zentrum weg</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Lines as 'strength: 1.35 self-weight + 1.5 snow'; empty: those of EN 1990</source>
+   <translation>Zeilen wie 'strength: 1.35 self-weight + 1.5 snow'; leer: die der EN 1990</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -507,6 +606,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Mark the supported vertices, those of the boundary</source>
    <translation>Die gelagerten Ecken markieren, die des Randes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Mass of all members, kg</source>
+   <translation>Masse aller Stäbe, kg</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -554,6 +658,11 @@
    <translation>Mehr davon bewegt Nachbarn ähnlicher; üblich ist 0,1; -1 ist automatisch</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Movements of nodes, then middles of members; modes one after the other</source>
+   <translation>Bewegungen der Knoten, dann der Stabmitten; Eigenformen nacheinander</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Names of the parts that do not fit on a sheet</source>
    <translation>Namen der Teile, die auf keine Tafel passen</translation>
@@ -579,6 +688,11 @@
    <translation>Netz, auf dem das Tragwerk steht</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Net whose edges are the members</source>
+   <translation>Netz, dessen Kanten die Stäbe sind</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Nets that this one is made of</source>
    <translation>Netze, aus denen dieses gemacht ist</translation>
@@ -599,6 +713,16 @@
    <translation>Knoten: die Träger sind durch Naben oder Hülsen verbunden</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Nodes of the frame</source>
+   <translation>Knoten des Stabwerks</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Nodes of the members, two each</source>
+   <translation>Knoten der Stäbe, je zwei</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Nodes whose hubs the panels stay clear of</source>
    <translation>Knoten, von deren Naben die Platten Abstand halten</translation>
@@ -612,6 +736,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Number of sheets</source>
    <translation>Anzahl der Tafeln</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Number of the most used member: that of its edge</source>
+   <translation>Nummer des am stärksten ausgenutzten Stabs: die seiner Kante</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -632,6 +761,26 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Numbers of vertices that are drawn to a place</source>
    <translation>Nummern von Ecken, die an einen Ort gezogen werden</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of a node in service</source>
+   <translation>Eines Knotens im Gebrauch</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the modes under the loads that buckle it first</source>
+   <translation>Der Eigenformen unter den Lasten, die es zuerst knicken</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the most used member, %; 100 is all that it has</source>
+   <translation>Des am stärksten ausgenutzten Stabs, %; 100 ist alles, was er hat</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the nodes, in the service case that moves one most</source>
+   <translation>Der Knoten, im Gebrauchsfall, der einen am weitesten bewegt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -760,8 +909,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post diameter: the posts are round tubes of this diameter</source>
+   <translation>Pfostenrohr: die Pfosten sind Rundrohre dieses Durchmessers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post wall: the walls of the posts are this thick</source>
+   <translation>Pfostenwand: so dick sind die Wände der Pfosten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure along the normals, force / mm2</source>
    <translation>Druck längs der Normalen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Pressure in kN/m2 and where it blows to, as 0.6@x; a case each</source>
+   <translation>Druck in kN/m2 und wohin er weht, wie 0.6@x; je ein Lastfall</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -844,6 +1008,11 @@
    <translation>Zweiter</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Section and material checked</source>
+   <translation>Geprüfter Querschnitt und Werkstoff</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section width: hollow sections and flanges are this wide</source>
    <translation>Breite des Querschnitts: Hohlprofile und Flansche sind so breit</translation>
@@ -867,6 +1036,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi-axes of the quadric</source>
    <translation>Halbachsen der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Shape that is drawn: the frame, or how it moves</source>
+   <translation>Gezeichnete Form: das Stabwerk oder wie es sich bewegt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -932,6 +1106,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Show the rulings of strips along the parameter lines</source>
    <translation>Die Erzeugenden von Streifen längs der Parameterlinien zeigen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Show the scale of the colours</source>
+   <translation>Die Farbskala zeigen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -1019,6 +1198,11 @@
    <translation>Streifen: die Streifen sind aus ebenen Flächen oder verwunden</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Structure whose weight is a load by the surface, such as panels</source>
+   <translation>Tragwerk, dessen Gewicht eine Flächenlast ist, etwa Platten</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Structures whose parts are shown</source>
    <translation>Tragwerke, deren Teile gezeigt werden</translation>
@@ -1027,6 +1211,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
    <translation>Auflager, die zuerst gehoben werden, ECKE:HÖHE in mm, etwa 0:1500; 20:900</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>The check as JSON</source>
+   <translation>Die Prüfung als JSON</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1109,6 +1298,11 @@
    <translation>Einheit der Datei, aus der das Netz kam</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Utilisation of each member, 1 is all</source>
+   <translation>Ausnutzung jedes Stabs, 1 ist alles</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Values of the two other coordinates in place of it</source>
    <translation>Stattdessen Werte der beiden anderen Koordinaten</translation>
@@ -1117,6 +1311,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Version of this object's properties</source>
    <translation>Version der Eigenschaften dieses Objekts</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Vertex and force in kN, as 12:0,0,-5</source>
+   <translation>Ecke und Kraft in kN, wie 12:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1164,9 +1363,24 @@
    <translation>Was zu wissen ist, bevor die Form verwendet wird</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>What is to be known of the model</source>
+   <translation>Was vom Modell zu wissen ist</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Was den Abstand hält</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>What the check comes to, in one line</source>
+   <translation>Was die Prüfung ergibt, in einer Zeile</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>What the colours of the members say</source>
+   <translation>Was die Farben der Stäbe sagen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -1214,6 +1428,11 @@
    <translation>Wo die Form steht, solange niemand sie bewegt hat</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Whether all that was checked holds</source>
+   <translation>Ob alles hält, was geprüft wurde</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Which lines of the surface the net follows</source>
    <translation>Welchen Linien der Fläche das Netz folgt</translation>
@@ -1249,6 +1468,11 @@
    <translation>Breite der Kanten in Pixeln</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Width of the members, in pixels</source>
+   <translation>Breite der Stäbe, in Pixeln</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Width: the strips are this wide</source>
    <translation>Breite: die Streifen sind so breit</translation>
@@ -1261,6 +1485,16 @@
  </context>
  <context>
   <name>Ortho</name>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>, drawn {:g} times</source>
+   <translation>, {:g}-fach gezeichnet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>100 mm, of bolted ones what each needs</source>
+   <translation>100 mm, geschraubte so groß wie nötig</translation>
+  </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>A click marks the worst place, a double click shows the measure in colours.</source>
@@ -1343,6 +1577,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Anchor</source>
+   <translation>Anker</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angle</source>
    <translation>Winkel</translation>
   </message>
@@ -1382,6 +1621,11 @@
    <translation>Verlangt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Assembly</source>
+   <translation>Montage</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Asymptotic</source>
    <translation>Asymptotisch</translation>
@@ -1417,6 +1661,16 @@
    <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Axial force</source>
+   <translation>Normalkraft</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Axial forces</source>
+   <translation>Normalkräfte</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Festschreiben</translation>
@@ -1438,6 +1692,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bending</source>
+   <translation>Biegung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Bending radius</source>
    <translation>Biegeradius</translation>
   </message>
@@ -1445,6 +1704,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bent so that circles stay circles; place and size stay</source>
    <translation>So gebogen, dass Kreise Kreise bleiben; Ort und Größe bleiben</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bite</source>
+   <translation>Fugenbreite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolt</source>
+   <translation>Schraube</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolts</source>
+   <translation>Schrauben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1465,6 +1739,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore</source>
    <translation>Bohrung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Buckling shape {}</source>
+   <translation>Knickform {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1527,7 +1806,7 @@
    <translation>Quelle ändern</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <location filename="../../../freecad_ortho/documents/common.py" />
    <source>Change {}</source>
    <translation>{} ändern</translation>
   </message>
@@ -1727,6 +2006,11 @@
    <translation>DXF-Version</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Deflected shape</source>
+   <translation>Verformte Gestalt</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Density</source>
    <translation>Dichte</translation>
@@ -1735,6 +2019,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Diagonals</source>
    <translation>Diagonalen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Displacement</source>
+   <translation>Verschiebung</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/display.py" />
@@ -1813,6 +2102,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge cover</source>
+   <translation>Einstand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge height</source>
    <translation>Randhöhe</translation>
   </message>
@@ -1862,7 +2156,7 @@
    <translation>Netz bearbeiten</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/view/flat_patterns_view.py" />
+   <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Edit settings</source>
    <translation>Einstellungen bearbeiten</translation>
   </message>
@@ -1957,6 +2251,11 @@
    <translation>Glattheit</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Files of the check written to {}</source>
+   <translation>Dateien der Prüfung in {} geschrieben</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
    <source>Finding the exact net ...</source>
    <translation>Das exakte Netz wird gesucht ...</translation>
@@ -2047,6 +2346,21 @@
    <translation>Ordner für die Fertigungsdateien</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot at</source>
+   <translation>Füße an</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot height</source>
+   <translation>Fußhöhe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot plate</source>
+   <translation>Fußplatte</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>For developable nets: the sheet bends and hardly stretches</source>
    <translation>Für abwickelbare Netze: das Blech biegt sich und dehnt sich kaum</translation>
@@ -2097,6 +2411,16 @@
    <translation>Vier Maschen aus jeder, Parameterlinien bleiben</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame</source>
+   <translation>Rahmen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame width</source>
+   <translation>Rahmenbreite</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>FreeCAD's Python was not found, or it has no pip. Install pip for Python {} with your system's package manager, then try again.</source>
    <translation>Das Python von FreeCAD wurde nicht gefunden oder hat kein pip. Installieren Sie pip für Python {} mit der Paketverwaltung Ihres Systems und versuchen Sie es dann noch einmal.</translation>
@@ -2135,6 +2459,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap to reference</source>
    <translation>Abstand zur Vorlage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gasket</source>
+   <translation>Dichtung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2235,6 +2564,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter</source>
    <translation>Nabendurchmesser</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub wall</source>
+   <translation>Nabenwand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2387,6 +2721,11 @@
    <translation>Weniger als 1 rückt das Zentrum weg</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Let the shape swing</source>
+   <translation>Die Form schwingen lassen</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Levels</source>
    <translation>Stufen</translation>
@@ -2452,6 +2791,36 @@
    <translation>Lamellenachse</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M12</source>
+   <translation>M12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M16</source>
+   <translation>M16</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M20</source>
+   <translation>M20</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M24</source>
+   <translation>M24</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M27</source>
+   <translation>M27</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M30</source>
+   <translation>M30</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Material</source>
    <translation>Material</translation>
@@ -2470,6 +2839,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Medial lines</source>
    <translation>Mittellinien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Members</source>
+   <translation>Stäbe</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2600,6 +2974,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>New vertices in the middle, or smoothed</source>
    <translation>Neue Ecken in der Mitte, oder geglättet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Next buckling shape</source>
+   <translation>Nächste Knickform</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2802,6 +3181,11 @@
    <translation>Lager wählen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/support_picking.py" />
+   <source>Pick vertices</source>
+   <translation>Ecken wählen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Picture (*.png)</source>
    <translation>Bild (*.png)</translation>
@@ -2835,6 +3219,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Point</source>
    <translation>Punkt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Point loads</source>
+   <translation>Einzellasten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2872,6 +3261,16 @@
    <translation>Stellung</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post diameter</source>
+   <translation>Pfostenrohr</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post wall</source>
+   <translation>Pfostenwand</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
    <translation>Drücken Sie die Maus auf der Fläche und zeichnen Sie eine Linie, an der das Netz entlangläuft; Esc verwirft sie</translation>
@@ -2885,6 +3284,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure along the normals, force / mm2</source>
    <translation>Druck längs der Normalen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Pressure in kN/m2 and where it blows to: 0.6@x; 0.6@-y</source>
+   <translation>Druck in kN/m2 und wohin er weht: 0.6@x; 0.6@-y</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3080,6 +3484,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Saw cut</source>
    <translation>Sägeschnitt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Saw list</source>
+   <translation>Sägeliste</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3367,6 +3776,11 @@
    <translation>Leitkurven</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/structural_checks.py" />
+   <source>Structural check</source>
+   <translation>Statische Prüfung</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Structures</source>
    <translation>Tragwerke</translation>
@@ -3640,6 +4054,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Nehmen</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Utilisation</source>
+   <translation>Ausnutzung</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>V part</source>
    <translation>Teil von v</translation>
@@ -3653,6 +4072,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Vertex</source>
    <translation>Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Vertex and force in kN: 12:0,0,-5; 13:0,0,-5</source>
+   <translation>Ecke und Kraft in kN: 12:0,0,-5; 13:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3683,6 +4107,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Weight of</source>
+   <translation>Gewicht von</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3735,6 +4164,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Breite x Höhe in Pixeln</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Wind</source>
+   <translation>Wind</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Within</source>
    <translation>Innerhalb</translation>
@@ -3750,9 +4184,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Max.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Write files</source>
+   <translation>Dateien schreiben</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/structures.py" />
    <source>Writing fabrication files</source>
    <translation>Fertigungsdateien schreiben</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structural_checks.py" />
+   <source>Writing files of the check</source>
+   <translation>Dateien der Prüfung werden geschrieben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3836,6 +4280,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>an end plate has so many bolts, 1 or 2</source>
+   <translation>so viele Schrauben hat eine Kopfplatte, 1 oder 2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>arc</source>
    <translation>Bogen</translation>
   </message>
@@ -3863,6 +4312,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>as text</source>
    <translation>als Text</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>as thick as the bolts</source>
+   <translation>so dick wie die Schrauben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3896,6 +4350,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>base plates and caps are this thick</source>
+   <translation>so dick sind Fuß- und Kopfplatten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>beams that are shorter than this at the border are left out</source>
    <translation>Träger, die am Rand kürzer sind, werden weggelassen</translation>
   </message>
@@ -3908,6 +4367,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bevel</source>
    <translation>abgeschrägt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bolted</source>
+   <translation>geschraubt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bolted hubs have walls of this thickness</source>
+   <translation>geschraubte Naben haben Wände dieser Dicke</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -3978,6 +4447,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>coarsen</source>
    <translation>vergröbern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cold</source>
+   <translation>kalt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4076,6 +4550,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>end plates are bolted with bolts of this size</source>
+   <translation>Kopfplatten werden mit Schrauben dieser Größe angeschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>end-plate</source>
+   <translation>Kopfplatte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>enneper</source>
    <translation>Enneper</translation>
   </message>
@@ -4103,6 +4587,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>faces of this size leave the surface by {} between their corners: take a finer mesh, or allow as much</source>
    <translation>Flächen dieser Größe weichen zwischen ihren Ecken um {} von der Fläche ab: nehmen Sie ein feineres Netz, oder lassen Sie so viel zu</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>factor {:.2f}</source>
+   <translation>Faktor {:.2f}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4136,8 +4625,18 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>four anchor bolts hold a base plate</source>
+   <translation>vier Anker halten eine Fußplatte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>free</source>
    <translation>frei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>gaskets below and above framed panels are this thick</source>
+   <translation>so dick sind die Dichtungen unter und über gerahmten Platten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4168,6 +4667,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>gfrp</source>
    <translation>GFK</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>given here</source>
+   <translation>hier angegeben</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -4206,11 +4710,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>hubs or sockets measure this across their faces</source>
-   <translation>so viel messen Naben oder Hülsen über ihre Flächen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>insulating-glass-4-12-4-12-4</source>
    <translation>Isoglas 4/12/4/12/4</translation>
   </message>
@@ -4243,6 +4742,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>join</source>
    <translation>anschließen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>joints of structural silicone are this wide</source>
+   <translation>so breit sind Fugen aus tragendem Silikon</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4288,6 +4792,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>map</source>
    <translation>Abwicklung</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>max {:.0f} %</source>
+   <translation>max. {:.0f} %</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>max {:.3g} mm</source>
+   <translation>max. {:.3g} mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4411,6 +4925,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>panels reach this far under pressure plates</source>
+   <translation>so weit reichen Platten unter die Pressleisten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>parallel</source>
    <translation>parallel</translation>
   </message>
@@ -4481,6 +5000,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>pressure plates and caps are this wide</source>
+   <translation>so breit sind Press- und Deckleisten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>pressure plates and caps hold the panels, or structural silicone on adapters</source>
+   <translation>Press- und Deckleisten halten die Platten, oder tragendes Silikon auf Adaptern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>principal</source>
    <translation>Hauptkrümmung</translation>
   </message>
@@ -4538,6 +5067,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>zweites</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>silicone</source>
+   <translation>Silikon</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4651,6 +5185,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>the base plates lie this far below the vertices</source>
+   <translation>so weit liegen die Fußplatten unter den Ecken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>the beams are joined by hubs or sockets</source>
    <translation>die Träger sind durch Naben oder Hülsen verbunden</translation>
   </message>
@@ -4681,8 +5220,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>the edge beam has this cross section</source>
-   <translation>der Randträger hat diesen Querschnitt</translation>
+   <source>the edge beam has this cross section, or one of the catalogue such as HEB160</source>
+   <translation>der Randträger hat diesen Querschnitt oder einen des Katalogs wie HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4751,6 +5290,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>the panels are flat, or bent cold into faces that are not planar</source>
+   <translation>die Platten sind eben oder kalt in nicht ebene Flächen gebogen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>the panels are this thick, by default as thick as the plates</source>
    <translation>die Platten sind so dick, ohne Angabe so dick wie die Bleche</translation>
   </message>
@@ -4773,6 +5317,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the plates stand this deep in the sockets</source>
    <translation>die Bleche stehen so tief in den Hülsen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the posts are round tubes of this diameter</source>
+   <translation>die Pfosten sind Rundrohre dieses Durchmessers</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -4823,6 +5372,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the walls of a tube along the edge are this thick</source>
    <translation>so dick sind die Wände eines Rohrs am Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the walls of the posts are this thick</source>
+   <translation>so dick sind die Wände der Pfosten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>these vertices stand on feet: corners, boundary, or their numbers as 0,12,40</source>
+   <translation>diese Ecken stehen auf Füßen: corners, boundary oder ihre Nummern wie 0,12,40</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -4943,6 +5502,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>{:.0f} a second</source>
    <translation>{:.0f} je Sekunde</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>{:.3g} to {:.3g} kN</source>
+   <translation>{:.3g} bis {:.3g} kN</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
@@ -5481,6 +6045,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Feet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put corners, the boundary or some vertices of the selected net on posts with base plates</source>
+   <translation>Ecken, Rand oder einzelne Punkte des gewählten Netzes auf Pfosten mit Fußplatten stellen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Support feet</source>
+   <translation>Stützenfüße</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_FlatPatterns</name>
   <message>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
@@ -5725,6 +6302,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/display.py" />
    <source>Save what the 3D view shows, at any size</source>
    <translation>Speichern, was die 3D-Ansicht zeigt, in jeder Größe</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_StructuralCheck</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Check the grid shell on the selected net as a frame under loads</source>
+   <translation>Die Gitterschale auf dem gewählten Netz als Stabwerk unter Lasten prüfen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Structural check</source>
+   <translation>Statische Prüfung</translation>
   </message>
  </context>
  <context>

@@ -1,5 +1,4 @@
-<?xml version="1.0" encoding="utf-8"?>
-<!DOCTYPE TS>
+<?xml version='1.0' encoding='utf-8'?>
 <TS version="2.1" language="fr" sourcelanguage="en">
  <context>
   <name>App::Property</name>
@@ -12,6 +11,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Along: parts keep their length along the sheet</source>
    <translation>Along : les pièces gardent leur longueur le long de la tôle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Anchor: four anchor bolts hold a base plate</source>
+   <translation>Ancrage : quatre ancrages tiennent une platine</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -39,14 +43,44 @@
    <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Axial force of each member where it is used most, kN; tension positive</source>
+   <translation>Effort normal de chaque barre là où elle travaille le plus, kN ; traction positive</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Beams that the parts lie on or join; empty: the net</source>
    <translation>Poutres sur lesquelles les pièces reposent ou qu'elles relient ; vide : le réseau</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Beams whose section and material count; empty: those given here</source>
+   <translation>Poutres dont la section et le matériau comptent ; vide : ceux donnés ici</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bending: the panels are flat, or bent cold into faces that are not planar</source>
+   <translation>Cintrage : les panneaux sont plans, ou cintrés à froid dans des faces non planes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bite: joints of structural silicone are this wide</source>
+   <translation>Largeur de joint : largeur des joints de silicone structurel</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Blue at and below this value (mm, 1/m, 1/m2, degrees) if not automatic</source>
    <translation>Bleu à cette valeur et en dessous (mm, 1/m, 1/m2, degrés) si non automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolt: end plates are bolted with bolts of this size</source>
+   <translation>Boulon : les platines sont boulonnées avec cette taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolts: an end plate has so many bolts, 1 or 2</source>
+   <translation>Boulons : nombre de boulons d'une platine, 1 ou 2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -57,6 +91,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Boxes: fast; outlines: denser, with a library</source>
    <translation>Boxes : rapide ; Outlines : plus dense, avec une bibliothèque</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Buckling shape that is drawn; 1 is the first</source>
+   <translation>Mode de flambement dessiné ; 1 est le premier</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -139,6 +178,11 @@
    <translation>Densité en kg/m3 ; 0 : celle du matériau</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Displacements are drawn so many times as large; 0: as it fits</source>
+   <translation>Les déplacements sont dessinés tant de fois plus grands ; 0 : selon la place</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Distance along the normals, negative for below</source>
    <translation>Distance le long des normales, négative pour dessous</translation>
@@ -160,13 +204,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge cover: panels reach this far under pressure plates</source>
+   <translation>Recouvrement : prise des panneaux sous les serreurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge height: the edge beam is this high, by default as high as the beams</source>
    <translation>Hauteur de rive : hauteur de la poutre de rive, sinon celle des poutres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge section: the edge beam has this cross section</source>
-   <translation>Profil de rive : la poutre de rive a cette section</translation>
+   <source>Edge section: the edge beam has this cross section, or one of the catalogue such as HEB160</source>
+   <translation>Profil de rive : la poutre de rive a cette section, ou une du catalogue comme HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -280,6 +329,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot at: these vertices stand on feet: corners, boundary, or their numbers as 0,12,40</source>
+   <translation>Pieds à : ces sommets posent sur des pieds : corners, boundary ou leurs numéros comme 0,12,40</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot height: the base plates lie this far below the vertices</source>
+   <translation>Hauteur de pied : distance des platines sous les sommets</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot plate: base plates and caps are this thick</source>
+   <translation>Platine de pied : épaisseur des platines de base et de tête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Force density of border cables; 0: the same</source>
    <translation>Densité de force des câbles de bord ; 0 : la même</translation>
   </message>
@@ -305,6 +369,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame width: pressure plates and caps are this wide</source>
+   <translation>Largeur de cadre : largeur des serreurs et capots</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame: pressure plates and caps hold the panels, or structural silicone on adapters</source>
+   <translation>Cadre : serreurs et capots tiennent les panneaux, ou du silicone structurel sur adaptateurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap: the joint between two panels is this wide</source>
    <translation>Joint : le joint entre deux panneaux a cette largeur</translation>
   </message>
@@ -312,6 +386,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap: the joint between two patches is this wide</source>
    <translation>Joint : le joint entre deux surfaces a cette largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gasket: gaskets below and above framed panels are this thick</source>
+   <translation>Joint : épaisseur des joints sous et sur les panneaux en cadre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -370,13 +449,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: hubs or sockets measure this across their faces</source>
-   <translation>Diamètre du moyeu : les moyeux ou les douilles mesurent autant entre leurs faces</translation>
+   <source>Hub diameter: the hubs measure this across their faces</source>
+   <translation>Diamètre du moyeu : les moyeux mesurent autant entre leurs faces</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: the hubs measure this across their faces</source>
-   <translation>Diamètre du moyeu : les moyeux mesurent autant entre leurs faces</translation>
+   <source>Hub wall: bolted hubs have walls of this thickness</source>
+   <translation>Paroi du moyeu : épaisseur de paroi des moyeux boulonnés</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -409,6 +488,11 @@
    <translation>Plus grand angle admis à la normale de la surface ; 0 : tous</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Largest displacement that passes</source>
+   <translation>Plus grand déplacement admis</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest distance from plane or developable that passes; 0: any</source>
    <translation>Plus grande distance admise au plan ou au développable ; 0 : toutes</translation>
@@ -429,6 +513,11 @@
    <translation>Plus grand résidu qui compte pour zéro</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Largest share of the strain energy that is not of axial forces, %</source>
+   <translation>Plus grande part de l'énergie de déformation non due aux efforts normaux, %</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Largest twist of a beam that passes; 0: any</source>
    <translation>Plus grande torsion admise d'une poutre ; 0 : toutes</translation>
@@ -437,6 +526,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Layers: one layer has slots where strips cross, two have bolt holes</source>
    <translation>Couches : une couche a des encoches où les bandes se croisent, deux ont des trous de boulons</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Least factor on the loads; 0 where nothing buckles</source>
+   <translation>Plus petit facteur sur les charges ; 0 si rien ne flambe</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -467,6 +561,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Less than 1 moves the centre away</source>
    <translation>Moins de 1 éloigne le centre</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Lines as 'strength: 1.35 self-weight + 1.5 snow'; empty: those of EN 1990</source>
+   <translation>Lignes comme 'strength: 1.35 self-weight + 1.5 snow' ; vide : celles de l'EN 1990</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -507,6 +606,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Mark the supported vertices, those of the boundary</source>
    <translation>Marquer les sommets appuyés, ceux du bord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Mass of all members, kg</source>
+   <translation>Masse de toutes les barres, kg</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -554,6 +658,11 @@
    <translation>Plus il y en a, plus les voisins se déplacent de même ; d'habitude 0,1; -1 : automatique</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Movements of nodes, then middles of members; modes one after the other</source>
+   <translation>Mouvements des nœuds, puis des milieux de barres ; modes l'un après l'autre</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Names of the parts that do not fit on a sheet</source>
    <translation>Noms des pièces qui ne tiennent sur aucune tôle</translation>
@@ -579,6 +688,11 @@
    <translation>Réseau sur lequel la structure est construite</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Net whose edges are the members</source>
+   <translation>Réseau dont les arêtes sont les barres</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Nets that this one is made of</source>
    <translation>Réseaux dont celui-ci est fait</translation>
@@ -599,6 +713,16 @@
    <translation>Nœud : les poutres sont reliées par des moyeux ou des douilles</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Nodes of the frame</source>
+   <translation>Nœuds de l'ossature</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Nodes of the members, two each</source>
+   <translation>Nœuds des barres, deux chacune</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Nodes whose hubs the panels stay clear of</source>
    <translation>Nœuds dont les panneaux évitent les moyeux</translation>
@@ -612,6 +736,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Number of sheets</source>
    <translation>Nombre de tôles</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Number of the most used member: that of its edge</source>
+   <translation>Numéro de la barre la plus sollicitée : celui de son arête</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -632,6 +761,26 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Numbers of vertices that are drawn to a place</source>
    <translation>Numéros de sommets attirés vers un lieu</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of a node in service</source>
+   <translation>D'un nœud en service</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the modes under the loads that buckle it first</source>
+   <translation>Des modes sous les charges qui la font flamber d'abord</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the most used member, %; 100 is all that it has</source>
+   <translation>De la barre la plus sollicitée, % ; 100 est tout ce qu'elle a</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the nodes, in the service case that moves one most</source>
+   <translation>Des nœuds, dans le cas de service qui en déplace un le plus</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -760,8 +909,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post diameter: the posts are round tubes of this diameter</source>
+   <translation>Diamètre de poteau : les poteaux sont des tubes ronds de ce diamètre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post wall: the walls of the posts are this thick</source>
+   <translation>Paroi de poteau : épaisseur des parois des poteaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure along the normals, force / mm2</source>
    <translation>Pression le long des normales, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Pressure in kN/m2 and where it blows to, as 0.6@x; a case each</source>
+   <translation>Pression en kN/m2 et où il souffle, comme 0.6@x ; un cas chacun</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -844,6 +1008,11 @@
    <translation>Second</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Section and material checked</source>
+   <translation>Section et matériau vérifiés</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section width: hollow sections and flanges are this wide</source>
    <translation>Largeur de la section : les profils creux et les semelles ont cette largeur</translation>
@@ -867,6 +1036,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi-axes of the quadric</source>
    <translation>Demi-axes de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Shape that is drawn: the frame, or how it moves</source>
+   <translation>Forme dessinée : l'ossature, ou comment elle bouge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -932,6 +1106,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Show the rulings of strips along the parameter lines</source>
    <translation>Montrer les génératrices des bandes le long des lignes paramétriques</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Show the scale of the colours</source>
+   <translation>Montrer l'échelle des couleurs</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -1019,6 +1198,11 @@
    <translation>Bande : les bandes sont faites de faces planes ou tordues</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Structure whose weight is a load by the surface, such as panels</source>
+   <translation>Structure dont le poids est une charge de surface, comme des panneaux</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Structures whose parts are shown</source>
    <translation>Structures dont les pièces sont montrées</translation>
@@ -1027,6 +1211,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
    <translation>Appuis à lever d'abord, SOMMET:HAUTEUR en mm, comme 0:1500; 20:900</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>The check as JSON</source>
+   <translation>La vérification en JSON</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1109,6 +1298,11 @@
    <translation>Unité du fichier d'où vient le réseau</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Utilisation of each member, 1 is all</source>
+   <translation>Taux de travail de chaque barre, 1 est tout</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Values of the two other coordinates in place of it</source>
    <translation>Valeurs des deux autres coordonnées à sa place</translation>
@@ -1117,6 +1311,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Version of this object's properties</source>
    <translation>Version des propriétés de cet objet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Vertex and force in kN, as 12:0,0,-5</source>
+   <translation>Sommet et force en kN, comme 12:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1164,9 +1363,24 @@
    <translation>Ce qu'il faut savoir avant d'utiliser la forme</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>What is to be known of the model</source>
+   <translation>Ce qu'il faut savoir du modèle</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Ce qui garde la distance</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>What the check comes to, in one line</source>
+   <translation>Ce que donne la vérification, en une ligne</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>What the colours of the members say</source>
+   <translation>Ce que disent les couleurs des barres</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -1214,6 +1428,11 @@
    <translation>Où se trouve la forme tant que personne ne l'a déplacée</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Whether all that was checked holds</source>
+   <translation>Si tout ce qui a été vérifié tient</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Which lines of the surface the net follows</source>
    <translation>Quelles lignes de la surface le réseau suit</translation>
@@ -1249,6 +1468,11 @@
    <translation>Largeur des arêtes en pixels</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Width of the members, in pixels</source>
+   <translation>Largeur des barres, en pixels</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Width: the strips are this wide</source>
    <translation>Largeur : les bandes ont cette largeur</translation>
@@ -1261,6 +1485,16 @@
  </context>
  <context>
   <name>Ortho</name>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>, drawn {:g} times</source>
+   <translation>, dessinés {:g} fois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>100 mm, of bolted ones what each needs</source>
+   <translation>100 mm, boulonnés : selon le besoin</translation>
+  </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>A click marks the worst place, a double click shows the measure in colours.</source>
@@ -1343,6 +1577,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Anchor</source>
+   <translation>Ancrage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angle</source>
    <translation>Angle</translation>
   </message>
@@ -1382,6 +1621,11 @@
    <translation>Demandé</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Assembly</source>
+   <translation>Montage</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Asymptotic</source>
    <translation>Asymptotique</translation>
@@ -1417,6 +1661,16 @@
    <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Axial force</source>
+   <translation>Effort normal</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Axial forces</source>
+   <translation>Efforts normaux</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Figer</translation>
@@ -1438,6 +1692,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bending</source>
+   <translation>Cintrage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Bending radius</source>
    <translation>Rayon de courbure</translation>
   </message>
@@ -1445,6 +1704,21 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bent so that circles stay circles; place and size stay</source>
    <translation>Courbé de sorte que les cercles restent des cercles ; lieu et taille restent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bite</source>
+   <translation>Largeur de joint</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolt</source>
+   <translation>Boulon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolts</source>
+   <translation>Boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1465,6 +1739,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore</source>
    <translation>Alésage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Buckling shape {}</source>
+   <translation>Mode de flambement {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1527,7 +1806,7 @@
    <translation>Modifier la source</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/documents/flat_patterns.py" />
+   <location filename="../../../freecad_ortho/documents/common.py" />
    <source>Change {}</source>
    <translation>Modifier {}</translation>
   </message>
@@ -1727,6 +2006,11 @@
    <translation>Version DXF</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Deflected shape</source>
+   <translation>Forme déformée</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Density</source>
    <translation>Densité</translation>
@@ -1735,6 +2019,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Diagonals</source>
    <translation>Diagonales</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Displacement</source>
+   <translation>Déplacement</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/display.py" />
@@ -1813,6 +2102,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edge cover</source>
+   <translation>Recouvrement</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge height</source>
    <translation>Hauteur de rive</translation>
   </message>
@@ -1862,7 +2156,7 @@
    <translation>Éditer le réseau</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/view/flat_patterns_view.py" />
+   <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Edit settings</source>
    <translation>Modifier les réglages</translation>
   </message>
@@ -1957,6 +2251,11 @@
    <translation>Lissage</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Files of the check written to {}</source>
+   <translation>Fichiers de la vérification écrits dans {}</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
    <source>Finding the exact net ...</source>
    <translation>Recherche du réseau exact ...</translation>
@@ -2047,6 +2346,21 @@
    <translation>Dossier des fichiers de fabrication</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot at</source>
+   <translation>Pieds à</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot height</source>
+   <translation>Hauteur de pied</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Foot plate</source>
+   <translation>Platine de pied</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>For developable nets: the sheet bends and hardly stretches</source>
    <translation>Pour les réseaux développables : la feuille se courbe et ne s'étire guère</translation>
@@ -2097,6 +2411,16 @@
    <translation>Quatre faces pour chacune, lignes paramétriques conservées</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame</source>
+   <translation>Cadre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Frame width</source>
+   <translation>Largeur de cadre</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>FreeCAD's Python was not found, or it has no pip. Install pip for Python {} with your system's package manager, then try again.</source>
    <translation>Le Python de FreeCAD est introuvable ou n'a pas pip. Installez pip pour Python {} avec le gestionnaire de paquets de votre système, puis réessayez.</translation>
@@ -2135,6 +2459,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Gap to reference</source>
    <translation>Écart à la référence</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Gasket</source>
+   <translation>Joint</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2235,6 +2564,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter</source>
    <translation>Diamètre du moyeu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hub wall</source>
+   <translation>Paroi du moyeu</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2387,6 +2721,11 @@
    <translation>Moins de 1 éloigne le centre</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Let the shape swing</source>
+   <translation>Faire osciller la forme</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Levels</source>
    <translation>Niveaux</translation>
@@ -2452,6 +2791,36 @@
    <translation>Axe des brise-soleil</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M12</source>
+   <translation>M12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M16</source>
+   <translation>M16</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M20</source>
+   <translation>M20</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M24</source>
+   <translation>M24</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M27</source>
+   <translation>M27</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>M30</source>
+   <translation>M30</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Material</source>
    <translation>Matériau</translation>
@@ -2470,6 +2839,11 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Medial lines</source>
    <translation>Lignes médianes</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Members</source>
+   <translation>Barres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2600,6 +2974,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>New vertices in the middle, or smoothed</source>
    <translation>Nouveaux sommets au milieu, ou lissés</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Next buckling shape</source>
+   <translation>Mode de flambement suivant</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2802,6 +3181,11 @@
    <translation>Choisir les appuis</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/support_picking.py" />
+   <source>Pick vertices</source>
+   <translation>Choisir des sommets</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Picture (*.png)</source>
    <translation>Image (*.png)</translation>
@@ -2835,6 +3219,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Point</source>
    <translation>Point</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Point loads</source>
+   <translation>Charges ponctuelles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2872,6 +3261,16 @@
    <translation>Position</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post diameter</source>
+   <translation>Diamètre de poteau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Post wall</source>
+   <translation>Paroi de poteau</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
    <translation>Pressez la souris sur la surface et dessinez une ligne que le réseau suit ; Échap l'abandonne</translation>
@@ -2885,6 +3284,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure along the normals, force / mm2</source>
    <translation>Pression le long des normales, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Pressure in kN/m2 and where it blows to: 0.6@x; 0.6@-y</source>
+   <translation>Pression en kN/m2 et où il souffle : 0.6@x; 0.6@-y</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3080,6 +3484,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Saw cut</source>
    <translation>Trait de scie</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Saw list</source>
+   <translation>Liste de sciage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3367,6 +3776,11 @@
    <translation>Courbes guides</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/structural_checks.py" />
+   <source>Structural check</source>
+   <translation>Vérification statique</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Structures</source>
    <translation>Structures</translation>
@@ -3640,6 +4054,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Utiliser</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>Utilisation</source>
+   <translation>Taux de travail</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>V part</source>
    <translation>Part de v</translation>
@@ -3653,6 +4072,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Vertex</source>
    <translation>Sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Vertex and force in kN: 12:0,0,-5; 13:0,0,-5</source>
+   <translation>Sommet et force en kN : 12:0,0,-5; 13:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3683,6 +4107,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Weight of</source>
+   <translation>Poids de</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3735,6 +4164,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Largeur x hauteur en pixels</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Wind</source>
+   <translation>Vent</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Within</source>
    <translation>À moins de</translation>
@@ -3750,9 +4184,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Pire</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Write files</source>
+   <translation>Écrire les fichiers</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/structures.py" />
    <source>Writing fabrication files</source>
    <translation>Écriture des fichiers de fabrication</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structural_checks.py" />
+   <source>Writing files of the check</source>
+   <translation>Écriture des fichiers de la vérification</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3836,6 +4280,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>an end plate has so many bolts, 1 or 2</source>
+   <translation>nombre de boulons d'une platine, 1 ou 2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>arc</source>
    <translation>arc</translation>
   </message>
@@ -3863,6 +4312,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>as text</source>
    <translation>en texte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>as thick as the bolts</source>
+   <translation>épaisse comme les boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3896,6 +4350,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>base plates and caps are this thick</source>
+   <translation>épaisseur des platines de base et de tête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>beams that are shorter than this at the border are left out</source>
    <translation>les poutres plus courtes au bord sont laissées de côté</translation>
   </message>
@@ -3908,6 +4367,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bevel</source>
    <translation>biseauté</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bolted</source>
+   <translation>boulonné</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bolted hubs have walls of this thickness</source>
+   <translation>épaisseur de paroi des moyeux boulonnés</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -3978,6 +4447,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>coarsen</source>
    <translation>grossir</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cold</source>
+   <translation>à froid</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4076,6 +4550,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>end plates are bolted with bolts of this size</source>
+   <translation>les platines sont boulonnées avec cette taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>end-plate</source>
+   <translation>platine</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>enneper</source>
    <translation>Enneper</translation>
   </message>
@@ -4103,6 +4587,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>faces of this size leave the surface by {} between their corners: take a finer mesh, or allow as much</source>
    <translation>des faces de cette taille s'écartent de {} de la surface entre leurs coins : prenez un maillage plus fin, ou admettez autant</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>factor {:.2f}</source>
+   <translation>facteur {:.2f}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4136,8 +4625,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>four anchor bolts hold a base plate</source>
+   <translation>quatre ancrages tiennent une platine</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>free</source>
    <translation>libre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>gaskets below and above framed panels are this thick</source>
+   <translation>épaisseur des joints sous et sur les panneaux en cadre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4168,6 +4667,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>gfrp</source>
    <translation>PRV</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>given here</source>
+   <translation>donnés ici</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -4206,11 +4710,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>hubs or sockets measure this across their faces</source>
-   <translation>les moyeux ou les douilles mesurent autant entre leurs faces</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>insulating-glass-4-12-4-12-4</source>
    <translation>vitrage 4/12/4/12/4</translation>
   </message>
@@ -4243,6 +4742,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>join</source>
    <translation>joindre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>joints of structural silicone are this wide</source>
+   <translation>largeur des joints de silicone structurel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4288,6 +4792,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>map</source>
    <translation>carte</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>max {:.0f} %</source>
+   <translation>max. {:.0f} %</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>max {:.3g} mm</source>
+   <translation>max. {:.3g} mm</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4411,6 +4925,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>panels reach this far under pressure plates</source>
+   <translation>prise des panneaux sous les serreurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>parallel</source>
    <translation>parallèle</translation>
   </message>
@@ -4481,6 +5000,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>pressure plates and caps are this wide</source>
+   <translation>largeur des serreurs et capots</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>pressure plates and caps hold the panels, or structural silicone on adapters</source>
+   <translation>serreurs et capots tiennent les panneaux, ou du silicone structurel sur adaptateurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>principal</source>
    <translation>principal</translation>
   </message>
@@ -4538,6 +5067,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>second</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>silicone</source>
+   <translation>silicone</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4651,6 +5185,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>the base plates lie this far below the vertices</source>
+   <translation>distance des platines sous les sommets</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>the beams are joined by hubs or sockets</source>
    <translation>les poutres sont reliées par des moyeux ou des douilles</translation>
   </message>
@@ -4681,8 +5220,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>the edge beam has this cross section</source>
-   <translation>la poutre de rive a cette section</translation>
+   <source>the edge beam has this cross section, or one of the catalogue such as HEB160</source>
+   <translation>la poutre de rive a cette section, ou une du catalogue comme HEB160</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4751,6 +5290,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>the panels are flat, or bent cold into faces that are not planar</source>
+   <translation>les panneaux sont plans, ou cintrés à froid dans des faces non planes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>the panels are this thick, by default as thick as the plates</source>
    <translation>les panneaux ont cette épaisseur, par défaut celle des plats</translation>
   </message>
@@ -4773,6 +5317,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the plates stand this deep in the sockets</source>
    <translation>les plats entrent de cette profondeur dans les douilles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the posts are round tubes of this diameter</source>
+   <translation>les poteaux sont des tubes ronds de ce diamètre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -4823,6 +5372,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the walls of a tube along the edge are this thick</source>
    <translation>épaisseur des parois d'un tube de rive</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the walls of the posts are this thick</source>
+   <translation>épaisseur des parois des poteaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>these vertices stand on feet: corners, boundary, or their numbers as 0,12,40</source>
+   <translation>ces sommets posent sur des pieds : corners, boundary ou leurs numéros comme 0,12,40</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -4943,6 +5502,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>{:.0f} a second</source>
    <translation>{:.0f} par seconde</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_shapes.py" />
+   <source>{:.3g} to {:.3g} kN</source>
+   <translation>{:.3g} à {:.3g} kN</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
@@ -5481,6 +6045,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
  </context>
  <context>
+  <name>Ortho_Feet</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put corners, the boundary or some vertices of the selected net on posts with base plates</source>
+   <translation>Poser les coins, le bord ou des sommets du réseau choisi sur des poteaux à platine</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Support feet</source>
+   <translation>Pieds d'appui</translation>
+  </message>
+ </context>
+ <context>
   <name>Ortho_FlatPatterns</name>
   <message>
    <location filename="../../../freecad_ortho/commands/flat_patterns.py" />
@@ -5725,6 +6302,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/display.py" />
    <source>Save what the 3D view shows, at any size</source>
    <translation>Enregistrer ce que montre la vue 3D, à toute taille</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_StructuralCheck</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Check the grid shell on the selected net as a frame under loads</source>
+   <translation>Vérifier la résille du réseau choisi comme ossature sous charges</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Structural check</source>
+   <translation>Vérification statique</translation>
   </message>
  </context>
  <context>
