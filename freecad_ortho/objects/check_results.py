@@ -160,7 +160,6 @@ def store(
         "Displacements": convert.vectors(moves @ turn),
         "BucklingFactors": [] if modes is None else modes.factors.tolist(),
         "BucklingShapes": convert.vectors(shapes @ turn),
-        # The view draws when this one changes, so it is the last.
         "Verdict": found.verdict,
     }
     for name, value in values.items():

@@ -20,6 +20,16 @@ UTILISATION, DISPLACEMENT, AXIAL, NONE = "Utilisation", "Displacement", "Axial f
 COLOURINGS = (UTILISATION, DISPLACEMENT, AXIAL, NONE)
 AS_DRAWN, DEFLECTED, BUCKLING = "As drawn", "Deflected", "Buckling"
 SHAPES = (AS_DRAWN, DEFLECTED, BUCKLING)
+# Properties of a check that are drawn.
+DRAWN_FROM = (
+    "Nodes",
+    "MemberNodes",
+    "MemberUtilisation",
+    "AxialForces",
+    "Displacements",
+    "BucklingFactors",
+    "BucklingShapes",
+)
 # How far the largest displacement is drawn, by the longest side of the frame.
 _DRAWN = 0.06
 _PLAIN = (0.23, 0.29, 0.36)
@@ -71,7 +81,7 @@ def drawn(feature: FreeCAD.DocumentObject, look: Look) -> Drawn | None:
     nodes, members = convert.array(feature.Nodes), np.array(feature.MemberNodes, dtype=np.int64)
     members = members.reshape(-1, 2)
     whole = len(feature.MemberUtilisation) == len(feature.AxialForces) == len(members)
-    if not feature.Verdict or not whole or not len(members) or members.max() >= len(nodes):
+    if not whole or not len(members) or members.max() >= len(nodes):
         return None
     points = _with_middles(nodes, members)
     moves, times, moving = _moves(feature, look, points, members)
@@ -95,8 +105,9 @@ def _moves(
 ) -> tuple[FloatArray | None, float, str]:
     """Displacements, how many times as large they are drawn, and words for that."""
     if look.shape == BUCKLING:
-        shapes = convert.array(feature.BucklingShapes).reshape(-1, len(points), 3)
-        if not 1 <= look.mode <= len(shapes):
+        rows = convert.array(feature.BucklingShapes)
+        shapes = rows[: len(rows) // len(points) * len(points)].reshape(-1, len(points), 3)
+        if not 1 <= look.mode <= min(len(shapes), len(feature.BucklingFactors)):
             return None, 1.0, ""
         moves = shapes[look.mode - 1]
     else:

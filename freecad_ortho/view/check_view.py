@@ -12,7 +12,7 @@ from freecad_ortho import answers
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
 from freecad_ortho.view import legends, nodes, refresh
-from freecad_ortho.view.check_shapes import COLOURINGS, SHAPES, Drawn, Look, drawn
+from freecad_ortho.view.check_shapes import COLOURINGS, DRAWN_FROM, SHAPES, Drawn, Look, drawn
 from freecad_ortho.view.frame_lines import FrameLines
 from freecad_ortho.view.legend import Legend
 from freecad_ortho.view.swinging import Swinging
@@ -140,8 +140,8 @@ class CheckView(Stateless):
             menu.addAction(entry)
 
     def updateData(self, feature: Any, name: str) -> None:
-        """Follow the verdict; it changes last."""
-        if name == "Verdict" and hasattr(self, "_lines"):
+        """Follow the results, in whatever order they change: undo has one of its own."""
+        if name in DRAWN_FROM and hasattr(self, "_lines"):
             self._draw()
 
     def onChanged(self, view_object: Any, name: str) -> None:

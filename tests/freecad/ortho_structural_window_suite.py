@@ -167,6 +167,24 @@ class TestView(CheckWindowCase):
         self.document.removeObject(check.Name)
         self.assertTrue(wait(lambda: not swing.going, 5))
 
+    def test_undo_and_redo_are_drawn(self):
+        check = self.check()
+        view = check.ViewObject
+        view.DrawnShape, view.ColourBy = "Buckling", "Displacement"
+        before = self.drawn(check), self.colours(check)
+        points = self.net.Vertices
+        self.document.openTransaction("Move")
+        points[6] = points[6] + FreeCAD.Vector(0, 0, 500)
+        self.net.Vertices = points
+        self.document.recompute()
+        self.document.commitTransaction()
+        after = self.drawn(check), self.colours(check)
+        self.assertGreater(np.abs(after[0] - before[0]).max(), 100)
+        for step, expected in (("undo", before), ("redo", after)):
+            getattr(self.document, step)()
+            np.testing.assert_allclose(self.drawn(check), expected[0], atol=1e-2)
+            np.testing.assert_allclose(self.colours(check), expected[1], atol=1e-6)
+
     def test_one_legend_is_seen_beside_a_net_that_has_one(self):
         check = self.check()
         self.net.ColourMap = "Planarity"
