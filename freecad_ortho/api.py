@@ -15,6 +15,7 @@ from freecad_ortho.mesh_files import LoadedMesh, read_mesh
 from freecad_ortho.stand_in import stand_in
 from freecad_ortho.standing import check_structure, size_structure, write_structural_check
 from freecad_ortho.step_faces import net_from_step
+from freecad_ortho.tolerating import tolerances
 from solver import optimise, start_optimisation, write_mesh
 from solver.analysis.check import check
 from solver.formfinding import find_form
@@ -135,6 +136,7 @@ __all__ = [
     "show_net",
     "size_structure",
     "start_optimisation",
+    "tolerances",
     "update_structures",
     "weld_nets",
     "write_check_files",

@@ -17,6 +17,7 @@ from freecad_ortho.cli import (
     reporting,
     sources,
     standing,
+    tolerating,
     values,
 )
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
@@ -71,6 +72,9 @@ def _parser() -> argparse.ArgumentParser:
     stand = commands.add_parser("stand", help="a structural check of the grid shell on a net")
     _add_input(stand)
     standing.add(stand)
+    tolerances = commands.add_parser("tolerances", help="what errors of the workshop make of a net")
+    _add_input(tolerances)
+    tolerating.add(tolerances)
     sources.add(commands)
     return parser
 
