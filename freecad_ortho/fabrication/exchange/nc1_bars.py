@@ -72,20 +72,22 @@ def bar_of(part: Part) -> Bar | None:
 
 
 def _profiled(part: Part, section: Profile, member: Member) -> Bar | None:
-    family, wall = section.family, section.wall
-    if family in ("tube", "alu"):
-        radius = float(section.rings[0].radii.max())
-        return _bar(part, section, "M", member, wall, wall, radius)
-    if family == "chs":
+    if not section.standard:
+        # A polygon of one's own.
+        return None
+    wall, outer = section.wall, section.rings[0]
+    if len(section.rings) == 2 and all(side.centre is not None for side in outer.sides):
         return _bar(part, section, "RO", member, wall, wall, 0.0)
-    if family == "plate":
+    if len(section.rings) == 2:
+        return _bar(part, section, "M", member, wall, wall, float(outer.radii.max()))
+    if len(outer.corners) == 4:
         return _bar(part, section, "B", member, 0.0, section.width, 0.0)
     rolled = _rolled(section)
     if rolled is None:
         return None
-    if family == "UPE":
+    code = {"UPE": "U", "tee": "T"}.get(section.family, "I")
+    if code == "U":
         member = _turned(member)
-    code = {"UPE": "U", "tee": "T"}.get(family, "I")
     return _bar(part, section, code, member, rolled.flange, rolled.web, rolled.root)
 
 

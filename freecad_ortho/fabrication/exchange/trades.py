@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from freecad_ortho.fabrication.material import Material
-from freecad_ortho.fabrication.profiles.catalogue import GLULAM, SOLID_TIMBER
 
-_WOOD = (*GLULAM, *SOLID_TIMBER, "timber", "plywood")
+# Wood is lighter than water, kg/m3; what metal, glass and fibres are made of is not.
+_WATER = 1000.0
 
 
 def is_wood(material: Material) -> bool:
     """Whether a part of this material goes to a carpenter."""
-    return material.name in _WOOD
+    return material.density < _WATER and not material.layers
 
 
 def is_metal(material: Material) -> bool:
