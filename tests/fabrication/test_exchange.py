@@ -205,6 +205,53 @@ def test_equal_parts_share_one_geometry_in_ifc(folders):
 
 
 @needed
+@pytest.mark.parametrize(
+    ("section", "kind", "sizes"),
+    [
+        ("HEB160", "IfcIShapeProfileDef", {"OverallDepth": 160, "WebThickness": 8}),
+        ("UPE160", "IfcUShapeProfileDef", {"Depth": 160, "FlangeWidth": 70}),
+        ("tee:IPE200", "IfcTShapeProfileDef", {"Depth": 100, "FlangeThickness": 8.5}),
+        ("tube:100x60x5", "IfcRectangleHollowProfileDef", {"XDim": 60, "YDim": 100}),
+        ("chs:88.9x5", "IfcCircleHollowProfileDef", {"Radius": 44.45, "WallThickness": 5}),
+        ("GL24h:80x200", "IfcRectangleProfileDef", {"XDim": 80, "YDim": 200}),
+    ],
+)
+def test_bars_have_their_profile_in_ifc(roof, tmp_path, section, kind, sizes):
+    import ifcopenshell
+    import ifcopenshell.validate
+    from ifcopenshell.util import element as elements
+
+    job = build(roof, [Beams(200, 20, section=section)], selection=Selection("u", (3,)))
+    write(job, tmp_path, workshop=Workshop(write="ifc"))
+    model = ifcopenshell.open(tmp_path / "structure.ifc")
+    log = ifcopenshell.validate.json_logger()
+    ifcopenshell.validate.validate(model, log)
+    assert log.statements == []
+    (shape,) = model.by_type("IfcProfileDef")
+    assert (shape.is_a(), shape.ProfileName) == (kind, section)
+    assert {name: getattr(shape, name) for name in sizes} == pytest.approx(sizes)
+    for bar in model.by_type("IfcBeam"):
+        profiles = elements.get_material(bar)
+        assert profiles.MaterialProfiles[0].Profile == shape
+        assert profiles.MaterialProfiles[0].Material.Name == job.parts[0].material.name
+
+
+@needed
+def test_own_sections_have_no_profile_and_no_code(roof, tmp_path):
+    import ifcopenshell
+
+    section = "polygon:0,0 60,0 60,80 0,80"
+    job = build(roof, [Beams(200, 20, section=section)], selection=Selection("u", (3,)))
+    write(job, tmp_path, workshop=Workshop(write="ifc,nc1,saw"))
+    model = ifcopenshell.open(tmp_path / "structure.ifc")
+    assert not model.by_type("IfcProfileDef")
+    assert len(model.by_type("IfcBeam")) == len(job.parts)
+    assert not (tmp_path / "nc1").exists()
+    rows = (tmp_path / "saw-list" / "saw-list.csv").read_text(encoding="utf-8").splitlines()
+    assert len(rows) == 1 + len(job.parts)
+
+
+@needed
 def test_lists_in_one_workbook(folders):
     from openpyxl import load_workbook
 

@@ -17,8 +17,11 @@ import numpy as np
 from freecad_ortho import __version__
 from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.exchange.facets import Facets, facets
+from freecad_ortho.fabrication.exchange.ifc_profiles import profile_definition
 from freecad_ortho.fabrication.part import Part, measure_words
 from freecad_ortho.fabrication.production import Production
+from freecad_ortho.fabrication.profiled import ProfiledBody
+from freecad_ortho.fabrication.profiles.catalogue import profile
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -80,7 +83,7 @@ class _Model:
         self.file, self.project = file, project
         self.space = uuid.uuid5(uuid.NAMESPACE_URL, f"freecad_ortho/{project}")
         self.values: dict[tuple[str, str], Any] = {}
-        self.materials: dict[str, list[Any]] = {}
+        self.materials: dict[tuple[str, str], list[Any]] = {}
 
     def make(self, kind: str, *values: Any) -> Any:
         """An entity of attributes in their order."""
@@ -120,11 +123,22 @@ class _Model:
             *("IfcRelContainedInSpatialStructure", self.guid("contained"), None, None, None),
             *(assemblies, building),
         )
-        for name, parts in self.materials.items():
-            material = self.make("IfcMaterial", name, None, None)
+        self._materials()
+
+    def _materials(self) -> None:
+        """Materials, of bars with the profile that they have in the catalogue."""
+        made: dict[str, Any] = {}
+        for (name, section), parts in self.materials.items():
+            if name not in made:
+                made[name] = self.make("IfcMaterial", name, None, None)
+            shape = profile_definition(self.make, profile(section)) if section else None
+            used = made[name]
+            if shape is not None:
+                bar = self.make("IfcMaterialProfile", section, None, used, shape, None, None)
+                used = self.make("IfcMaterialProfileSet", section, None, [bar], None)
+            key = f"material {name} {section}".strip()
             self.make(
-                *("IfcRelAssociatesMaterial", self.guid(f"material {name}"), None, None, None),
-                *(parts, material),
+                *("IfcRelAssociatesMaterial", self.guid(key), None, None, None, parts, used),
             )
 
     def _project(self) -> Any:
@@ -257,7 +271,10 @@ class _Model:
 
     def _describe(self, part: Part, element: Any, verdict: str, production: Production) -> None:
         """Material, quantities and properties."""
-        self.materials.setdefault(part.material.name, []).append(element)
+        body = part.body
+        standard = isinstance(body, ProfiledBody) and bool(body.profile.standard)
+        section = part.section if standard else ""
+        self.materials.setdefault((part.material.name, section), []).append(element)
         facts: dict[str, str | int | float] = {"Verdict": verdict}
         if part.family:
             facts["Family"] = part.family

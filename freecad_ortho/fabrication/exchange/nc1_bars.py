@@ -18,13 +18,12 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.profiled import ProfiledBody
 from freecad_ortho.fabrication.profiles.catalogue import profile
 from freecad_ortho.fabrication.profiles.profile import Profile
-from freecad_ortho.fabrication.profiles.rolled import HEA, HEB, HEM, IPE, UPE, Rolled
+from freecad_ortho.fabrication.profiles.rolled import rolled_sizes
 from freecad_ortho.fabrication.round_tube import RoundTube
 from solver.mesh.quadmesh import FloatArray
 
 # Steps around the development of a round tube.
 _AROUND = 72
-_ROLLED = {"IPE": IPE, "HEA": HEA, "HEB": HEB, "HEM": HEM, "UPE": UPE}
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +74,8 @@ def _profiled(part: Part, section: Profile, member: Member) -> Bar | None:
     if not section.standard:
         # A polygon of one's own.
         return None
+    # With its roundings, which solids may leave out.
+    section = profile(section.name)
     wall, outer = section.wall, section.rings[0]
     if len(section.rings) == 2 and all(side.centre is not None for side in outer.sides):
         return _bar(part, section, "RO", member, wall, wall, 0.0)
@@ -82,19 +83,13 @@ def _profiled(part: Part, section: Profile, member: Member) -> Bar | None:
         return _bar(part, section, "M", member, wall, wall, float(outer.radii.max()))
     if len(outer.corners) == 4:
         return _bar(part, section, "B", member, 0.0, section.width, 0.0)
-    rolled = _rolled(section)
+    rolled = rolled_sizes(section.name)
     if rolled is None:
         return None
     code = {"UPE": "U", "tee": "T"}.get(section.family, "I")
     if code == "U":
         member = _turned(member)
     return _bar(part, section, code, member, rolled.flange, rolled.web, rolled.root)
-
-
-def _rolled(section: Profile) -> Rolled | None:
-    """Dimensions of a rolled section, or of that from which a tee is cut."""
-    name = section.name.removeprefix("tee:")
-    return _ROLLED.get(name[:3], {}).get(name[3:])
 
 
 def _bar(

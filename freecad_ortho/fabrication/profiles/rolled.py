@@ -139,3 +139,15 @@ UPE = _series("""
 360 360 110 12.0 17.0 18
 400 400 115 13.5 18.0 18
 """)
+
+_SERIES = {"IPE": IPE, "HEA": HEA, "HEB": HEB, "HEM": HEM, "UPE": UPE}
+
+
+def rolled_sizes(name: str) -> Rolled | None:
+    """Dimensions of a rolled section by its name, or of that from which a tee is cut.
+
+    Args:
+        name: ``HEB160``, ``tee:IPE200``; any other gives None.
+    """
+    short = name.removeprefix("tee:")
+    return _SERIES.get(short[:3], {}).get(short[3:])
