@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from freecad_ortho.building import build_surface
 from freecad_ortho.calls import list_keywords
 from freecad_ortho.fabricating import fabricate, write_fabrication
 from freecad_ortho.mesh_files import LoadedMesh, read_mesh
@@ -98,6 +99,7 @@ __all__ = [
     "add_structural_check",
     "add_structure",
     "bake",
+    "build_surface",
     "change_flat_patterns",
     "change_net",
     "change_source",

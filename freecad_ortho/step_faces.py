@@ -44,7 +44,15 @@ def triangles_from_step(
     Raises:
         InputError: as :func:`step_surfaces`, or a face that cannot be sampled.
     """
-    surfaces = step_surfaces(path, faces)
+    return triangles_on(step_surfaces(path, faces))
+
+
+def triangles_on(surfaces: Sequence[ParametricSurface]) -> tuple[FloatArray, IntArray]:
+    """Vertices (V, 3) and triangles (T, 3) on faces, in their unit.
+
+    Raises:
+        InputError: a face that cannot be sampled.
+    """
     area = sum(surface.area for surface in surfaces)
     made = TriangleSurface.from_quads(sampled(surfaces, edge=math.sqrt(area / _POINTS)).mesh)
     return made.vertices, made.triangles

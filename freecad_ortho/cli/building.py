@@ -7,14 +7,15 @@ import json
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from freecad_ortho import __version__, api
+from freecad_ortho import __version__, api, building
 from freecad_ortho.cli import aligning, fabricating, net_options, optimising, values
 from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK
-from freecad_ortho.cli.stages import (
+from freecad_ortho.fabrication.files import REPORT
+from freecad_ortho.stages import (
     ALIGN,
     FABRICATE,
     OPTIMISE,
@@ -23,24 +24,12 @@ from freecad_ortho.cli.stages import (
     files_among,
     key_of,
 )
-from freecad_ortho.fabrication.files import REPORT
-from freecad_ortho.fabrication.report.way import Stage, Way
-from freecad_ortho.step_faces import is_step, triangles_from_step
-from freecad_ortho.triangles import read_triangles
+from freecad_ortho.surface_files import SurfaceFile
 from freecad_ortho.units import MILLIMETRES, millimetres_per
-from freecad_ortho.words import counted
 from solver import Outcome
-from solver.analysis.form_check import Finding, check_form
-from solver.errors import InputError
+from solver.analysis.form_check import Finding
 from solver.io.atomic import no_new_folders_on_failure
-from solver.io.json_mesh import write_json
-from solver.mesh.local_origin import LocalOrigin
-from solver.nets import NETS, net_named
-from solver.report import CONVERGED, STOPPED
-
-# Nets that have lines on a surface, and as what these are found.
-LINES = {name: net.lines for name, net in NETS.items() if net.lines}
-_ALIGNED, _NET = "aligned.json", "net.json"
+from solver.report import STOPPED
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -59,7 +48,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     )
     values.add_up(parser)
     parser.add_argument(
-        "--net", default="principal", help=f"{', '.join(LINES)} (default: principal)"
+        "--net", default="principal", help=f"{', '.join(building.LINES)} (default: principal)"
     )
     aligning.add_settings(parser.add_argument_group("net on the surface"))
     net_options.add(parser.add_argument_group("exact net"))
@@ -78,7 +67,7 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Make the stages that are not there yet."""
     # What no surface is needed for is refused before minutes are spent on one.
-    lines = _lines(options.net)
+    lines = building.lines_of(options.net)
     net_options.refuse_unfit(options)
     net_options.refuse_unreadable(options)
     fabricating.refuse_unfit(options)
@@ -92,16 +81,6 @@ def run(options: argparse.Namespace) -> int:
         return EXIT_NOT_CONVERGED
     _stage(stages, FABRICATE, options, lambda: _fabricate(options, stages))
     return EXIT_OK
-
-
-def _lines(net: str) -> str:
-    """The lines that a net starts from."""
-    asked = net_named(net)
-    if asked.name not in LINES:
-        raise InputError(
-            f"net: a surface has no lines for {asked.name} nets; build makes {', '.join(LINES)}"
-        )
-    return LINES[asked.name]
 
 
 def _settings(
@@ -132,7 +111,7 @@ def _asked(options: argparse.Namespace, name: str) -> dict[str, Any]:
 def _keys(options: argparse.Namespace) -> dict[str, str]:
     """Keys of the stages; each is made from the one before it."""
     origin = None if options.origin is None else options.origin.shift.tolist()
-    before = {ALIGN: [digest(options.input), _lines(options.net)], FABRICATE: [origin]}
+    before = {ALIGN: [digest(options.input), building.lines_of(options.net)], FABRICATE: [origin]}
     keys: dict[str, str] = {}
     key = ""
     for name in (ALIGN, OPTIMISE, FABRICATE):
@@ -158,48 +137,28 @@ def _align(options: argparse.Namespace, lines: str, stages: Stages) -> None:
     begin = time.monotonic()
     with stages.made(ALIGN) as (folder, entry):
         found = aligning.align(argparse.Namespace(**{**vars(options), "net": lines}))
-        keep = LocalOrigin(0.0 * found.origin.shift)
-        mesh, unit, border = found.in_file(keep)
-        write_json(folder / _ALIGNED, mesh, unit, border)
-        api.write_mesh((folder / _ALIGNED).with_suffix(".obj"), mesh, unit)
-        words = f"{counted(len(mesh.faces), 'quad')}, {found.words}"
-        numbers = found.numbers(keep)
-        # The border is in the file of the net.
-        del numbers["border"]
-        entry |= _told(words, options, ALIGN, begin) | {"numbers": numbers}
-    sys.stdout.write(f"{ALIGN}: {words}; {stages.folder / _ALIGNED}\n")
+        building.keep_aligned(found, folder, entry)
+        entry |= _told(options, ALIGN, begin)
+    sys.stdout.write(f"{ALIGN}: {entry['words']}; {stages.folder / building.ALIGNED}\n")
 
 
 def _optimise(options: argparse.Namespace, stages: Stages) -> None:
     begin = time.monotonic()
-    aligned = stages.folder / _ALIGNED
-    loaded = api.read_mesh(aligned)
+    loaded = api.read_mesh(stages.folder / building.ALIGNED)
     settings = net_options.settings(options, loaded, _surface(options, loaded.unit))
     with stages.made(OPTIMISE) as (folder, entry):
         outcome = optimising.optimised(options, loaded, settings)
         _pass_on_interrupt(outcome, options.max_steps)
-        mesh = loaded.origin.back_mesh(outcome.mesh)
-        write_json(folder / _NET, mesh, loaded.unit, loaded.border)
-        api.write_mesh((folder / _NET).with_suffix(".obj"), mesh, loaded.unit)
-        report = outcome.report
-        findings = check_form(loaded.mesh, mesh, report.form, report.within)
-        entry |= _told(report.message, options, OPTIMISE, begin) | {
-            "numbers": report.as_dict(),
-            "exact": report.status == CONVERGED,
-            "form": [asdict(finding) for finding in findings],
-            "unit": loaded.unit,
-        }
-    optimising.tell(outcome, str(stages.folder / _NET), loaded)
+        back = replace(outcome, mesh=loaded.origin.back_mesh(outcome.mesh))
+        building.keep_outcome_of(loaded, back, folder, entry)
+        entry |= _told(options, OPTIMISE, begin)
+    optimising.tell(outcome, str(stages.folder / building.NET), loaded)
 
 
 def _surface(options: argparse.Namespace, unit: str) -> net_options.Triangles:
     """The surface to stay near, in the unit of the net."""
-    if not is_step(options.input):
-        points, triangles, _ = read_triangles(options.input, options.up)
-        return points, triangles
     numbers = values.whole_numbers("--faces", options.faces) if options.faces else ()
-    points, triangles = triangles_from_step(options.input, numbers)
-    return points / millimetres_per(unit), triangles
+    return SurfaceFile.read(options.input, unit, options.up, numbers).triangles
 
 
 def _pass_on_interrupt(outcome: Outcome, max_steps: int) -> None:
@@ -210,84 +169,41 @@ def _pass_on_interrupt(outcome: Outcome, max_steps: int) -> None:
 
 def _form_holds(stages: Stages) -> bool:
     """Say how the form check ends: whether the net is exact and fit to be built."""
-    entry = stages.entry(OPTIMISE) or {}
-    findings = [Finding(**told) for told in entry["form"]]
-    wrong = [finding for finding in findings if not finding.met]
-    if entry["exact"] and not wrong:
-        sys.stdout.write(f"form: {_form_words(findings, entry['unit'])}\n")
+    if not building.failures(stages):
+        sys.stdout.write(f"form: {building.form_words(stages)}\n")
         return True
+    entry = stages.entry(OPTIMISE) or {}
     if not entry["exact"]:
         sys.stderr.write(f"form: the net is not exact: {entry['words']}\n")
-    for finding in wrong:
+    for finding in building.findings_of(stages):
+        if finding.met:
+            continue
         place = ", ".join(f"{x:.4g}" for x in finding.place)
         sys.stderr.write(
-            f"form: {_measured(finding, entry['unit'])}, at {finding.where} near ({place}), where "
-            f"{_limit(finding, entry['unit'])}; try: {finding.remedy}\n"
+            f"form: {building.measured(finding, entry['unit'])}, at {finding.where} near "
+            f"({place}), where {_limit(finding, entry['unit'])}; try: {finding.remedy}\n"
         )
     return False
-
-
-def _form_words(findings: list[Finding], unit: str) -> str:
-    return ", ".join(_measured(finding, unit) for finding in findings)
-
-
-def _measured(finding: Finding, unit: str) -> str:
-    """A measure of form in words."""
-    if finding.measure == "folded faces":
-        return counted(int(finding.value), "folded face") if finding.value else "no folded faces"
-    if finding.measure == "off the surface":
-        return f"{_millimetres(finding.value, unit)} off the surface at most"
-    of_start = " of the start's" * (finding.measure == "shortest edge")
-    return f"{finding.measure} {finding.value:.2f}{of_start}"
 
 
 def _limit(finding: Finding, unit: str) -> str:
     if finding.measure == "folded faces":
         return f"{finding.limit:g} are allowed"
     if finding.measure == "off the surface":
-        return f"{_millimetres(finding.limit, unit)} are allowed"
+        return f"{finding.limit * millimetres_per(unit):,.3g} mm are allowed"
     return f"{finding.limit:.2f} is wanted"
-
-
-def _millimetres(length: float, unit: str) -> str:
-    return f"{length * millimetres_per(unit):,.3g} mm"
 
 
 def _fabricate(options: argparse.Namespace, stages: Stages) -> None:
     begin = time.monotonic()
-    net = api.read_mesh(stages.folder / _NET)
-    words = fabricating.fabricated(options, net, Path(options.input).stem, _way(stages))
+    net = api.read_mesh(stages.folder / building.NET)
+    way = building.way_of(stages)
+    words = fabricating.fabricated(options, net, Path(options.input).stem, way)
     report = json.loads((stages.folder / REPORT).read_text(encoding="utf-8"))
-    stages.enter(FABRICATE, _told(words, options, FABRICATE, begin), report["files"])
+    entry = {"words": words} | _told(options, FABRICATE, begin)
+    stages.enter(FABRICATE, entry, report["files"])
     sys.stdout.write(f"{FABRICATE}: {words}\n")
 
 
-def _way(stages: Stages) -> Way:
-    """The stages before the parts, for the reports."""
-    align, optimise = (stages.entry(name) or {} for name in (ALIGN, OPTIMISE))
-    findings = [Finding(**told) for told in optimise["form"]]
-    form = _form_words(findings, optimise["unit"])
-    failed = [finding.measure for finding in findings if not finding.met]
-    verdict = "fails: " + ", ".join(failed) if failed else "holds"
-    if not optimise["exact"]:
-        verdict = "fails: the net is not exact"
-    return Way(
-        [
-            Stage(ALIGN, _words_of(align["settings"]), align["words"]),
-            Stage(OPTIMISE, _words_of(optimise["settings"]), optimise["words"]),
-            Stage("form check", verdict, form),
-        ],
-        stages.numbers(),
-    )
-
-
-def _words_of(settings: dict[str, Any]) -> str:
-    return ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in settings.items())
-
-
-def _told(words: str, options: argparse.Namespace, name: str, begin: float) -> dict[str, Any]:
-    return {
-        "words": words,
-        "settings": _asked(options, name),
-        "seconds": round(time.monotonic() - begin, 3),
-    }
+def _told(options: argparse.Namespace, name: str, begin: float) -> dict[str, Any]:
+    return {"settings": _asked(options, name), "seconds": round(time.monotonic() - begin, 3)}
