@@ -68,6 +68,7 @@ class Sizes(TypedDict, total=False):
     stock: Length | None
     trim: Length
     saw: Length
+    border_cut: Literal["square", "along"]
     sheet: str | None
     spacing: Length
     grain: Literal["none", "along"]

@@ -296,6 +296,7 @@ def add_lamellas(
     stock: Length | None = None,
     trim: Length = 10.0,
     saw: Length = 3.0,
+    border_cut: str = "square",
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -318,6 +319,7 @@ def add_lamellas(
         stock: length that longer strips are spliced from.
         trim: what that loses at each end.
         saw: width of a saw cut.
+        border_cut: at the border of the surface, ``"square"`` before it or ``"along"`` it.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

@@ -93,3 +93,56 @@ def test_without_a_border_nothing_changes(net):
     whole = lamellas(net, [])
     assert "trimmed" not in whole.report()["lamellas"]
     assert len(whole.parts) == 2 * SIDE
+
+
+@pytest.mark.parametrize("position", ["standing", "lying"])
+def test_along_the_border_they_are_cut_by_what_the_axes_along_it_span(net, border, position):
+    """Lying ones reach it with both their corners, where the square cut leaves a tooth."""
+    square, along = (
+        lamellas(net, border, position=position, layers=2, border_cut=cut)
+        for cut in ("square", "along")
+    )
+    assert check_clashes(along.parts).clashes == ()
+    assert [part.name for part in along.parts] == [part.name for part in square.parts]
+    for part in along.parts:
+        assert part.solid().isValid(), part.name
+        assert part.solid().Volume() == pytest.approx(part.volume, rel=1e-6)
+        assert shapely.Polygon(part.pattern.outline).is_valid
+    gaps = []
+    for structure in (square, along):
+        walls = wall_of(structure, border)
+        ends = []
+        for lamella in structure.results["lamellas"].geometry:
+            ribbon = lamella.ribbon
+            for station, face in ((0, 0), (-1, len(ribbon.strip.lengths) - 1)):
+                edges = [ribbon.edge(level)[station] for level in (ribbon.lower, ribbon.upper)]
+                corners, _ = ribbon.placed(face, np.array(edges))
+                ends.append([walls(corner) for corner in corners])
+        gaps.append(np.array(ends))
+    # How far the two corners of an end differ in their distance from the border.
+    teeth = [np.ptp(gap, axis=1) for gap in gaps]
+    if position == "lying":
+        # Exactly, but for the border's own bends within the width; some run along it too closely.
+        assert np.quantile(teeth[0], 0.4) > 20
+        assert np.quantile(teeth[1], 0.4) < 0.05
+        assert np.quantile(teeth[1], 0.65) < 3
+        assert (teeth[1] <= teeth[0] + 0.05).all()
+    assert np.median(teeth[1]) < np.median(teeth[0])
+    assert sum(part.area for part in along.parts) > sum(part.area for part in square.parts)
+
+
+def wall_of(structure, border):
+    """Distance of points from the surface of the axes along the border, mm."""
+    site = structure.site
+    points = np.concatenate([line - site.shift for line in border])
+    ahead = np.concatenate([np.roll(line, -1, axis=0) - line for line in border])
+
+    def distance(point):
+        vertex = int(np.linalg.norm(site.mesh.vertices - point, axis=1).argmin())
+        axis = site.axes.directions[vertex]
+        across = np.eye(3) - np.outer(axis, axis)
+        arms, steps = (point - points) @ across, ahead @ across
+        share = np.clip((arms * steps).sum(axis=1) / (steps**2).sum(axis=1), 0, 1)
+        return float(np.linalg.norm(arms - share[:, None] * steps, axis=1).min())
+
+    return distance

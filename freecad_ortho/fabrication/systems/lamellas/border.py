@@ -3,21 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
-from freecad_ortho.fabrication.systems.lamellas.splices import Joint, piece_between
+from freecad_ortho.fabrication.systems.lamellas.splices import (
+    Joint,
+    piece_between,
+    square_end,
+)
 from solver.mesh.lines import ParameterLine
+from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # A crossing is at least so many thicknesses before the end of a lamella, and this far, mm.
 _THICKNESSES, _BEYOND = 3.0, 5.0
 # Part of its last edge that a lamella takes up at most.
 _MOST = 0.95
 _SHOWN = 5
+# A border that runs along a lamella cuts it no more slanted than this, mm along per mm across.
+_STEEPEST = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +74,7 @@ class Border:
         return bool(self._ends.cut[edge, int(self._edges[edge, 1] == vertex)])
 
     def trim(self, lamella: Lamella, run: Run, settings: LamellaSettings) -> Lamella:
-        """The lamella on a run, cut square where it comes to the border."""
+        """The lamella on a run, cut where it comes to the border."""
         if not any(run.cut):
             return lamella
         self.trimmed += 1
@@ -92,7 +101,47 @@ class Border:
         face = lamella.stations[-2] if end else lamella.stations[0]
         left = float(lamella.ribbon.strip.lengths[face]) - beyond
         # Beside others at an irregular vertex it may end before the border.
-        return Joint(face, beyond if end else left, False) if left > 0 else None
+        if left <= 0:
+            return None
+        joint = Joint(face, beyond if end else left, False)
+        if settings.border_cut == "square":
+            return joint
+        # Of the way to the border only what the plate's thickness takes.
+        slanted = settings.thickness / 2 * abs(float(self._square_to(edge, side, settings)))
+        wanted = share * length - slanted
+        left = float(lamella.ribbon.strip.lengths[face]) - wanted
+        along = replace(joint, place=wanted if end else left)
+        ruling, skew = self._ruling(lamella, along, edge, side)
+        fits = skew <= _STEEPEST and wanted - settings.width / 2 * skew >= least
+        if not fits or not 0 < along.place < lamella.ribbon.strip.lengths[face]:
+            return joint
+        return replace(along, ruling=ruling)
+
+    def _square_to(self, edge: int, side: int, settings: LamellaSettings) -> float:
+        """How far the border moves along an edge per mm of the plate's thickness."""
+        both = self._ends.slant if settings.standing else self._ends.lean
+        return float(both[edge, side])
+
+    def _ruling(
+        self, lamella: Lamella, joint: Joint, edge: int, side: int
+    ) -> tuple[FloatArray, float]:
+        """Direction (3,) in which the border cuts a strip, and how far it leaves the square cut.
+
+        The border is the surface that the axes along it span; mm along the strip per mm across it.
+        """
+        site = self._site
+        place = float(self._ends.places[edge, side])
+        ends = site.axes.offsets[self._edges[edge]]
+        axis = (1 - place) * ends[0] + place * ends[1]
+        strip = lamella.ribbon.strip
+        _, square = square_end(strip, joint)
+        ahead = strip.along[joint.face]
+        tangent = None if site.trimming is None else site.trimming.along(edge, place)
+        if tangent is None:
+            return square, np.inf
+        normal = np.cross(tangent, axis)
+        skew = float(square @ normal) / float(ahead @ normal)
+        return unit_rows((square - skew * ahead)[None])[0], abs(skew)
 
     def words(self) -> list[str]:
         """What is to be said."""

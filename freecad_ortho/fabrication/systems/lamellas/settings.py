@@ -14,6 +14,7 @@ from solver.option import Option
 STRIPS = ("auto", "developable", "twisted")
 PATTERNS = ("auto", "straight", "arc", "free")
 POSITIONS = ("standing", "lying")
+BORDER_CUTS = ("square", "along")
 # Distance of a hole's centre from an edge, in diameters (EN 1993-1-8, table 3.3).
 EDGE_DISTANCE = 1.2
 
@@ -39,6 +40,8 @@ class LamellaSettings:
             plates and bolts of ``hole``. None for one piece a line.
         trim: cut off at each end of that length, mm.
         saw: width of the saw cut behind a piece, mm.
+        border_cut: at the border of the surface strips end "square" before it, or "along" it where
+            that leaves their crossings room, square through the plate.
 
     Raises:
         InputError: a size that cannot be used, or choices that exclude each other.
@@ -57,6 +60,7 @@ class LamellaSettings:
     stock: float | None = None
     trim: float = Workshop.trim
     saw: float = Workshop.saw
+    border_cut: str = "square"
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("width", 80.0, "length", "the strips are this wide"),
@@ -89,6 +93,13 @@ class LamellaSettings:
         Option("stock", None, "length", "strips are cut from this length; longer ones are spliced"),
         Option("trim", Workshop.trim, "length", "the stock loses this much at each end"),
         Option("saw", Workshop.saw, "length", "a saw cut behind a piece is this wide"),
+        Option(
+            "border_cut",
+            "square",
+            "choice",
+            "at the border the strips end square before it, or along it",
+            BORDER_CUTS,
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -107,6 +118,7 @@ class LamellaSettings:
             ("position", self.position, POSITIONS),
             ("strip", self.strip, STRIPS),
             ("pattern", self.pattern, PATTERNS),
+            ("border cut", self.border_cut, BORDER_CUTS),
         ):
             if value not in choices:
                 raise InputError(f"{name}: expected one of {', '.join(choices)}, got '{value}'")

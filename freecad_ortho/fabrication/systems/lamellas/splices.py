@@ -31,11 +31,13 @@ class Joint:
         face: of its ribbon.
         place: along the face's edge, mm.
         plated: whether a splice plate is bolted over it.
+        ruling: (3,) unit direction of the cut across the strip, None for one square to it.
     """
 
     face: int
     place: float
     plated: bool = True
+    ruling: FloatArray | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,10 +184,10 @@ def piece_between(
     points, rulings = list(whole.points[first:last]), list(whole.rulings[first:last])
     back = settings.clearance / 2
     if start is not None:
-        point, ruling = square_end(whole, Joint(start.face, start.place + back))
+        point, ruling = square_end(whole, replace(start, place=start.place + back))
         points, rulings = [point, *points], [ruling, *rulings]
     if end is not None:
-        point, ruling = square_end(whole, Joint(end.face, end.place - back))
+        point, ruling = square_end(whole, replace(end, place=end.place - back))
         points, rulings = [*points, point], [*rulings, ruling]
     ribbon = replace(lamella.ribbon, strip=Strip(np.array(points), np.array(rulings)))
     moved = 0 if start is None else 1
@@ -212,8 +214,10 @@ def piece_between(
 
 
 def square_end(strip: Strip, joint: Joint) -> tuple[FloatArray, FloatArray]:
-    """Point of the axis at a joint, and the direction across it in the strip."""
+    """Point of the axis at a joint, and the direction of the cut across it in the strip."""
     face = joint.face
+    if joint.ruling is not None:
+        return strip.points[face] + joint.place * strip.along[face], joint.ruling
     along, up = strip.along[face], strip.across[0][face]
     angle = strip.twists[face] * joint.place / strip.lengths[face]
     ruling = np.cos(angle) * up + np.sin(angle) * np.cross(along, up)
