@@ -30,6 +30,7 @@ COLOURS = {
     "beam": (0.55, 0.65, 0.76),
     "node": (0.85, 0.58, 0.28),
     "end-plate": (0.72, 0.78, 0.45),
+    "cover-plate": (0.72, 0.78, 0.45),
 }
 # How far one of the beams is pulled back, mm.
 PULLED = 160.0
@@ -44,13 +45,13 @@ def draw() -> None:
     centre = mesh.vertices[ORDER["vertex"]]
     near = [part for part in made.parts if ORDER["vertex"] in part.vertices]
     beams = [part for part in near if part.kind == "beam"]
-    pulled = min(beams, key=lambda part: towards_camera(part, centre))
-    away = np.ptp(pulled.points, axis=0) * np.sign(pulled.points.mean(axis=0) - centre)
+    furthest = min(beams, key=lambda part: towards_camera(part, centre))
+    away = furthest.points.mean(axis=0) - centre
     step = PULLED * away / np.linalg.norm(away)
     clip = Part.makeSphere(ORDER["reach"], FreeCAD.Vector(*centre))
     for part in near:
         solid = convert.part_shape(part.solid()).common(clip)
-        if part.name.startswith(pulled.name):
+        if part.name.split("-")[0] == furthest.name.split("-")[0]:
             solid.translate(FreeCAD.Vector(*step))
         shown = document.addObject("Part::Feature", "Shown")
         shown.Shape = solid

@@ -5,6 +5,7 @@ Sources, lengths in mm:
 * heads, widths across flats and corners, lengths: hexagon head screws threaded to the head,
   EN ISO 4017, tables 1 and 2;
 * washers: EN ISO 7089, table 1;
+* nuts: EN ISO 4032, table 1; a thread stands a pitch out of its nut (EN 1090-2, 8.2.2);
 * holes: EN 1090-2, table 11, normal round holes: 1 mm wider than the bolt up to M14, 2 mm up to
   M24, 3 mm from M27 on;
 * distances: EN 1993-1-8, table 3.3: 1.2 holes to an edge, 2.2 holes between bolts;
@@ -25,6 +26,7 @@ from solver.errors import InputError
 
 HEADS = "EN ISO 4017"
 WASHERS = "EN ISO 7089"
+NUTS = "EN ISO 4032"
 GRADE = "8.8"
 # Lengths that bolts are sold in, mm.
 LENGTHS = (20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 80, 90, 100, 110, 120, 130, 140, 150)
@@ -51,6 +53,8 @@ class Bolt:
         washer: thickness.
         washer_width: outer diameter.
         wrench: free distance from the middle of the bolt to anything beside it.
+        nut: height.
+        pitch: of its thread.
     """
 
     name: str
@@ -63,6 +67,8 @@ class Bolt:
     washer: float
     washer_width: float
     wrench: float
+    nut: float
+    pitch: float
 
     @property
     def edge(self) -> float:
@@ -78,6 +84,21 @@ class Bolt:
     def thread(self) -> float:
         """Least depth of a thread in a plate."""
         return self.diameter
+
+    def through(self, plates: float) -> float:
+        """Length of a bolt through plates of this thickness, with washers and a nut.
+
+        Raises:
+            InputError: there is none as long.
+        """
+        needed = plates + 2 * self.washer + self.nut + self.pitch
+        for length in LENGTHS:
+            if length >= needed:
+                return float(length)
+        raise InputError(
+            f"bolt: {self.name} through {plates:g} mm would be {needed:.0f} mm long, the longest "
+            f"is {LENGTHS[-1]} mm; take thinner plates"
+        )
 
     @property
     def threaded_plate(self) -> float:
@@ -100,12 +121,12 @@ def _bolt(diameter: float, clearance: float, *sizes: float) -> Bolt:
 BOLTS: Mapping[str, Bolt] = {
     bolt.name: bolt
     for bolt in (
-        _bolt(12, 1, 10.2, 7.5, 18, 20.03, 2.5, 24, 20),
-        _bolt(16, 2, 14.0, 10.0, 24, 26.75, 3.0, 30, 27),
-        _bolt(20, 2, 17.5, 12.5, 30, 33.53, 3.0, 37, 33),
-        _bolt(24, 2, 21.0, 15.0, 36, 39.98, 4.0, 44, 39),
-        _bolt(27, 3, 24.0, 17.0, 41, 45.20, 4.0, 50, 45),
-        _bolt(30, 3, 26.5, 18.7, 46, 50.85, 4.0, 56, 50),
+        _bolt(12, 1, 10.2, 7.5, 18, 20.03, 2.5, 24, 20, 10.8, 1.75),
+        _bolt(16, 2, 14.0, 10.0, 24, 26.75, 3.0, 30, 27, 14.8, 2.0),
+        _bolt(20, 2, 17.5, 12.5, 30, 33.53, 3.0, 37, 33, 18.0, 2.5),
+        _bolt(24, 2, 21.0, 15.0, 36, 39.98, 4.0, 44, 39, 21.5, 3.0),
+        _bolt(27, 3, 24.0, 17.0, 41, 45.20, 4.0, 50, 45, 23.8, 3.0),
+        _bolt(30, 3, 26.5, 18.7, 46, 50.85, 4.0, 56, 50, 25.6, 3.5),
     )
 }
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body, Polyhedron, prism_sides
-from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.pattern import FlatPattern, Hole
 from freecad_ortho.fabrication.ruled import RuledBody
 from freecad_ortho.fabrication.ruled_sides import Bore
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -112,13 +113,32 @@ def drilled_plate(pattern: FlatPattern, thickness: float) -> DrilledWalls:
         pattern: a convex outline.
         thickness: of the plate, mm.
     """
-    count, lift = len(pattern.outline), np.array([0.0, 0.0, thickness])
-    under = np.column_stack([pattern.outline, np.zeros(count)])
-    corners, sides = np.concatenate([under, under + lift]), prism_sides(count)
-    feet = [(np.append(hole.centre, 0.0), hole.diameter) for hole in pattern.holes]
-    drills = tuple(
-        Drill(foot + lift / 2, lift / thickness, diameter, thickness) for foot, diameter in feet
-    )
+    count = len(pattern.outline)
+    levels = np.repeat([0.0, thickness], count)
+    corners = np.column_stack([np.tile(pattern.outline, (2, 1)), levels])
     # Of the sides of a prism the first is the upper one, the second the lower one.
-    bores = tuple(Bore(foot, foot + lift, diameter, (1, 0)) for foot, diameter in feet)
-    return DrilledWalls(Polyhedron(corners, sides), RuledBody(corners, sides, bores=bores), drills)
+    return drilled(Polyhedron(corners, prism_sides(count)), pattern.holes, (0.0, thickness), (1, 0))
+
+
+def drilled(
+    whole: Polyhedron,
+    holes: Sequence[Hole],
+    levels: tuple[float, float],
+    sides: tuple[int, int],
+) -> DrilledWalls:
+    """A plate with holes along z.
+
+    Args:
+        whole: the plate without them.
+        holes: in x and y.
+        levels: z of its two faces, mm.
+        sides: the numbers of these among its sides, the lower one first.
+    """
+    low, high = levels
+    feet = [(np.append(hole.centre, low), hole.diameter) for hole in holes]
+    lift = np.array([0.0, 0.0, high - low])
+    drills = tuple(
+        Drill(foot + lift / 2, lift / (high - low), diameter, high - low) for foot, diameter in feet
+    )
+    bores = tuple(Bore(foot, foot + lift, diameter, sides) for foot, diameter in feet)
+    return DrilledWalls(whole, RuledBody(whole.corners, whole.loops, bores=bores), drills)

@@ -27,6 +27,7 @@ def plate_part(
     measures: Measures = _UNMEASURED,
     height: float | None = None,
     weighed: float | None = None,
+    assembly: str = "",
 ) -> Part:
     """Return the part of a plate, its length and width those of its pattern's box.
 
@@ -46,6 +47,7 @@ def plate_part(
         measures: how true the part is.
         height: of the section, where the pattern is curved.
         weighed: volume by which it weighs, where that is not its own, mm3.
+        assembly: what keeps it from being put together.
     """
     length, width = pattern.size.tolist()
     origin, frame = place
@@ -69,4 +71,5 @@ def plate_part(
         measures=measures,
         height=height,
         weighed=weighed,
+        assembly=assembly,
     )

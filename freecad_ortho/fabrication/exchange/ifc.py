@@ -39,6 +39,7 @@ _CLASSES = {
     "bent panel": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "patch": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "splice": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
+    "cover-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "end-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "pressure-plate": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
     "cap": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),

@@ -18,6 +18,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freecad_ortho.fabrication.sizes import rounded_down
+from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
+from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, edge_name
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -32,6 +34,8 @@ LOOPS = (
     tuple(range(5, -1, -1)),
     *((k, (k + 1) % 6, (k + 1) % 6 + 6, k + 6) for k in range(6)),
 )
+# Numbers of the right and the left one of these.
+RIGHT_SIDE, LEFT_SIDE = 3, 6
 # Part of a beam's length that its cuts must leave.
 _LEAST_LEFT = 1e-3
 
@@ -82,8 +86,9 @@ class BeamGeometry:
         section_half: half the width of the section, mm.
         built: (E,) true for the edges that have a beam.
         meeting: (E, 2) true for ends that meet others at a vertex.
-        hub_radii: (V,) from the axes to the faces of bolted hubs, mm, 0 where there are none; empty
-            for other ends.
+        bolted: how they are bolted to nodes, None where they are not.
+        hub_radii: (V,) from the axes to the faces of bolted hubs, or the ends of the arms of stars,
+            mm, 0 where there are none; empty for beams that are not bolted.
     """
 
     points: FloatArray
@@ -101,6 +106,7 @@ class BeamGeometry:
     section_half: float
     built: BoolArray
     meeting: BoolArray
+    bolted: EndPlates | CoverPlates | None
     hub_radii: FloatArray
 
     def ring(self, up: FloatArray, half: float) -> FloatArray:
@@ -177,6 +183,7 @@ def beam_geometry(
         section_half=width / 2,
         built=built,
         meeting=np.stack([built, built], axis=1),
+        bolted=None,
         hub_radii=np.empty(0),
     )
     rings = np.concatenate([geometry.ring(geometry.up(k), width / 2) for k in (0, 1)], axis=1)

@@ -8,7 +8,9 @@ from freecad_ortho.fabrication.sizes import OFFSETS
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS
 from solver.option import Option
 
-ENDS = ("mitred", "hub", "end-plate", "lapped", "through-u", "through-v")
+ENDS = ("mitred", "hub", "end-plate", "cover-plate", "lapped", "through-u", "through-v")
+# Those that are bolted to nodes.
+BOLTED = ("end-plate", "cover-plate")
 # Of hubs without bolts, mm, where nothing is said.
 PLAIN_HUB = 100.0
 
@@ -21,8 +23,8 @@ HUB_OPTIONS = (
         "the hubs measure this across their faces",
         absent="100 mm, of bolted ones what each needs",
     ),
-    Option("bolt", "M16", "choice", "end plates are bolted with bolts of this size", tuple(BOLTS)),
-    Option("bolts", 2, "count", "an end plate has so many bolts, 1 or 2"),
+    Option("bolt", "M16", "choice", "beams are bolted with bolts of this size", tuple(BOLTS)),
+    Option("bolts", 2, "count", "a joint has so many bolts above each other, 1 or 2"),
     Option(
         "hub_wall",
         None,

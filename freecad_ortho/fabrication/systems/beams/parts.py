@@ -9,10 +9,12 @@ import numpy as np
 from freecad_ortho.fabrication.assembly import SlotWay, judged, lean
 from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.drilled import drilled
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import (
     Bend,
     FlatPattern,
+    Hole,
     Mark,
     fitted_text_size,
     overlaps_itself,
@@ -21,10 +23,11 @@ from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.folded import Chain, FoldedPlate, folded_plate
-from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
+from freecad_ortho.fabrication.systems.beams.geometry import LEFT_SIDE, RIGHT_SIDE, BeamGeometry
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
 from freecad_ortho.fabrication.systems.beams.sections import Piece, Section
+from freecad_ortho.fabrication.systems.beams.web_holes import web_holes
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import ParameterLine
@@ -53,6 +56,9 @@ def edge_beams(
     twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
     nodes = part_names("N", len(site.mesh.vertices))
     made = section.pieces(geometry)
+    bored: dict[int, tuple[Hole, ...]] = {}
+    if isinstance(section, Section):
+        bored = web_holes(geometry, section, site.mesh.connectivity.edges)
     parts = []
     for edge in np.flatnonzero(chosen).tolist():
         for piece in made:
@@ -67,6 +73,10 @@ def edge_beams(
             if pattern is not None and isinstance(body, Polyhedron):
                 seen = "above" if piece.role == "flange" else "right"
                 pattern = replace(pattern, bevels=bevels_of(body), seen=seen)
+                if piece.role == "plate" and edge in bored:
+                    pattern = replace(pattern, holes=_moved(bored[edge], -origin[:2]))
+                    half = piece.thickness / 2
+                    body = drilled(body, pattern.holes, (-half, half), (LEFT_SIDE, RIGHT_SIDE))
             parts.append(
                 Part(
                     name=name,
@@ -98,6 +108,11 @@ def edge_beams(
                 )
             )
     return tuple(parts)
+
+
+def _moved(holes: tuple[Hole, ...], shift: FloatArray) -> tuple[Hole, ...]:
+    """Holes somewhere else."""
+    return tuple(replace(hole, centre=hole.centre + shift) for hole in holes)
 
 
 def line_beams(

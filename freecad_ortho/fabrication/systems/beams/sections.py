@@ -124,6 +124,16 @@ class Section:
                 "flanges; take higher beams or thinner plates"
             )
 
+    @property
+    def flanges(self) -> tuple[float, float]:
+        """Thickness of flanges below and above a web, mm."""
+        return self.flange * (self.kind == "I"), self.flange * (self.kind in ("I", "T"))
+
+    def web_levels(self, geometry: BeamGeometry) -> tuple[FloatArray, FloatArray]:
+        """(E,) twice: heights of the lower and upper side of the webs in their beams, mm."""
+        below, above = self.flanges
+        return geometry.up(0) + below, geometry.up(1) - above
+
     def pieces(self, geometry: BeamGeometry) -> tuple[Piece, ...]:
         """The parts that a beam of this section is made of.
 
@@ -143,9 +153,9 @@ class Section:
             return (Piece("", "tube", corners, HOLLOW_LOOPS, wall, geometry.height),)
         # What is left are I and T.
         flange = self.flange
-        below = flange if self.kind == "I" else 0.0
-        web = prism(geometry, low + below, high - flange, wall / 2)
-        made = [Piece("-web", "plate", web, LOOPS, wall, geometry.height - below - flange)]
+        web_low, web_high = self.web_levels(geometry)
+        web = prism(geometry, web_low, web_high, wall / 2)
+        made = [Piece("-web", "plate", web, LOOPS, wall, web_high - web_low)]
         width = np.full(len(low), self.width)
         top = _flange(geometry, high - flange, high, half)
         made.append(Piece("-top", "flange", top, LOOPS, flange, width))

@@ -18,8 +18,8 @@ from freecad_ortho.fabrication.sizes import (
     not_negative,
     offset_levels,
 )
-from freecad_ortho.fabrication.stock import different_tubes
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds, stub_words
+from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, around_axes, beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import (
@@ -32,10 +32,12 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
     square,
 )
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
-from freecad_ortho.fabrication.systems.beams.options import ENDS, OPTIONS, PLAIN_HUB
+from freecad_ortho.fabrication.systems.beams.messages import remarks
+from freecad_ortho.fabrication.systems.beams.options import BOLTED, ENDS, OPTIONS, PLAIN_HUB
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
+from freecad_ortho.fabrication.systems.beams.web_holes import refuse_short
 from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
@@ -43,12 +45,6 @@ from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import ParameterLine, ParameterLines
 from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
-
-# Twist above which a beam is visibly not a plane plate, degrees.
-_TWIST_WORTH_SAYING = 0.01
-_HEIGHT_WORTH_SAYING = 0.05
-# Heights of hot finished sections are rolled to 1 % (EN 10210-2, table 4).
-_ROLLED_TO = 0.01
 
 
 @dataclass(frozen=True)
@@ -65,10 +61,11 @@ class Beams(System):
             ``fabrication.profiles.profile``), whose height and widths then are those of the beams.
         section_width: of tubes and flanges, mm.
         flange_thickness: mm, by default that of the web.
-        ends: "mitred" against each other, cut square for a "hub" or an "end-plate" bolted to one,
-            or plates along whole lines that are "lapped" where they cross, half from above and half
-            from below; with "through-u" the beams of family u run through and the others are cut
-            square between them.
+        ends: "mitred" against each other, cut square for a "hub", for an "end-plate" bolted to one
+            or for a "cover-plate" on each side bolted to a star of plates, or plates along whole
+            lines that are "lapped" where they cross, half from above and half from below; with
+            "through-u" the beams of family u run through and the others are cut square between
+            them.
         hub_diameter: of the hubs, across their faces, mm; by default 100, with end plates as large
             as each has to be.
         clearance: between beam and hub, between plates in slots, and beside beams that run through,
@@ -77,8 +74,8 @@ class Beams(System):
         least_length: beams that are shorter at the border of the surface are left out, mm.
         rounded: whether solids have the rounded corners and roots of a section of the catalogue;
             masses always do.
-        bolt: size of the bolts of end plates.
-        bolts: of an end plate, 1 or 2.
+        bolt: size of the bolts of end plates and cover plates.
+        bolts: above each other, 1 or 2.
         hub_wall: thickness of the walls that these clamp, mm; by default as thick as the bolts.
 
     Raises:
@@ -121,12 +118,17 @@ class Beams(System):
         check_offset(self.offset)
         if self.ends not in ENDS:
             raise InputError(f"ends: expected one of {', '.join(ENDS)}, got '{self.ends}'")
-        if self.hub_diameter is None and self.ends != "end-plate":
+        if self.hub_diameter is None and self.ends not in BOLTED:
             object.__setattr__(self, "hub_diameter", PLAIN_HUB)
         if self.ends == "hub":
             check_size("hub diameter", self.across)
         if self.ends == "end-plate":
             _ = self.end_plates
+        if self.ends == "cover-plate" and self.section not in ("plate", "I", "T"):
+            raise InputError(
+                f"ends: cover plates join webs of plates, got section {self.section}; take section "
+                "plate, I or T, or other ends"
+            )
         if not 0 <= self.clearance < float("inf"):
             raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
         not_negative("least length", self.least_length)
@@ -207,7 +209,8 @@ class Beams(System):
         if not wanted.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
-        cuts, folded, laps = self._cuts(site, frames, around, built)
+        bolted = self._bolted(frames, built)
+        cuts, folded, laps = self._cuts(site, frames, around, built, bolted)
         width = section.overall_width
         stubs: tuple[str, ...] = ()
         if border is not None:
@@ -218,14 +221,16 @@ class Beams(System):
             built, wanted = built & ~short, wanted & ~short
             border = replace(border, cut=border.cut & built[:, None])
             around = around_axes(site.mesh, site.axes, frames.along, built)
-            cuts, folded, laps = self._cuts(site, frames, around, built)
+            cuts, folded, laps = self._cuts(site, frames, around, built, bolted)
             cuts = cuts.where(np.stack([built, built], axis=1), square(frames, 0 * frames.slope))
             frames, cuts = border.applied(frames, cuts, site.mesh.edge_lengths, width / 2)
         geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
         meeting = wanted[:, None] & ~(np.zeros(2, bool) if border is None else border.cut)
-        geometry = replace(geometry, meeting=meeting)
-        if self.ends == "end-plate":
-            geometry = replace(geometry, hub_radii=self._hub_radii(site, around))
+        geometry = replace(geometry, meeting=meeting, bolted=bolted)
+        if bolted is not None:
+            geometry = replace(geometry, hub_radii=_hub_radii(site, around, bolted))
+        if isinstance(section, Section):
+            refuse_short(geometry, section, site.mesh.connectivity.edges)
         misfit = None
         if rolled is not None:
             misfit = rolled.misfit(site, geometry, meeting)
@@ -239,7 +244,7 @@ class Beams(System):
         if border is not None:
             report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
             doubts += stub_words(stubs, self.least_length)
-        messages = (*_messages(report, parts), *self.unheeded, *doubts)
+        messages = (*remarks(report, parts), *self.unheeded, *doubts)
         return SystemParts(parts, report, messages, geometry)
 
     @property
@@ -270,7 +275,12 @@ class Beams(System):
         return RolledSection(profile(self.section), self.rounded)
 
     def _cuts(
-        self, site: Site, frames: Frames, around: Around, built: BoolArray
+        self,
+        site: Site,
+        frames: Frames,
+        around: Around,
+        built: BoolArray,
+        bolted: EndPlates | CoverPlates | None,
     ) -> tuple[Cuts, BoolArray, Crossings | None]:
         """Where beams end, which edges are parts of folded plates, and their half laps."""
         width = self.profile.overall_width
@@ -282,9 +292,9 @@ class Beams(System):
             cuts = square(frames, hub_distance(site.mesh, around, width, distance))
             hubs = ~without_hubs(site, self.across)[site.mesh.connectivity.edges]
             return cuts.where(hubs, mitred(frames, around)), none, None
-        if self.ends == "end-plate":
-            radii = self._hub_radii(site, around)[site.mesh.connectivity.edges]
-            cuts = square(frames, radii + self.end_plates.setback)
+        if bolted is not None:
+            radii = _hub_radii(site, around, bolted)[site.mesh.connectivity.edges]
+            cuts = square(frames, radii + bolted.setback)
             return cuts.where(radii > 0, mitred(frames, around)), none, None
         if self.ends == "lapped":
             laps = half_laps(site, around, self.thickness, self.clearance)
@@ -302,12 +312,24 @@ class Beams(System):
         )
         return cuts, through if self.section == "plate" else none, None
 
-    def _hub_radii(self, site: Site, around: Around) -> FloatArray:
-        """(V,) from the axes to the faces of bolted hubs, mm; 0 where there are none."""
-        plates = self.end_plates
-        radii = plates.radii(around, len(site.mesh.vertices))
-        left_out = without_hubs(site, 2 * (radii + plates.setback))
-        return np.where(left_out, 0.0, radii)
+    def _bolted(self, frames: Frames, built: BoolArray) -> EndPlates | CoverPlates | None:
+        """How the beams of edges that are built, (E,), are bolted; None where they are not."""
+        if self.ends == "end-plate":
+            return self.end_plates
+        section = self.profile
+        if self.ends != "cover-plate" or isinstance(section, RolledSection):
+            return None
+        rise = frames.rise[built]
+        return CoverPlates(
+            bolt_of(self.bolt),
+            self.bolts,
+            self.thickness,
+            section.overall_width,
+            self.clearance,
+            float(self.height * rise.min()) - sum(section.flanges),
+            float(np.abs(frames.slope[built] / rise[:, None]).max()),
+            self.hub_diameter,
+        )
 
     def _report(
         self, site: Site, geometry: BeamGeometry, parts: tuple[Part, ...], chosen: BoolArray
@@ -331,6 +353,13 @@ class Beams(System):
         }
 
 
+def _hub_radii(site: Site, around: Around, bolted: EndPlates | CoverPlates) -> FloatArray:
+    """(V,) from the axes to what beams are bolted to, mm; 0 where there is nothing."""
+    radii = bolted.radii(around, len(site.mesh.vertices))
+    left_out = without_hubs(site, 2 * (radii + bolted.setback))
+    return np.where(left_out, 0.0, radii)
+
+
 def _runs(site: Site, along: BoolArray, border: BorderEnds | None) -> tuple[ParameterLine, ...]:
     """The stretches of lines whose edges (E,) are beams along lines, between the border's ends."""
     if border is None:
@@ -344,36 +373,3 @@ def _misfit_report(misfit: FloatArray) -> dict[str, Any]:
     worst = int(misfit.argmax())
     names = part_names("N", len(misfit))
     return {"misfit_max_mm": float(misfit[worst]), "misfit_worst": names[worst]}
-
-
-def _messages(report: dict[str, Any], parts: tuple[Part, ...]) -> tuple[str, ...]:
-    messages = []
-    if report["twist_max_deg"] > _TWIST_WORTH_SAYING:
-        messages.append(
-            f"beams: {report['twist_worst']} twists by {report['twist_max_deg']:.3g} degrees and "
-            f"leaves its plane by {report['twist_max_mm']:.3g} mm; optimise the mesh to planar "
-            "faces first"
-        )
-    misfit = report.get("misfit_max_mm")
-    if misfit is not None and misfit > _ROLLED_TO * report["height_mm"]:
-        messages.append(
-            f"beams: upper sides of {report['section']} meet, lower sides lie up to "
-            f"{misfit:.1f} mm apart, at {report['misfit_worst']}; a principal net gives more even "
-            "heights"
-        )
-    if misfit is None and report["height_deviation_max"] > _HEIGHT_WORTH_SAYING:
-        messages.append(
-            f"beams: heights run from {report['height_min_mm']:.1f} to "
-            f"{report['height_max_mm']:.1f} mm instead of {report['height_mm']:g} mm; a "
-            "principal net gives more even heights"
-        )
-    tubes = different_tubes(parts)
-    if len(tubes) > 1:
-        heights = ", ".join(
-            f"{len(group)} of {group[0].width:.1f} to {group[-1].width:.1f}" for group in tubes
-        )
-        messages.append(
-            f"beams: {len(tubes)} different tubes, by their height in mm: {heights}; a net of "
-            "constant height needs one"
-        )
-    return tuple(messages)

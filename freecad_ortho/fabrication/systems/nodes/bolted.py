@@ -1,210 +1,123 @@
-"""Nodes with bolts: a hollow hub, and an end plate on every beam that is bolted to it."""
+"""Nodes with bolts: what they are made of, their lists and their report."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from typing import Any
 
-import numpy as np
-
-from freecad_ortho.fabrication.bolts import GRADE, HEADS, WASHERS
-from freecad_ortho.fabrication.drilled import drilled_plate
-from freecad_ortho.fabrication.part import Measures, Part, part_names
-from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
-from freecad_ortho.fabrication.plates import plate_part
+from freecad_ortho.fabrication.equal import equal_groups
+from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.beams.end_plates import WIDEST, EndPlates
+from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
-from freecad_ortho.fabrication.systems.nodes.hollow import BoltHole, hollow_hub
-from freecad_ortho.fabrication.systems.nodes.hubs import face_normals, gaps_after
-from freecad_ortho.fabrication.systems.nodes.seats import Seats, seats
+from freecad_ortho.fabrication.systems.nodes.hub_plates import HubMaking
+from freecad_ortho.fabrication.systems.nodes.star_plates import StarMaking
 from freecad_ortho.fabrication.systems.nodes.stars import Star
-from freecad_ortho.fabrication.systems.system import Table
-from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray, unit_rows
-
-_ENDS = ("start", "end")
-_BOLT_COLUMNS = (
-    *("bolt", "length_mm", "standard", "grade", "count", "washers"),
-    *("grip_mm", "thread_mm", "hole_mm", "drill_mm"),
-)
+from freecad_ortho.fabrication.systems.nodes.type_list import NodeSize, node_types
+from freecad_ortho.fabrication.systems.system import SystemParts, sums
+from freecad_ortho.words import counted
 
 
-@dataclass(frozen=True, eq=False)
-class BoltedNodes:
-    """What bolted nodes consist of.
-
-    Attributes:
-        hubs: in the order of the vertices.
-        plates: in the order of the edges.
-        bolts: their list.
-    """
-
-    hubs: tuple[Part, ...]
-    plates: tuple[Part, ...]
-    bolts: Table
-
-
-def bolted_nodes(
-    site: Site, beams: BeamGeometry, sizes: EndPlates, around: Sequence[Star]
-) -> BoltedNodes:
-    """The hubs of stars whose beams end before them, and the end plates of these beams.
+def with_end_plates(
+    site: Site, geometry: BeamGeometry, sizes: EndPlates, joined: Sequence[Star]
+) -> SystemParts:
+    """Hollow hubs, and end plates on the beams.
 
     Raises:
         InputError: beams that are too low for the bolts.
     """
-    making = _Making(site, beams, sizes, seats(site, beams, sizes))
-    hubs = tuple(making.hub(star) for star in around)
+    making = HubMaking(site, geometry, sizes)
+    hubs = tuple(making.hub(star) for star in joined)
     plates = tuple(part for _, part in sorted(making.plates.items()))
-    return BoltedNodes(hubs, plates, making.bolt_list())
+    groups = equal_names(hubs)
+    widths = [hub.width for hub in hubs]
+    report = {
+        "kind": "bolted",
+        "diameter_mm": max(widths, default=0.0),
+        "diameter_min_mm": min(widths, default=0.0),
+        "wall_mm": sizes.wall,
+        "end_plates": len(plates),
+        "end_plate_mm": sizes.thickness,
+        "bolt": f"{sizes.bolt.name}x{sizes.length:g}",
+        "bolts": sizes.count * len(plates),
+        "not_put_on": sum(bool(hub.assembly) for hub in hubs),
+        **equal_report(groups),
+        **sums((*hubs, *plates)),
+    }
+    named = {
+        hub.name: NodeSize(star, hub.width, hub.length, hub.thickness)
+        for hub, star in zip(hubs, joined, strict=True)
+    }
+    tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
+    corners = {hub.vertices[0]: (hub.points - site.shift).reshape(2, 2, -1, 3)[0] for hub in hubs}
+    return SystemParts((*hubs, *plates), report, _doubts(hubs), corners, tables=tables)
 
 
-class _Making:
-    """Hubs one after the other, and the plates that stand on them."""
-
-    def __init__(self, site: Site, beams: BeamGeometry, sizes: EndPlates, seats: Seats) -> None:
-        self.site, self.beams, self.sizes, self.seats = site, beams, sizes, seats
-        self.plates: dict[tuple[int, int], Part] = {}
-        self.nodes = part_names("N", len(site.mesh.vertices))
-        self.names = part_names("B", len(beams.lengths))
-        self.families, self.lines = site.edge_family, site.lines.edge_line.tolist()
-
-    def hub(self, star: Star) -> Part:
-        """The hub of a vertex; its plates go into ``plates``."""
-        site, vertex, count = self.site, star.vertex, len(self.names)
-        axis = site.axes.directions[vertex]
-        places = [(int(half % count), int(half // count)) for half in star.half_edges]
-        met = [k for k, place in enumerate(places) if self.beams.meeting[place]]
-        offset = float(np.linalg.norm(site.axes.offsets[vertex]))
-        low, high = (level * offset for level in self.beams.levels)
-        low = min([low, *(float(self.seats.low[places[k]]) for k in met)])
-        holes = []
-        for k in met:
-            heights = self._bolts(vertex, places[k], low, high)
-            holes += [BoltHole(k, height, self.sizes.bolt.hole) for height in heights]
-            self.plates[places[k]] = self._plate(vertex, places[k], heights)
-        radius = float(self.beams.hub_radii[vertex])
-        body = hollow_hub(star.turn, radius, self.sizes.wall, (low, high), holes)
-        first = unit_rows((star.arms[0] - (star.arms[0] @ axis) * axis)[None])[0]
-        return Part(
-            name=self.nodes[vertex],
-            kind="node",
-            body=body,
-            origin=site.mesh.vertices[vertex] + site.shift,
-            frame=np.stack([first, np.cross(axis, first), axis]),
-            pattern=None,
-            length=high - low,
-            width=2 * radius,
-            thickness=self.sizes.wall,
-            area=0.0,
-            volume=body.volume,
-            material=site.material,
-            vertices=(vertex,),
-            measures=Measures(lean_deg=float(site.axes.lean_deg[vertex])),
-            note=f"{len(holes)} holes of {self.sizes.bolt.hole:g} mm for {self._bolt_words()}",
-            assembly="; ".join(
-                words for k in met for words in self._doubts(star, k, self.names[places[k][0]])
-            ),
+def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts:
+    """Stars of plates, and the cover plates that bolt the beams to them."""
+    covers, site, radii = making.covers, making.site, making.beams.hub_radii
+    each = {making.nodes[star.vertex]: (star, making.arms(star)) for star in joined}
+    arms = tuple(part for _, some in each.values() for part in some)
+    plates = tuple(part for _, part in sorted(making.plates.items()))
+    groups = _equal_stars({name: some for name, (_, some) in each.items()})
+    widths = [2 * float(radii[star.vertex]) for star in joined]
+    report = {
+        "kind": "star",
+        "diameter_mm": max(widths, default=0.0),
+        "diameter_min_mm": min(widths, default=0.0),
+        "arms": len(arms),
+        "cover_plates": len(plates),
+        "cover_plate_mm": covers.thickness,
+        "bolt": f"{covers.bolt.name}x{covers.length:g}",
+        "bolts": covers.count * len(plates),
+        "not_put_on": sum(bool(arm.assembly) for arm in arms),
+        **equal_report(groups),
+        **sums((*arms, *plates)),
+    }
+    named = {
+        name: NodeSize(
+            star,
+            2 * float(radii[star.vertex]),
+            max((arm.width for arm in some), default=0.0),
+            covers.web,
         )
-
-    def _bolt_words(self) -> str:
-        return f"{self.sizes.bolt.name}x{self.sizes.length:g}"
-
-    def _bolts(self, vertex: int, place: tuple[int, int], low: float, high: float) -> list[float]:
-        """Heights of the bolts of a beam, where its plate and the hub are both behind them."""
-        low = max(low, float(self.seats.low[place]))
-        room = min(high, float(self.seats.high[place])) - low
-        sizes, bolt = self.sizes, self.sizes.bolt
-        needed = 2 * bolt.edge + (sizes.count - 1) * bolt.spacing
-        if room < needed:
-            fewer = "one bolt an end plate, " if sizes.count > 1 else ""
-            raise InputError(
-                f"bolts: at {self.nodes[vertex]} beam {self.names[place[0]]} has {room:.1f} mm of "
-                f"height for bolts, {sizes.count} of {bolt.name} take {needed:.1f} mm; take "
-                f"smaller bolts, {fewer}or higher beams"
-            )
-        middle = low + room / 2
-        if sizes.count == 1:
-            return [middle]
-        apart = max(room / 2, bolt.spacing)
-        return [middle - apart / 2, middle + apart / 2]
-
-    def _plate(self, vertex: int, place: tuple[int, int], heights: list[float]) -> Part:
-        """The end plate of a beam, seen from the hub."""
-        edge, end = place
-        sizes, low = self.sizes, float(self.seats.low[place])
-        holes = tuple(
-            Hole(np.array([sizes.width / 2, height - low]), sizes.bolt.drill) for height in heights
-        )
-        name = f"{self.names[edge]}-{_ENDS[end]}"
-        size = np.array([sizes.width, float(self.seats.high[place]) - low])
-        pattern = _pattern(name, self.nodes[vertex], size, holes)
-        origin, frame = self.seats.place(edge, end, sizes.width)
-        return plate_part(
-            self.site,
-            name,
-            "end-plate",
-            drilled_plate(pattern, sizes.thickness),
-            (self.site.mesh.vertices[vertex] + origin, frame),
-            pattern,
-            sizes.thickness,
-            vertices=(vertex,),
-            family=self.families[edge],
-            line=self.lines[edge],
-        )
-
-    def _doubts(self, star: Star, arm: int, beam: str) -> list[str]:
-        """What keeps the bolts of a beam from being put in and tightened."""
-        sizes, bolt = self.sizes, self.sizes.bolt
-        inner = float(self.beams.hub_radii[star.vertex]) - sizes.wall
-        gaps = gaps_after(star.turn)
-        beside = inner * np.tan(min(gaps[arm], gaps[arm - 1], WIDEST) / 2)
-        words = []
-        if beside < bolt.wrench - 1e-9:
-            words.append(
-                f"the bolt of beam {beam} cannot be reached: {beside:.1f} mm beside the next wall "
-                f"of the hub, a wrench for {bolt.name} needs {bolt.wrench:g} mm"
-            )
-        free = _across(star.turn, arm, inner) - sizes.taken
-        if free < sizes.way_in - 1e-9:
-            words.append(
-                f"the bolt of beam {beam} cannot be put in: {free:.1f} mm are free within the hub, "
-                f"{self._bolt_words()} needs {sizes.way_in:g} mm"
-            )
-        return words
-
-    def bolt_list(self) -> Table:
-        """One row, as all bolts are alike."""
-        sizes, bolt = self.sizes, self.sizes.bolt
-        count = sizes.count * len(self.plates)
-        row = (
-            *(bolt.name, sizes.length, HEADS, GRADE, count, f"{count} {WASHERS}"),
-            *(sizes.grip, sizes.thread, bolt.hole, bolt.drill),
-        )
-        return Table("bolts.csv", _BOLT_COLUMNS, (row,))
+        for name, (star, some) in each.items()
+    }
+    tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
+    return SystemParts((*arms, *plates), report, _doubts(arms), {}, tables=tables)
 
 
-def _across(turn: FloatArray, arm: int, inner: float) -> float:
-    """How far a hub is free from the middle of one of its faces to the other side, mm."""
-    towards = -np.cos(face_normals(turn)[0] - turn[arm])
-    ahead = towards > 1e-9
-    return float((inner * (1 + towards[ahead]) / towards[ahead]).min())
+def equal_names(joints: Sequence[Part]) -> dict[str, list[str]]:
+    """Names of equal joints by that of the first of them."""
+    groups = equal_groups(joints)
+    return {joints[group[0]].name: [joints[number].name for number in group] for group in groups}
 
 
-def _pattern(name: str, node: str, size: FloatArray, holes: tuple[Hole, ...]) -> FlatPattern:
-    """A rectangle with its holes, the names of the plate and of its node between or beside them."""
-    width, height = size.tolist()
-    outline = np.array([[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]])
-    first, last = float(holes[0].centre[1]), float(holes[-1].centre[1])
-    radius = holes[0].diameter / 2
-    if len(holes) > 1:
-        middle, room = (first + last) / 2, last - first - 2 * radius
-        label, mark, room = middle + room / 4, middle - room / 4, room / 2
-    else:
-        label, mark = (height + last + radius) / 2, (first - radius) / 2
-        room = min(height - last, first) - radius
-    size_of_name = fitted_text_size(name, 0.9 * width, 0.8 * room, 12.0)
-    size_of_node = fitted_text_size(node, 0.9 * width, 0.8 * room, 12.0)
-    marks = (Mark(np.array([[width / 2, mark]]), node, size_of_node),)
-    place = np.array([width / 2, label])
-    return FlatPattern(outline, marks, place, size_of_name, holes=holes, seen="hub")
+def equal_report(groups: Mapping[str, list[str]]) -> dict[str, Any]:
+    """What the report says of them."""
+    equal = {name: some for name, some in groups.items() if len(some) > 1}
+    return {"different": len(groups), "equal": equal}
+
+
+def _equal_stars(each: Mapping[str, Sequence[Part]]) -> dict[str, list[str]]:
+    """Names of stars with equal arms in the same order around, by that of the first of them."""
+    arms = [arm for some in each.values() for arm in some]
+    kinds = {arms[k].name: group[0] for group in equal_groups(arms) for k in group}
+    found: dict[tuple[int, ...], list[str]] = {}
+    for name, some in each.items():
+        ring = [kinds[arm.name] for arm in some]
+        turned = min((tuple(ring[k:] + ring[:k]) for k in range(len(ring))), default=())
+        found.setdefault(turned, []).append(name)
+    return {some[0]: some for some in found.values()}
+
+
+def _doubts(parts: Sequence[Part]) -> tuple[str, ...]:
+    doubtful = [part for part in parts if part.assembly]
+    if not doubtful:
+        return ()
+    first = doubtful[0]
+    return (
+        f"nodes: {counted(len(doubtful), 'part')} with bolts that cannot be put in or reached, "
+        f"{first.name} for one: {first.assembly.split('; ')[0]}; leave the hub diameter out for "
+        "nodes as large as they have to be, or take smaller bolts",
+    )

@@ -9,33 +9,40 @@ from typing import Any, ClassVar
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body
-from freecad_ortho.fabrication.equal import equal_groups
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
+from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.frames import around_axes, beam_frames
-from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
-from freecad_ortho.fabrication.systems.beams.options import HUB_OPTIONS, PLAIN_HUB
+from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry, mitred
+from freecad_ortho.fabrication.systems.beams.options import BOLTED, HUB_OPTIONS, PLAIN_HUB
+from freecad_ortho.fabrication.systems.beams.sections import Section
 from freecad_ortho.fabrication.systems.beams.system import Beams
 from freecad_ortho.fabrication.systems.edge_beam.hubs import (
     beside_edge_beam,
     no_room_words,
     without_hubs,
 )
-from freecad_ortho.fabrication.systems.nodes.bolted import bolted_nodes
+from freecad_ortho.fabrication.systems.nodes.bolted import (
+    equal_names,
+    equal_report,
+    with_cover_plates,
+    with_end_plates,
+)
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
+from freecad_ortho.fabrication.systems.nodes.star_plates import StarMaking
 from freecad_ortho.fabrication.systems.nodes.stars import Star, stars
-from freecad_ortho.fabrication.systems.nodes.type_list import node_types
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
-from freecad_ortho.words import counted
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 from solver.option import Option
 
-KINDS = ("hub", "bolted", "socket")
+KINDS = ("hub", "bolted", "star", "socket")
 # How beams end that nodes of a kind join; those that a socket holds end in several ways.
-ENDS_OF = {"hub": "hub", "bolted": "end-plate"}
+ENDS_OF = {"hub": "hub", "bolted": "end-plate", "star": "cover-plate"}
+BOLTED_KINDS = tuple(kind for kind, ends in ENDS_OF.items() if ends in BOLTED)
 
 
 @dataclass(frozen=True)
@@ -48,9 +55,10 @@ class Nodes(System):
     Args:
         kind: "hub", a prism about the axis with a face square to each beam, as high as the beams;
             "bolted", a hollow one with an end plate on each beam that is bolted to it from inside;
+            "star", plates welded along the axis, one a beam, bolted to its web by cover plates;
             "socket", a printed disc under the beams with a slot for each plate.
-        diameter: of the hub across its faces, or of the disc, mm; by default 100, of bolted hubs as
-            large as each has to be.
+        diameter: of the hub across its faces, of the star, or of the disc, mm; by default 100, of
+            bolted hubs and stars as large as each has to be.
         bore: diameter of a hole along the hub's axis, mm; 0 for none.
         depth: how far plates stand in a socket, mm; its disc is a third as thick.
         height: of the beams, mm.
@@ -59,7 +67,7 @@ class Nodes(System):
         clearance: on both sides of a plate in a socket together, and below it, mm.
         boundary_beams: false where the edges of the boundary have no beams.
         bolt: size of the bolts.
-        bolts: of a beam, 1 or 2.
+        bolts: above each other, 1 or 2.
         wall: thickness of the walls of bolted hubs, mm; by default as thick as the bolts.
 
     Raises:
@@ -108,7 +116,7 @@ class Nodes(System):
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
             raise InputError(f"node: expected one of {', '.join(KINDS)}, got '{self.kind}'")
-        if self.diameter is None and self.kind != "bolted":
+        if self.diameter is None and self.kind not in BOLTED_KINDS:
             object.__setattr__(self, "diameter", PLAIN_HUB)
         for words, value in (
             ("hub diameter", self.across),
@@ -149,7 +157,7 @@ class Nodes(System):
         beams = site.done["beams"].settings if "beams" in site.done else None
         if isinstance(beams, Beams):
             return self._fitting(beams)._build(site, beams)
-        if self.kind == "bolted":
+        if self.kind in BOLTED_KINDS:
             beams = self._as_beams()
             geometry = replace(beams.build(site), settings=beams)
             return self._build(replace(site, done={**site.done, "beams": geometry}), beams)
@@ -207,8 +215,11 @@ class Nodes(System):
             kept = np.isin(np.arange(len(built)), list(site.trimming.spans))
             built &= kept if geometry is None else geometry.built
             within = site.trimming.vertices(site.mesh.connectivity.edges)
-        bolted = geometry if self.kind == "bolted" else None
-        room = ~without_hubs(site, self.across) if bolted is None else bolted.hub_radii > 0
+        bolted = None if geometry is None or self.kind not in BOLTED_KINDS else geometry.bolted
+        if geometry is None or bolted is None:
+            room = ~without_hubs(site, self.across)
+        else:
+            room = geometry.hub_radii > 0
         if not built.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
@@ -217,8 +228,13 @@ class Nodes(System):
         names = part_names("N", len(site.mesh.vertices))
         missing = [star.vertex for star in meeting if not room[star.vertex]]
         left_out = [names[vertex] for vertex in beside_edge_beam(site, missing)]
-        if bolted is not None and beams is not None:
-            made = self._bolted(site, bolted, beams, joined)
+        if geometry is not None and isinstance(bolted, EndPlates):
+            made = with_end_plates(site, geometry, bolted, joined)
+        elif geometry is not None and isinstance(bolted, CoverPlates):
+            section = beams.profile if beams is not None else None
+            assert isinstance(section, Section)
+            mitres = mitred(frames, around)
+            made = with_cover_plates(StarMaking(site, geometry, section, bolted, mitres), joined)
         else:
             made = self._plain(site, names, joined)
         report = made.report | ({"no_room": left_out} if left_out else {})
@@ -227,52 +243,15 @@ class Nodes(System):
     def _plain(self, site: Site, names: Sequence[str], joined: Sequence[Star]) -> SystemParts:
         """Solid hubs, or sockets."""
         parts = tuple(self._part(site, names[star.vertex], star) for star in joined)
-        groups = _groups(parts)
+        groups = equal_names(parts)
         report = {
             "kind": self.kind,
             "diameter_mm": self.across,
-            **_equal_ones(groups),
+            **equal_report(groups),
             **sums(parts),
         }
         printed = tuple(part for part in parts if part.name in groups)
         return SystemParts(parts, report, geometry=self._hubs(site, parts), joints=printed)
-
-    def _bolted(
-        self, site: Site, geometry: BeamGeometry, beams: Beams, joined: Sequence[Star]
-    ) -> SystemParts:
-        """Hubs with bolts, and the end plates of the beams."""
-        sizes = beams.end_plates
-        made = bolted_nodes(site, geometry, sizes, joined)
-        groups = _groups(made.hubs)
-        widths = [hub.width for hub in made.hubs]
-        parts = (*made.hubs, *made.plates)
-        doubtful = [hub for hub in made.hubs if hub.assembly]
-        report = {
-            "kind": self.kind,
-            "diameter_mm": max(widths, default=0.0),
-            "diameter_min_mm": min(widths, default=0.0),
-            "wall_mm": sizes.wall,
-            "end_plates": len(made.plates),
-            "end_plate_mm": sizes.thickness,
-            "bolt": f"{sizes.bolt.name}x{sizes.length:g}",
-            "bolts": sizes.count * len(made.plates),
-            "not_put_on": len(doubtful),
-            **_equal_ones(groups),
-            **sums(parts),
-        }
-        messages: tuple[str, ...] = ()
-        if doubtful:
-            messages = (
-                f"nodes: {counted(len(doubtful), 'hub')} with bolts that cannot be put in or "
-                f"reached, {doubtful[0].name} for one: {doubtful[0].assembly.split('; ')[0]}; "
-                "leave the hub diameter out for hubs as large as they have to be, or take smaller "
-                "bolts",
-            )
-        tables = (made.bolts, node_types(made.hubs, joined, list(groups.values())))
-        hubs = {
-            hub.vertices[0]: (hub.points - site.shift).reshape(2, 2, -1, 3)[0] for hub in made.hubs
-        }
-        return SystemParts(parts, report, messages, hubs, tables=tables)
 
     def _hubs(self, site: Site, parts: tuple[Part, ...]) -> dict[int, FloatArray]:
         """(2, K, 3) lower and upper corners of the hub at each vertex, in the site's mesh, mm."""
@@ -326,18 +305,6 @@ class Nodes(System):
         floor = low + min(0.0, float(slopes.min())) * radius - self.clearance / 2
         levels = np.array([floor - self.depth / 3, floor, floor + self.depth])
         return socket(turn, radius, half, levels)
-
-
-def _groups(joints: Sequence[Part]) -> dict[str, list[str]]:
-    """Names of equal joints by that of the first of them."""
-    groups = equal_groups(joints)
-    return {joints[group[0]].name: [joints[number].name for number in group] for group in groups}
-
-
-def _equal_ones(groups: Mapping[str, list[str]]) -> dict[str, Any]:
-    """What the report says of them."""
-    equal = {name: some for name, some in groups.items() if len(some) > 1}
-    return {"different": len(groups), "equal": equal}
 
 
 def _frame(arm: FloatArray, axis: FloatArray) -> FloatArray:

@@ -2,40 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.systems.nodes.hubs import gaps_after
 from freecad_ortho.fabrication.systems.nodes.stars import Star
 from freecad_ortho.fabrication.systems.system import Table
+from solver.offset.axes import Axes
 
 _COLUMNS = (
-    *("type", "count", "diameter_mm", "height_mm", "wall_mm", "beams"),
+    *("type", "count", "diameter_mm", "height_mm", "plate_mm", "beams"),
     *("angles_deg", "slopes_deg", "nodes"),
 )
 
 
-def node_types(
-    hubs: Sequence[Part], around: Sequence[Star], groups: Sequence[Sequence[str]]
-) -> Table:
+class NodeSize(NamedTuple):
+    """The beams of a node, and how large it is; mm.
+
+    Attributes:
+        star: its beams.
+        diameter: across it.
+        height: along its axis.
+        plate: thickness of its walls or plates.
+    """
+
+    star: Star
+    diameter: float
+    height: float
+    plate: float
+
+
+def node_types(nodes: Mapping[str, NodeSize], groups: Sequence[Sequence[str]], axes: Axes) -> Table:
     """One row a type, named after the first of its nodes; the most frequent first.
 
     Args:
-        hubs: of all nodes.
-        around: the beams of each.
+        nodes: by their names.
         groups: names of equal ones.
+        axes: at the vertices.
     """
-    named = {hub.name: (hub, star) for hub, star in zip(hubs, around, strict=True)}
     rows = []
     for group in sorted(groups, key=lambda group: (-len(group), group[0])):
-        hub, star = named[group[0]]
-        slopes = np.degrees(np.arcsin(np.clip(star.arms @ hub.frame[2], -1, 1)))
+        star, *sizes = nodes[group[0]]
+        rises = star.arms @ axes.directions[star.vertex]
+        slopes = np.degrees(np.arcsin(np.clip(rises, -1, 1)))
         rows.append(
             (
-                *(group[0], len(group), round(hub.width, 3), round(hub.length, 3)),
-                *(round(hub.thickness, 3), len(star.turn)),
+                *(group[0], len(group), *(round(size, 3) for size in sizes), len(star.turn)),
                 " ".join(f"{angle:.2f}" for angle in np.degrees(gaps_after(star.turn))),
                 " ".join(f"{slope:.2f}" for slope in slopes),
                 " ".join(group),

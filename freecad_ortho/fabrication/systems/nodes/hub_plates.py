@@ -1,0 +1,179 @@
+"""Hollow hubs, and the end plates of beams that are bolted to them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from freecad_ortho.fabrication.bolts import GRADE, HEADS, WASHERS
+from freecad_ortho.fabrication.drilled import drilled_plate
+from freecad_ortho.fabrication.part import Measures, Part, part_names
+from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
+from freecad_ortho.fabrication.plates import plate_part
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.beams.end_plates import WIDEST, EndPlates
+from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
+from freecad_ortho.fabrication.systems.nodes.hollow import BoltHole, hollow_hub
+from freecad_ortho.fabrication.systems.nodes.hubs import face_normals, gaps_after
+from freecad_ortho.fabrication.systems.nodes.seats import seats
+from freecad_ortho.fabrication.systems.nodes.stars import Star
+from freecad_ortho.fabrication.systems.system import Table
+from solver.errors import InputError
+from solver.mesh.quadmesh import FloatArray, unit_rows
+
+_ENDS = ("start", "end")
+_BOLT_COLUMNS = (
+    *("bolt", "length_mm", "standard", "grade", "count", "washers"),
+    *("grip_mm", "thread_mm", "hole_mm", "drill_mm"),
+)
+
+
+class HubMaking:
+    """Hubs one after the other, and the plates that stand on them."""
+
+    def __init__(self, site: Site, beams: BeamGeometry, sizes: EndPlates) -> None:
+        self.site, self.beams, self.sizes = site, beams, sizes
+        self.seats = seats(site, beams, sizes)
+        self.plates: dict[tuple[int, int], Part] = {}
+        self.nodes = part_names("N", len(site.mesh.vertices))
+        self.names = part_names("B", len(beams.lengths))
+        self.families, self.lines = site.edge_family, site.lines.edge_line.tolist()
+
+    def hub(self, star: Star) -> Part:
+        """The hub of a vertex; its plates go into ``plates``."""
+        site, vertex, count = self.site, star.vertex, len(self.names)
+        axis = site.axes.directions[vertex]
+        places = [(int(half % count), int(half // count)) for half in star.half_edges]
+        met = [k for k, place in enumerate(places) if self.beams.meeting[place]]
+        offset = float(np.linalg.norm(site.axes.offsets[vertex]))
+        low, high = (level * offset for level in self.beams.levels)
+        low = min([low, *(float(self.seats.low[places[k]]) for k in met)])
+        holes = []
+        for k in met:
+            heights = self._bolts(vertex, places[k], low, high)
+            holes += [BoltHole(k, height, self.sizes.bolt.hole) for height in heights]
+            self.plates[places[k]] = self._plate(vertex, places[k], heights)
+        radius = float(self.beams.hub_radii[vertex])
+        body = hollow_hub(star.turn, radius, self.sizes.wall, (low, high), holes)
+        first = unit_rows((star.arms[0] - (star.arms[0] @ axis) * axis)[None])[0]
+        return Part(
+            name=self.nodes[vertex],
+            kind="node",
+            body=body,
+            origin=site.mesh.vertices[vertex] + site.shift,
+            frame=np.stack([first, np.cross(axis, first), axis]),
+            pattern=None,
+            length=high - low,
+            width=2 * radius,
+            thickness=self.sizes.wall,
+            area=0.0,
+            volume=body.volume,
+            material=site.material,
+            vertices=(vertex,),
+            measures=Measures(lean_deg=float(site.axes.lean_deg[vertex])),
+            note=f"{len(holes)} holes of {self.sizes.bolt.hole:g} mm for {self._bolt_words()}",
+            assembly="; ".join(
+                words for k in met for words in self._doubts(star, k, self.names[places[k][0]])
+            ),
+        )
+
+    def _bolt_words(self) -> str:
+        return f"{self.sizes.bolt.name}x{self.sizes.length:g}"
+
+    def _bolts(self, vertex: int, place: tuple[int, int], low: float, high: float) -> list[float]:
+        """Heights of the bolts of a beam, where its plate and the hub are both behind them."""
+        low = max(low, float(self.seats.low[place]))
+        room = min(high, float(self.seats.high[place])) - low
+        sizes, bolt = self.sizes, self.sizes.bolt
+        needed = 2 * bolt.edge + (sizes.count - 1) * bolt.spacing
+        if room < needed:
+            fewer = "one bolt an end plate, " if sizes.count > 1 else ""
+            raise InputError(
+                f"bolts: at {self.nodes[vertex]} beam {self.names[place[0]]} has {room:.1f} mm of "
+                f"height for bolts, {sizes.count} of {bolt.name} take {needed:.1f} mm; take "
+                f"smaller bolts, {fewer}or higher beams"
+            )
+        middle = low + room / 2
+        if sizes.count == 1:
+            return [middle]
+        apart = max(room / 2, bolt.spacing)
+        return [middle - apart / 2, middle + apart / 2]
+
+    def _plate(self, vertex: int, place: tuple[int, int], heights: list[float]) -> Part:
+        """The end plate of a beam, seen from the hub."""
+        edge, end = place
+        sizes, low = self.sizes, float(self.seats.low[place])
+        holes = tuple(
+            Hole(np.array([sizes.width / 2, height - low]), sizes.bolt.drill) for height in heights
+        )
+        name = f"{self.names[edge]}-{_ENDS[end]}"
+        size = np.array([sizes.width, float(self.seats.high[place]) - low])
+        pattern = _pattern(name, self.nodes[vertex], size, holes)
+        origin, frame = self.seats.place(edge, end, sizes.width)
+        return plate_part(
+            self.site,
+            name,
+            "end-plate",
+            drilled_plate(pattern, sizes.thickness),
+            (self.site.mesh.vertices[vertex] + origin, frame),
+            pattern,
+            sizes.thickness,
+            vertices=(vertex,),
+            family=self.families[edge],
+            line=self.lines[edge],
+        )
+
+    def _doubts(self, star: Star, arm: int, beam: str) -> list[str]:
+        """What keeps the bolts of a beam from being put in and tightened."""
+        sizes, bolt = self.sizes, self.sizes.bolt
+        inner = float(self.beams.hub_radii[star.vertex]) - sizes.wall
+        gaps = gaps_after(star.turn)
+        beside = inner * np.tan(min(gaps[arm], gaps[arm - 1], WIDEST) / 2)
+        words = []
+        if beside < bolt.wrench - 1e-9:
+            words.append(
+                f"the bolt of beam {beam} cannot be reached: {beside:.1f} mm beside the next wall "
+                f"of the hub, a wrench for {bolt.name} needs {bolt.wrench:g} mm"
+            )
+        free = _across(star.turn, arm, inner) - sizes.taken
+        if free < sizes.way_in - 1e-9:
+            words.append(
+                f"the bolt of beam {beam} cannot be put in: {free:.1f} mm are free within the hub, "
+                f"{self._bolt_words()} needs {sizes.way_in:g} mm"
+            )
+        return words
+
+    def bolt_list(self) -> Table:
+        """One row, as all bolts are alike."""
+        sizes, bolt = self.sizes, self.sizes.bolt
+        count = sizes.count * len(self.plates)
+        row = (
+            *(bolt.name, sizes.length, HEADS, GRADE, count, f"{count} {WASHERS}"),
+            *(sizes.grip, sizes.thread, bolt.hole, bolt.drill),
+        )
+        return Table("bolts.csv", _BOLT_COLUMNS, (row,))
+
+
+def _across(turn: FloatArray, arm: int, inner: float) -> float:
+    """How far a hub is free from the middle of one of its faces to the other side, mm."""
+    towards = -np.cos(face_normals(turn)[0] - turn[arm])
+    ahead = towards > 1e-9
+    return float((inner * (1 + towards[ahead]) / towards[ahead]).min())
+
+
+def _pattern(name: str, node: str, size: FloatArray, holes: tuple[Hole, ...]) -> FlatPattern:
+    """A rectangle with its holes, the names of the plate and of its node between or beside them."""
+    width, height = size.tolist()
+    outline = np.array([[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]])
+    first, last = float(holes[0].centre[1]), float(holes[-1].centre[1])
+    radius = holes[0].diameter / 2
+    if len(holes) > 1:
+        middle, room = (first + last) / 2, last - first - 2 * radius
+        label, mark, room = middle + room / 4, middle - room / 4, room / 2
+    else:
+        label, mark = (height + last + radius) / 2, (first - radius) / 2
+        room = min(height - last, first) - radius
+    size_of_name = fitted_text_size(name, 0.9 * width, 0.8 * room, 12.0)
+    size_of_node = fitted_text_size(node, 0.9 * width, 0.8 * room, 12.0)
+    marks = (Mark(np.array([[width / 2, mark]]), node, size_of_node),)
+    place = np.array([width / 2, label])
+    return FlatPattern(outline, marks, place, size_of_name, holes=holes, seen="hub")
