@@ -53,6 +53,9 @@ class Sizes(TypedDict, total=False):
     gasket: Length
     bite: Length
     bending: Literal["none", "cold"]
+    fold: Length
+    bend_radius: Length | None
+    k_factor: float
     least_length: Length
     rounded: bool
     louvre_axis: Literal["u", "v"]

@@ -217,6 +217,9 @@ def add_panels(
     gasket: Length = 5.0,
     bite: Length = 12.0,
     bending: str = "none",
+    fold: Length = 0.0,
+    bend_radius: Length | None = None,
+    k_factor: float = 0.0,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -241,6 +244,9 @@ def add_panels(
         edge_cover: how far panels reach under pressure plates.
         gasket: thickness of gaskets.
         bite: of structural silicone.
+        fold: depth by which edges of metal panels are folded down.
+        bend_radius: inside of these folds, by default the thickness.
+        k_factor: of these folds, 0 for that of DIN 6935.
         bending: ``"cold"``: flat panels are pressed into faces that are not planar.
         family: parameter lines that the beams are on.
         lines: numbers of these lines; empty for all.

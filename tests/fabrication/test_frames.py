@@ -66,6 +66,13 @@ def test_on_a_plane_net_everything_lies_where_the_rule_says():
     assert 0.97 < sum(part.volume for part in cap) / ((50 * 15 - 46 * 13) * 17000) <= 1
 
 
+def test_a_gap_beside_a_frame_is_said_not_to_count():
+    systems = [Panels(8, gap, frame="plate") for gap in (8, 20, 12)]
+    made = [build(plane_net(), [each]).report()["messages"] for each in systems]
+    assert [len(messages) for messages in made[:2]] == [0, 0]
+    assert "joints of 20 mm; the gap of 12 mm that was given does not count" in made[2][0]
+
+
 @pytest.mark.parametrize("frame", ["plate", "silicone"])
 def test_frames_end_at_the_border(frame):
     structure = framed(plane_net(8, 9), frame, border=[SLANTED], least_width=150)

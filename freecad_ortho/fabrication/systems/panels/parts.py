@@ -15,6 +15,7 @@ from freecad_ortho.fabrication.part import Measures, Part, part_names, piece_nam
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.panels.cassette import Cassette, Fold
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, unbent
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
 from freecad_ortho.fabrication.systems.panels.layers import Layered, layers_table
@@ -54,7 +55,7 @@ def panel_parts(
     measures: Sequence[Measures],
     least_width: float = 0.0,
     join: bool = False,
-    cold: ColdBent | None = None,
+    formed: ColdBent | Fold | None = None,
 ) -> PanelParts:
     """Return one part a face, or what the border leaves of it.
 
@@ -65,8 +66,9 @@ def panel_parts(
         measures: of the panel in each face.
         least_width: pieces at the border that are narrower are left out, mm,
         join: or part of their neighbours where they fit on.
-        cold: the faces where panels are bent into them. Those with other than four corners, and
-            whose layers stand back, are drawn flat.
+        formed: the faces where panels are bent into them, or how edges are folded. Bent ones with
+            other than four corners, or whose layers stand back, are drawn flat; those too small
+            for folds stay so.
 
     Raises:
         InputError: layers that are set back too far.
@@ -76,22 +78,24 @@ def panel_parts(
     names = part_names("P", len(faces))
     left_out = {name: piece for name, (_, piece) in pieces.narrow.items()}
     joined = {name: (names[face], above) for name, (face, above) in pieces.joined.items()}
-    made = [_bent(plate, geometry, thickness, cold) for plate in plates]
+    made = [_formed(plate, geometry, thickness, formed) for plate in plates]
     parts = tuple(
         plate_part(
             site,
             plate.name,
             "panel",
             body,
-            (plate.origin, geometry.planes.frame[plate.face]),
+            (origin, geometry.planes.frame[plate.face]),
             pattern,
             thickness,
             vertices=tuple(faces[plate.face].tolist()),
             face=plate.face,
             measures=measures[plate.face],
-            weighed=plate.layered.weighed(site.material.density),
+            weighed=None
+            if isinstance(body, Cassette)
+            else plate.layered.weighed(site.material.density),
         )
-        for plate, (body, pattern) in zip(plates, made, strict=True)
+        for plate, (body, pattern, origin) in zip(plates, made, strict=True)
     )
     return PanelParts(parts, tuple(plate.layered for plate in plates), left_out, joined)
 
@@ -136,20 +140,43 @@ def _plates(
     return plates, pieces
 
 
-def _bent(
-    plate: _Plate, geometry: PanelGeometry, thickness: float, cold: ColdBent | None
-) -> tuple[Body, FlatPattern]:
-    """Solid and pattern of a panel, bent where it has four corners and its layers are of one size.
+def _formed(
+    plate: _Plate, geometry: PanelGeometry, thickness: float, formed: ColdBent | Fold | None
+) -> tuple[Body, FlatPattern, FloatArray]:
+    """Solid, pattern and origin of a panel.
 
-    The pattern of a bent panel is the flat plate that is bent into it.
+    It is bent where it has four corners and its layers are of one size: then its pattern is the
+    flat plate that is bent into it. Its edges are folded where it has room for that.
     """
-    if cold is None or not plate.layered.bends:
-        return plate.layered.body(), plate.pattern
+    if isinstance(formed, Fold):
+        cassette = Cassette(plate.layered.under, formed)
+        if cassette.fits:
+            return _folded(plate, geometry, cassette)
+    if not isinstance(formed, ColdBent) or not plate.layered.bends:
+        return plate.layered.body(), plate.pattern, plate.origin
     corner = plate.origin - geometry.planes.middle[plate.face]
     low = geometry.planes.frame[plate.face, :2] @ corner
-    body = cold.body(plate.face, plate.layered.under, low, thickness)
+    body = formed.body(plate.face, plate.layered.under, low, thickness)
     flat = unbent(body.corners[:4])
-    return body, replace(plate.pattern, outline=flat - flat.min(axis=0))
+    return body, replace(plate.pattern, outline=flat - flat.min(axis=0)), plate.origin
+
+
+def _folded(
+    plate: _Plate, geometry: PanelGeometry, cassette: Cassette
+) -> tuple[Body, FlatPattern, FloatArray]:
+    """A panel with folded edges; its coordinates begin where the flat sheet does."""
+    flat, bends = cassette.flat()
+    low = flat.min(axis=0)
+    pattern = replace(
+        plate.pattern,
+        outline=flat - low,
+        marks=tuple(replace(mark, points=mark.points - low) for mark in plate.pattern.marks),
+        label=plate.pattern.label - low,
+        bends=tuple(replace(bend, points=bend.points - low) for bend in bends),
+        bevels=(),
+    )
+    body = replace(cassette, outline=cassette.outline - low)
+    return body, pattern, plate.origin + low @ geometry.planes.frame[plate.face, :2]
 
 
 def _at_the_border(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
@@ -22,6 +22,7 @@ from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
 from freecad_ortho.fabrication.systems.panels.bearing import at_the_edge, bearings, least_bearing
+from freecad_ortho.fabrication.systems.panels.cassette import Fold, fold_report, refuse_brittle
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, bending_report
 from freecad_ortho.fabrication.systems.panels.framing import FRAMES, Framing
 from freecad_ortho.fabrication.systems.panels.geometry import (
@@ -38,7 +39,13 @@ from freecad_ortho.fabrication.systems.panels.trimmed import (
     uncarried_words,
 )
 from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
-from freecad_ortho.fabrication.systems.panels.words import UNDER_BEAMS, messages_of
+from freecad_ortho.fabrication.systems.panels.words import (
+    UNDER_BEAMS,
+    faces_down,
+    gap_words,
+    messages_of,
+    report_of,
+)
 from freecad_ortho.fabrication.systems.sheets import LEAST_WIDTH, left_out_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.fabrication.trimming import Trimming
@@ -52,9 +59,7 @@ EDGES = ("square", "bevel")
 AT_HUBS = ("cut", "lift")
 SLIVERS = ("join", "leave-out")
 BENDINGS = ("none", "cold")
-
-# Mean height of the faces' unit normals from which on a net has an upper and a lower side.
-_CLEARLY = 0.2
+_GAP = 8.0
 
 
 @dataclass(frozen=True)
@@ -79,6 +84,9 @@ class Panels(System):
         edge_cover: how far panels reach under these, mm.
         gasket: thickness of the gaskets below and above panels in frames, mm.
         bite: width of joints of structural silicone, mm.
+        fold: depth by which the edges of metal panels are folded down, mm; 0 for none.
+        bend_radius: inside of these folds, mm, by default as large as the thickness.
+        k_factor: of these folds, 0 for that of DIN 6935.
         bending: "cold": panels are flat plates that are pressed into faces that are not planar;
             "none": they are the faces' best planes.
 
@@ -100,6 +108,12 @@ class Panels(System):
     gasket: float = 5.0
     bite: float = 12.0
     bending: str = "none"
+    fold: float = 0.0
+    bend_radius: float | None = None
+    k_factor: float = 0.0
+
+    # Words on a gap that was given beside a frame, which makes the joint.
+    unheeded: tuple[str, ...] = field(default=(), init=False, repr=False, compare=False)
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "panels"
@@ -111,7 +125,7 @@ class Panels(System):
             "length",
             "the panels are this thick, by default as thick as the plates",
         ),
-        Option("gap", 8.0, "length", "the joint between two panels is this wide"),
+        Option("gap", _GAP, "length", "the joint between two panels is this wide"),
         Option(
             "offset",
             "centre",
@@ -160,6 +174,18 @@ class Panels(System):
             "the panels are flat, or bent cold into faces that are not planar",
             BENDINGS,
         ),
+        Option(
+            *("fold", 0.0, "length", "edges of metal panels are folded down by this"),
+            absent="none",
+        ),
+        Option(
+            *("bend_radius", None, "length"),
+            "folds have this radius inside, by default that of the thickness",
+        ),
+        Option(
+            *("k_factor", 0.0, "number"),
+            "folds keep the length of the fibre at this part of the thickness, 0: by DIN 6935",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -175,6 +201,13 @@ class Panels(System):
         not_negative("least width", self.least_width)
         one_of("slivers", self.slivers, SLIVERS)
         one_of("bending", self.bending, BENDINGS)
+        if self.folding is not None and (
+            (self.edge, self.bending) != ("square", "none") or self.frame == "silicone"
+        ):
+            raise InputError(
+                "fold: cassettes have square edges, are not bent cold and are not glued on; leave "
+                "one of both out"
+            )
         if self.bending == "cold" and self.edge != "square":
             raise InputError(
                 "bending: bevelled panels cannot be bent cold; take square edges or none"
@@ -184,7 +217,11 @@ class Panels(System):
                 "bending: panels that are bent cold pull at structural silicone for ever; hold "
                 "them by frame plate, or leave one of both out"
             )
-        object.__setattr__(self, "gap", self.framing.joint(self.gap))
+        joint = self.framing.joint(self.gap)
+        if self.gap not in (_GAP, joint):
+            words = gap_words(self.frame_width, self.edge_cover, joint, self.gap)
+            object.__setattr__(self, "unheeded", words)
+        object.__setattr__(self, "gap", joint)
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Panels:
@@ -192,8 +229,22 @@ class Panels(System):
         plate = values["panel_thickness"]
         plate = values["thickness"] if plate is None else plate
         names = "gap offset panel_edge at_hubs clearance least_width slivers"
-        own = "frame frame_width edge_cover gasket bite bending"
+        own = "frame frame_width edge_cover gasket bite bending fold bend_radius k_factor"
         return cls(plate, *(values[name] for name in f"{names} {own}".split()))
+
+    @property
+    def folding(self) -> Fold | None:
+        """How the edges are folded, None where they are not."""
+        if not self.fold:
+            return None
+        radius = self.thickness if self.bend_radius is None else self.bend_radius
+        return Fold(self.fold, radius, self.thickness, self.k_factor or None)
+
+    @property
+    def below(self) -> tuple[float, float]:
+        """From what carries panels to them, and the depth of what is along their sides, mm."""
+        deep = self.fold - self.thickness if self.fold else 0.0
+        return self.framing.bed + deep, max(self.framing.depth, deep)
 
     @property
     def framing(self) -> Framing:
@@ -211,6 +262,8 @@ class Panels(System):
         Raises:
             InputError: a face that the gap or the hubs leave nothing of.
         """
+        if self.folding is not None:
+            refuse_brittle(site.material)
         beams = site.geometry_of("beams", BeamGeometry)
         edge_beam = site.geometry_of("edge-beam", EdgeGeometry)
         mesh, levels = self._bed(site, beams, edge_beam)
@@ -219,8 +272,8 @@ class Panels(System):
         geometry = panel_geometry(
             *(mesh, levels, self.gap, beams, inward, self._stands(site, beams)),
             wanted=whole if site.trimming is None else site.trimming.made,
-            bed=self.framing.bed,
-            depth=self.framing.depth,
+            bed=self.below[0],
+            depth=self.below[1],
         )
         least = None if beams is None else self._bearing(site, geometry, beams, edge_beam)
         gaps = diagonal_distances(site.mesh)
@@ -229,7 +282,8 @@ class Panels(System):
         if cold is not None:
             measures = cold.measured(measures, site.material, self.thickness)
         join = self.slivers == "join" and self.edge == "square"
-        laid = panel_parts(site, geometry, self.thickness, measures, self.least_width, join, cold)
+        formed = cold if self.folding is None else self.folding
+        laid = panel_parts(site, geometry, self.thickness, measures, self.least_width, join, formed)
         parts, doubts = laid.parts, list[str]()
         made = ~whole
         made[[part.face for part in parts if part.face is not None]] = True
@@ -238,19 +292,22 @@ class Panels(System):
         unders = [layered.below(self.framing.depth) for layered in laid.layers]
         bow = np.zeros(len(made)) if cold is None else cold.bow
         held = self.framing.held(site, geometry, parts, unders, (made, bow))
-        report = self._report(geometry, parts, made, least) | sums((*parts, *held.parts))
+        report = report_of(self, geometry, made, least, parts) | sums((*parts, *held.parts))
         report |= held.report or {}
         if site.trimming is not None:
             more, words = self._at_border(laid, site.trimming, made, least, edge_beam is not None)
             report, doubts = report | more, doubts + words
         gap = 0.0 if cold is not None else float(gaps[made].max())
-        messages = (*messages_of(report, gap, site.material), *doubts, *held.messages)
-        if beams is not None and _faces_down(site.mesh):
+        messages = (*messages_of(report, gap, site.material), *self.unheeded, *doubts)
+        messages += held.messages
+        if beams is not None and faces_down(site.mesh):
             messages += (UNDER_BEAMS,)
         tables = held.tables
         if cold is not None:
             report |= bending_report(parts)
             tables = (cold.table(parts), *tables)
+        if self.folding is not None:
+            report |= fold_report(self.folding, parts)
         if site.material.layers:
             report |= build_up_report(site.material, parts)
             tables = (laid.table, *tables)
@@ -326,33 +383,8 @@ class Panels(System):
         if not tops:
             return site.mesh, self.levels
         raised = site.mesh.vertices + tops[0] * site.axes.offsets
-        bed = self.framing.bed
+        bed = self.below[0]
         return site.mesh.with_vertices(raised), (bed, bed + self.thickness)
-
-    def _report(
-        self,
-        geometry: PanelGeometry,
-        parts: tuple[Part, ...],
-        made: BoolArray,
-        bearing: FloatArray | None,
-    ) -> dict[str, Any]:
-        on_beams = bearing is not None
-        clear = float(geometry.clear[made].min())
-        return {
-            "thickness_mm": self.thickness,
-            "gap_mm": self.gap,
-            "offset": "on the beams" if on_beams else self.offset,
-            "clear_gap_min_mm": clear if np.isfinite(clear) else None,
-            "edge": self.edge,
-            "sides_shrunk_more": int((geometry.sides[made] > self.gap / 2 * (1 + 1e-9)).sum())
-            if self.edge == "square"
-            else 0,
-            "lift_max_mm": float(geometry.lift[made].max()),
-            "corners_cut": int(geometry.corners.cut[made].sum()),
-            "lifted_over_hubs": int(geometry.over_hubs[made].sum()),
-            "bearing_min_mm": None if bearing is None else float(bearing[made].min()),
-            "not_put_on": sum(bool(part.assembly) for part in parts),
-        }
 
 
 def _measures(gaps: FloatArray, bearing: FloatArray | None) -> list[Measures]:
@@ -360,12 +392,6 @@ def _measures(gaps: FloatArray, bearing: FloatArray | None) -> list[Measures]:
     wide = [None] * len(gaps) if bearing is None else bearing.tolist()
     pairs = zip(gaps.tolist(), wide, strict=True)
     return [Measures(gap_mm=gap, bearing_mm=width) for gap, width in pairs]
-
-
-def _faces_down(mesh: QuadMesh) -> bool:
-    """Tell whether the upper side faces down; a wall or a closed shape has none that does."""
-    areas = mesh.face_area_vectors
-    return float(areas[:, 2].sum()) < -_CLEARLY * float(np.linalg.norm(areas, axis=1).sum())
 
 
 def _inward(site: Site) -> FloatArray:

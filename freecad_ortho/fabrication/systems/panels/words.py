@@ -2,16 +2,78 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Protocol
+
+import numpy as np
 
 from freecad_ortho.fabrication.material import Material
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
+from solver.mesh.connectivity import BoolArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Distance between diagonals above which a face is visibly not planar, mm.
 _GAP_WORTH_SAYING = 0.1
+# Mean height of the faces' unit normals from which on a net has an upper and a lower side.
+_CLEARLY = 0.2
 UNDER_BEAMS = (
     "panels: they lie under the beams, because the upper side of the net faces down; turn it over "
     "(Flip net, or orient on the command line)"
 )
+
+
+class Settings(Protocol):
+    """What a report repeats of the settings of panels."""
+
+    @property
+    def thickness(self) -> float:
+        """Of the plates, mm."""
+
+    @property
+    def gap(self) -> float:
+        """Between neighbours, mm."""
+
+    @property
+    def offset(self) -> str:
+        """Where they lie without beams."""
+
+    @property
+    def edge(self) -> str:
+        """How their sides are cut."""
+
+
+def report_of(
+    settings: Settings,
+    geometry: PanelGeometry,
+    made: BoolArray,
+    bearing: FloatArray | None,
+    parts: Sequence[Part],
+) -> dict[str, Any]:
+    """What is reported of panels in faces (F,) that have one, with their least bearings (F,)."""
+    on_beams = bearing is not None
+    clear = float(geometry.clear[made].min())
+    return {
+        "thickness_mm": settings.thickness,
+        "gap_mm": settings.gap,
+        "offset": "on the beams" if on_beams else settings.offset,
+        "clear_gap_min_mm": clear if np.isfinite(clear) else None,
+        "edge": settings.edge,
+        "sides_shrunk_more": int((geometry.sides[made] > settings.gap / 2 * (1 + 1e-9)).sum())
+        if settings.edge == "square"
+        else 0,
+        "lift_max_mm": float(geometry.lift[made].max()),
+        "corners_cut": int(geometry.corners.cut[made].sum()),
+        "lifted_over_hubs": int(geometry.over_hubs[made].sum()),
+        "bearing_min_mm": None if bearing is None else float(bearing[made].min()),
+        "not_put_on": sum(bool(part.assembly) for part in parts),
+    }
+
+
+def faces_down(mesh: QuadMesh) -> bool:
+    """Tell whether the upper side faces down; a wall or a closed shape has none that does."""
+    areas = mesh.face_area_vectors
+    return float(areas[:, 2].sum()) < -_CLEARLY * float(np.linalg.norm(areas, axis=1).sum())
 
 
 def messages_of(report: dict[str, Any], gap: float, material: Material) -> tuple[str, ...]:
@@ -40,3 +102,11 @@ def messages_of(report: dict[str, Any], gap: float, material: Material) -> tuple
             "planes; optimise the mesh first"
         )
     return tuple(messages)
+
+
+def gap_words(width: float, cover: float, joint: float, gap: float) -> tuple[str, ...]:
+    """A message where a gap was given beside a frame that makes the joint, mm."""
+    return (
+        f"panels: pressure plates of {width:g} mm that cover {cover:g} mm on both sides make "
+        f"joints of {joint:g} mm; the gap of {gap:g} mm that was given does not count",
+    )
