@@ -6,7 +6,7 @@ the mitre and its blade tilted by the bevel.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from html import escape
 from pathlib import Path
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.exchange.members import Member, bevel_deg, member_of, mitre_deg
 from freecad_ortho.fabrication.exchange.saw_sketch import sketch
-from freecad_ortho.fabrication.part import Part, part_names
+from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.report.lists import table
@@ -54,10 +54,11 @@ def write_saw_list(
     """
     parts, rows = production.structure.parts, []
     bars = {name: bar for bar in production.bars for name in bar.parts}
+    nodes = {node.vertex: node.name for node in production.nodes}
     for number, part in enumerate(parts):
         if number % 64 == 0:
             say(number / len(parts))
-        row = _row(part, bars.get(part.name), production)
+        row = _row(part, bars.get(part.name), nodes)
         if row is not None:
             rows.append(row)
     path.mkdir()
@@ -65,8 +66,8 @@ def write_saw_list(
     (path / "saw-list.html").write_text(_page(rows, project), encoding="utf-8")
 
 
-def _row(part: Part, bar: Bar | None, production: Production) -> list[str] | None:
-    """The line of a part, None where it is no bar."""
+def _row(part: Part, bar: Bar | None, nodes: Mapping[int, str]) -> list[str] | None:
+    """The line of a part, None where it is no bar; nodes have their names by their vertices."""
     member = member_of(part)
     if bar is None and (member is None or part.pattern is not None):
         return None
@@ -75,7 +76,7 @@ def _row(part: Part, bar: Bar | None, production: Production) -> list[str] | Non
         *(bar.name if bar else "", f"{_length(part, member):.2f}"),
         *_cuts(member),
         _holes(part.pattern),
-        _marks(part, production),
+        _marks(part, nodes),
         f"{part.mass:.2f}",
         "saw" if member is not None else "flat pattern",
     ]
@@ -132,13 +133,12 @@ def _holes(pattern: FlatPattern | None) -> str:
     )
 
 
-def _marks(part: Part, production: Production) -> str:
+def _marks(part: Part, nodes: Mapping[int, str]) -> str:
     """What to write on it: its name, then what it meets from its start on."""
     if part.pattern is not None:
         texts = [(float(mark.points[0, 0]), mark.text) for mark in part.pattern.marks if mark.text]
         return "; ".join([part.name, *(text for _, text in sorted(texts))])
-    names = part_names("N", len(production.structure.site.mesh.vertices))
-    return "; ".join([part.name, *(names[vertex] for vertex in part.vertices)])
+    return "; ".join([part.name, *(nodes[vertex] for vertex in part.vertices)])
 
 
 def _page(rows: list[list[str]], project: str) -> str:
