@@ -4,10 +4,13 @@ from __future__ import annotations
 
 # Ends of nouns that take -es.
 _HISSING = ("s", "x", "z", "ch", "sh")
+_IRREGULAR = {"foot": "feet"}
 
 
 def plural(noun: str) -> str:
-    """``quads``, ``patches``; nouns that follow no rule are not known."""
+    """``quads``, ``patches``, ``feet``; of nouns that follow no rule only parts are known."""
+    if noun in _IRREGULAR:
+        return _IRREGULAR[noun]
     return f"{noun}es" if noun.endswith(_HISSING) else f"{noun}s"
 
 

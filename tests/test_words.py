@@ -23,6 +23,8 @@ from solver.option import Option
         (0, "quad", "0 quads"),
         (3, "bent panel", "3 bent panels"),
         (2, "box", "2 boxes"),
+        (1, "foot", "1 foot"),
+        (4, "foot", "4 feet"),
     ],
 )
 def test_counts_are_english(number, noun, words):
