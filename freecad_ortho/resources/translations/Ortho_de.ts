@@ -59,6 +59,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bend radius: folds have this radius inside, by default that of the thickness</source>
+   <translation>Biegeradius: Kantungen haben innen diesen Radius, sonst den der Dicke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Bending: the panels are flat, or bent cold into faces that are not planar</source>
    <translation>Biegung: die Platten sind eben oder kalt in nicht ebene Flächen gebogen</translation>
   </message>
@@ -74,13 +79,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolt: end plates are bolted with bolts of this size</source>
-   <translation>Schraube: Kopfplatten werden mit Schrauben dieser Größe angeschlossen</translation>
+   <source>Bolt: beams are bolted with bolts of this size</source>
+   <translation>Schraube: die Träger werden mit Schrauben dieser Größe angeschlossen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolts: an end plate has so many bolts, 1 or 2</source>
-   <translation>Schrauben: so viele Schrauben hat eine Kopfplatte, 1 oder 2</translation>
+   <source>Bolts: a joint has so many bolts above each other, 1 or 2</source>
+   <translation>Schrauben: so viele Schrauben hat ein Anschluss übereinander, 1 oder 2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cut: at the border the strips end square before it, or along it</source>
+   <translation>Randschnitt: am Rand enden die Streifen rechtwinklig davor oder entlang des Randes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -323,6 +333,11 @@
    <translation>Abwicklungen, die das Bild zeigt</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fold: edges of metal panels are folded down by this</source>
+   <translation>Kantung: Ränder von Blechplatten werden um dieses Maß abgekantet</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Follow each change at once, if that does not take long; else only when asked to</source>
    <translation>Jeder Änderung sofort folgen, wenn das nicht lange dauert; sonst nur auf Verlangen</translation>
@@ -471,6 +486,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Den letzten Punkt mit dem ersten verbinden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>K factor: folds keep the length of the fibre at this part of the thickness, 0: by DIN 6935</source>
+   <translation>k-Faktor: Kantungen behalten die Länge der Faser bei diesem Teil der Dicke; 0: nach DIN 6935</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1692,6 +1712,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bend radius</source>
+   <translation>Biegeradius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Bending</source>
    <translation>Biegung</translation>
   </message>
@@ -1724,6 +1749,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Border</source>
    <translation>Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cut</source>
+   <translation>Randschnitt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2341,6 +2371,11 @@
    <translation>Netz wenden</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fold</source>
+   <translation>Kantung</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Ordner für die Fertigungsdateien</translation>
@@ -2644,6 +2679,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Den letzten Punkt mit dem ersten verbinden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>K factor</source>
+   <translation>k-Faktor</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4215,6 +4255,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>a joint has so many bolts above each other, 1 or 2</source>
+   <translation>so viele Schrauben hat ein Anschluss übereinander, 1 oder 2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a length for each direction</source>
    <translation>eine Länge je Richtung</translation>
   </message>
@@ -4280,11 +4325,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>an end plate has so many bolts, 1 or 2</source>
-   <translation>so viele Schrauben hat eine Kopfplatte, 1 oder 2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>arc</source>
    <translation>Bogen</translation>
   </message>
@@ -4335,6 +4375,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>at the border the strips end square before it, or along it</source>
+   <translation>am Rand enden die Streifen rechtwinklig davor oder entlang des Randes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>auto</source>
    <translation>automatisch</translation>
   </message>
@@ -4352,6 +4397,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>base plates and caps are this thick</source>
    <translation>so dick sind Fuß- und Kopfplatten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>beams are bolted with bolts of this size</source>
+   <translation>die Träger werden mit Schrauben dieser Größe angeschlossen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4489,6 +4539,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Eckpunkte</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cover-plate</source>
+   <translation>Lasche</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>curvature</source>
    <translation>Krümmung</translation>
@@ -4535,6 +4590,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>edges of metal panels are folded down by this</source>
+   <translation>Ränder von Blechplatten werden um dieses Maß abgekantet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>ellipsoid</source>
    <translation>Ellipsoid</translation>
   </message>
@@ -4547,11 +4607,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>elliptic-paraboloid</source>
    <translation>elliptisches Paraboloid</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>end plates are bolted with bolts of this size</source>
-   <translation>Kopfplatten werden mit Schrauben dieser Größe angeschlossen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4602,6 +4657,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>first</source>
    <translation>erstes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>folds have this radius inside, by default that of the thickness</source>
+   <translation>Kantungen haben innen diesen Radius, sonst den der Dicke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>folds keep the length of the fibre at this part of the thickness, 0: by DIN 6935</source>
+   <translation>Kantungen behalten die Länge der Faser bei diesem Teil der Dicke; 0: nach DIN 6935</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5127,6 +5192,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>standing</source>
    <translation>stehend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>star</source>
+   <translation>Stern</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />

@@ -59,6 +59,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bend radius: folds have this radius inside, by default that of the thickness</source>
+   <translation>Rayon de pliage : rayon intérieur des plis, sinon celui de l'épaisseur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Bending: the panels are flat, or bent cold into faces that are not planar</source>
    <translation>Cintrage : les panneaux sont plans, ou cintrés à froid dans des faces non planes</translation>
   </message>
@@ -74,13 +79,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolt: end plates are bolted with bolts of this size</source>
-   <translation>Boulon : les platines sont boulonnées avec cette taille</translation>
+   <source>Bolt: beams are bolted with bolts of this size</source>
+   <translation>Boulon : les poutres sont boulonnées avec cette taille</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolts: an end plate has so many bolts, 1 or 2</source>
-   <translation>Boulons : nombre de boulons d'une platine, 1 ou 2</translation>
+   <source>Bolts: a joint has so many bolts above each other, 1 or 2</source>
+   <translation>Boulons : nombre de boulons superposés d'un assemblage, 1 ou 2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cut: at the border the strips end square before it, or along it</source>
+   <translation>Coupe au bord : au bord, les bandes finissent d'équerre avant lui, ou le long de lui</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -323,6 +333,11 @@
    <translation>Développés que l'image montre</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fold: edges of metal panels are folded down by this</source>
+   <translation>Pli : les bords des panneaux de tôle sont pliés vers le bas d'autant</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Follow each change at once, if that does not take long; else only when asked to</source>
    <translation>Suivre chaque changement aussitôt, si ce n'est pas long ; sinon seulement sur demande</translation>
@@ -471,6 +486,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Relier le dernier point au premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>K factor: folds keep the length of the fibre at this part of the thickness, 0: by DIN 6935</source>
+   <translation>Facteur k : les plis gardent la longueur de la fibre à cette part de l'épaisseur ; 0 : selon DIN 6935</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1692,6 +1712,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bend radius</source>
+   <translation>Rayon de pliage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Bending</source>
    <translation>Cintrage</translation>
   </message>
@@ -1724,6 +1749,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Border</source>
    <translation>Bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cut</source>
+   <translation>Coupe au bord</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2341,6 +2371,11 @@
    <translation>Retourner le réseau</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Fold</source>
+   <translation>Pli</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>Folder for the fabrication files</source>
    <translation>Dossier des fichiers de fabrication</translation>
@@ -2644,6 +2679,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Join the last point with the first</source>
    <translation>Relier le dernier point au premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>K factor</source>
+   <translation>Facteur k</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4215,6 +4255,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>a joint has so many bolts above each other, 1 or 2</source>
+   <translation>nombre de boulons superposés d'un assemblage, 1 ou 2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a length for each direction</source>
    <translation>une longueur par direction</translation>
   </message>
@@ -4280,11 +4325,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>an end plate has so many bolts, 1 or 2</source>
-   <translation>nombre de boulons d'une platine, 1 ou 2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>arc</source>
    <translation>arc</translation>
   </message>
@@ -4335,6 +4375,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>at the border the strips end square before it, or along it</source>
+   <translation>au bord, les bandes finissent d'équerre avant lui, ou le long de lui</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>auto</source>
    <translation>automatique</translation>
   </message>
@@ -4352,6 +4397,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>base plates and caps are this thick</source>
    <translation>épaisseur des platines de base et de tête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>beams are bolted with bolts of this size</source>
+   <translation>les poutres sont boulonnées avec cette taille</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4489,6 +4539,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>coins</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>cover-plate</source>
+   <translation>éclisse</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>curvature</source>
    <translation>courbure</translation>
@@ -4535,6 +4590,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>edges of metal panels are folded down by this</source>
+   <translation>les bords des panneaux de tôle sont pliés vers le bas d'autant</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>ellipsoid</source>
    <translation>ellipsoïde</translation>
   </message>
@@ -4547,11 +4607,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>elliptic-paraboloid</source>
    <translation>paraboloïde elliptique</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>end plates are bolted with bolts of this size</source>
-   <translation>les platines sont boulonnées avec cette taille</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4602,6 +4657,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>first</source>
    <translation>premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>folds have this radius inside, by default that of the thickness</source>
+   <translation>rayon intérieur des plis, sinon celui de l'épaisseur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>folds keep the length of the fibre at this part of the thickness, 0: by DIN 6935</source>
+   <translation>les plis gardent la longueur de la fibre à cette part de l'épaisseur ; 0 : selon DIN 6935</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5127,6 +5192,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>standing</source>
    <translation>debout</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>star</source>
+   <translation>étoile</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
