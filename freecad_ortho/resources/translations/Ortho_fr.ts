@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
  <context>
   <name>App::Property</name>
@@ -3528,7 +3529,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Saw list</source>
-   <translation>Liste de sciage</translation>
+   <translation>Sciage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
