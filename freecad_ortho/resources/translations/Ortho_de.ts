@@ -4942,7 +4942,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>nothing (on the net itself)</source>
-   <translation>nichts (auf dem Netz selbst)</translation>
+   <translation>nichts (Netz selbst)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
