@@ -34,7 +34,7 @@ FREECAD_SECONDS = 900
 SURFACE = ROOT / "examples" / "data" / "demo_roof.step"
 FILES = (*FABRICATION_FILES, "model.FCStd", "preview.png", "net.obj")
 # What a design surface leads to besides.
-BUILT = (*FILES, "net.json", "aligned.json", "aligned.obj")
+BUILT = (*FILES, "edge-beam.csv", "net.json", "aligned.json", "aligned.obj")
 # A net on the demo's own roof, and the unit of that.
 EDGE, UNIT = "1.2", "m"
 
@@ -193,7 +193,7 @@ def build(job: Job, folder: Path) -> dict[str, Any]:
     edge = ["--edge", job.edge] if job.edge else []
     unit = ["--unit", job.unit] if job.unit else []
     arguments = [*unit, *edge, "--net", "principal", *parts_of(job)]
-    say("net on the surface, exact net, beams and panels ...")
+    say("net on the surface, exact net, edge beam, beams and panels ...")
     command_line("build", str(job.source), *arguments, "-o", str(folder))
     report = json.loads((folder / "report.json").read_text("utf-8"))
     numbers: dict[str, Any] = report["build"]["stages"]["optimise"]["numbers"]
@@ -228,7 +228,7 @@ def parts_of(job: Job) -> list[str]:
         "panel-thickness": job.panel_thickness,
     }
     said = [word for name, size in sizes.items() for word in (f"--{name}", f"{size:g}")]
-    return ["--system", "beams+panels", *said]
+    return ["--system", "edge-beam+beams+panels" if job.is_surface else "beams+panels", *said]
 
 
 def command_line(*arguments: str, accept: tuple[int, ...] = (0,)) -> int:

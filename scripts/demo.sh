@@ -11,14 +11,16 @@ usage: bash scripts/demo.sh [OUT_DIR] [--surface FILE.step|stl|obj [--edge L] | 
                             [--height MM] [--thickness MM] [--panel-thickness MM]
 
 Installs what is missing, then turns a design surface into a principal mesh along its lines of
-curvature, torsion-free beams and flat panels, and writes into OUT_DIR (default: ./out/demo):
+curvature, torsion-free beams, a beam along the border and flat panels, and writes into OUT_DIR
+(default: ./out/demo):
 
-  structure.step  every beam and panel as a named solid     parts.csv    the parts list
+  structure.step  every part as a named solid               parts.csv    the parts list
   flat.dxf        their outlines for cutting                report.json  what was reached
   model.FCStd     the model for FreeCAD                     preview.png  a picture of it
   net.obj         the exact net                            nodes.csv    angles at the nodes
   stock.csv       bars to saw beams from                   bevels.csv   sides that are not square
   report.html     verdict, pictures, plots                 net.json     the net and its border
+  edge-beam.csv   the border, bend by bend
   aligned.obj, aligned.json                                the net before it was made exact
 
   --surface    a surface of your own (default: examples/data/demo_roof.step)

@@ -39,7 +39,10 @@ def build(order: dict[str, Any]) -> dict[str, Any]:
     drawn, drawn_points = as_drawn(order, document)
     net = api.import_net(order["net"], document, unit=order["unit"])
     net.Label = "Principal mesh"
-    beams = api.add_beams(net, height=order["height"], thickness=order["thickness"])
+    sizes = {"height": order["height"], "thickness": order["thickness"]}
+    # Along the border of a surface panels have nothing to lie on without it.
+    edge = [api.add_edge_beam(net, **sizes)] if order["is_surface"] else []
+    beams = api.add_beams(net, **sizes)
     panels = api.add_panels(net, order["panel_thickness"], gap=order["gap"], beams=beams)
     document.recompute()
     for feature in (drawn, net):
@@ -47,7 +50,8 @@ def build(order: dict[str, Any]) -> dict[str, Any]:
     view = FreeCADGui.getDocument(document.Name).ActiveView
     aim(view, np.concatenate([drawn_points, convert.array(net.Vertices)]))
     document.saveAs(order["model"])
-    return {"view": view, "drawn": drawn, "net": net, "beams": beams, "panels": panels}
+    bars = [beams, *edge]
+    return {"view": view, "drawn": drawn, "net": net, "bars": bars, "panels": panels}
 
 
 def as_drawn(
@@ -115,8 +119,8 @@ def picture(view: Any, path: str) -> None:
 def picture_before(model: dict[str, Any], path: str, decades: tuple[int, int]) -> None:
     """Show the surface, or the mesh coloured by planarity, as it was drawn."""
     drawn = model["drawn"]
-    for name in ("beams", "panels"):
-        model[name].ViewObject.Visibility = False
+    for feature in (*model["bars"], model["panels"]):
+        feature.ViewObject.Visibility = False
     if hasattr(drawn, "ColourMap"):
         drawn.ColourMap = "Planarity"
         drawn.ViewObject.LowestDecade, drawn.ViewObject.HighestDecade = decades
@@ -150,7 +154,8 @@ def picture_after(model: dict[str, Any], path: str, decades: tuple[int, int]) ->
     shown.ViewObject.LineWidth = 1.0
     shown.ViewObject.PointSize = 1.0
     panels.ViewObject.Visibility = False
-    model["beams"].ViewObject.Visibility = True
+    for bar in model["bars"]:
+        bar.ViewObject.Visibility = True
     picture(model["view"], path)
 
 

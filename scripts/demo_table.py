@@ -70,7 +70,7 @@ def table(
         ),
         (
             "mass",
-            f"{numbers(parts, 'mass_kg').sum() / 1000:,.3g} t of steel, beams and panels together",
+            f"{numbers(parts, 'mass_kg').sum() / 1000:,.3g} t of steel, all parts together",
         ),
         ("files", f"{out}/: {', '.join(files)}; {seconds:.0f} s"),
     ]

@@ -31,7 +31,7 @@ FILES = {
     "preview.png",
     "net.obj",
 }
-BUILT = FILES | {"net.json", "aligned.json", "aligned.obj"}
+BUILT = FILES | {"net.json", "aligned.json", "aligned.obj", "edge-beam.csv"}
 
 
 def demo(*arguments, cwd=ROOT):
@@ -183,7 +183,9 @@ def test_parts_list(parts, net):
     names = [row["name"] for row in parts]
     beams = {row["name"] for row in parts if row["kind"] == "beam"}
     panels = {row["name"] for row in parts if row["kind"] == "panel"}
-    assert beams | panels == set(names)
+    edge = {row["name"] for row in parts if row["kind"] == "edge-beam"}
+    assert beams | panels | edge == set(names) and edge
+    assert {row["verdict"] for row in parts} == {"ok"}
     assert beams <= {f"B{k:04d}" for k in range(len(net.connectivity.edges))}
     # At the border faces have none, one, or two.
     faces = {int(re.sub(r"\D", "", name)) for name in panels}
@@ -271,6 +273,7 @@ def test_model_opens(run, net, parts, tmp_path):
     assert found == [
         ("Design surface", "0", "0"),
         ("Principal mesh", "0", str(len(net.faces))),
+        ("Edge beam", str(kinds.count("edge-beam")), "0"),
         ("Beams", str(kinds.count("beam")), "0"),
         ("Panels", str(kinds.count("panel")), "0"),
     ]
