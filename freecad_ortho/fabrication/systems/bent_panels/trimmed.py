@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.fabrication.cut_sheets import BentSheet, CutPiece, cut_pieces
+from freecad_ortho.fabrication.cut_sheets import CutPiece, cut_pieces
+from freecad_ortho.fabrication.sheet_cells import BentSheet
 from freecad_ortho.fabrication.systems.bent_panels.plate import Plate
 from freecad_ortho.fabrication.trimming import Trimming
 from solver.mesh.quadmesh import FloatArray

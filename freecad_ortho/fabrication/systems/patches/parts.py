@@ -7,11 +7,12 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from freecad_ortho.fabrication.cut_patterns import cut_pattern
-from freecad_ortho.fabrication.cut_sheets import BentSheet, CutPiece, cut_pieces
+from freecad_ortho.fabrication.cut_sheets import CutPiece, cut_pieces
 from freecad_ortho.fabrication.part import Measures, Part, piece_name
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.ruled import RuledBody
+from freecad_ortho.fabrication.sheet_cells import BentSheet
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.patches.joints import jointed
 from freecad_ortho.fabrication.systems.patches.pattern import patch_pattern
