@@ -231,7 +231,8 @@ def finished_stages(words) -> list[Path]:
     """A build goes on from the stages that ended, so these stay, whole, with their report."""
     folder = Path(words[words.index("--output") + 1])
     report = folder / "report.json"
-    if not report.is_file():
+    # Not a method of the path, which fails where a name is too long.
+    if not os.path.isfile(report):
         return []
     stages = json.loads(report.read_text())["build"]["stages"].values()
     return [folder, report, *(folder / name for stage in stages for name in stage["files"])]

@@ -15,10 +15,14 @@ _SHARED = (
     *(b"CARTESIAN_POINT", b"DIRECTION", b"VECTOR", b"LINE"),
     *(b"AXIS2_PLACEMENT_3D", b"PLANE", b"SI_UNIT", b"UNCERTAINTY_MEASURE_WITH_UNIT"),
     *(b"PRODUCT_CONTEXT", b"PRODUCT_DEFINITION_CONTEXT"),
+)
+# How things look. Whatever these refer to, other than themselves, comes before them.
+_STYLES = (
     *(b"COLOUR_RGB", b"FILL_AREA_STYLE_COLOUR", b"FILL_AREA_STYLE", b"SURFACE_STYLE_FILL_AREA"),
     *(b"SURFACE_SIDE_STYLE", b"SURFACE_STYLE_USAGE", b"DRAUGHTING_PRE_DEFINED_CURVE_FONT"),
     *(b"CURVE_STYLE", b"PRESENTATION_STYLE_ASSIGNMENT"),
 )
+_STYLED, _LOOK = b"STYLED_ITEM", b"MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION"
 _BEGIN, _END = b"DATA;\n", b"ENDSEC;\nEND-ISO-10303-21;"
 _ENTITY = re.compile(rb"#(\d+) = ((?:'[^']*'|[^';])*);\s*")
 _TOKEN = re.compile(rb"'[^']*'|#(\d+)")
@@ -38,13 +42,15 @@ def compacted(text: bytes) -> bytes:
     entities = {
         int(found[1]): _BREAK.sub(b"", found[2]) for found in _ENTITY.finditer(text, begin, end)
     }
-    kinds: dict[bytes, list[int]] = {kind: [] for kind in _SHARED}
+    kinds: dict[bytes, list[int]] = {kind: [] for kind in (*_SHARED, *_STYLES, _STYLED, _LOOK)}
     for number, body in entities.items():
         kind = _kind(body)
         if kind in kinds:
             kinds[kind].append(number)
-    same = _same(entities, kinds)
-    left = [number for number in entities if number not in same]
+    same = _same(entities, {kind: kinds[kind] for kind in (*_SHARED, *_STYLES)})
+    looks = _in_order(entities, kinds, same)
+    last = set(looks)
+    left = [number for number in entities if number not in same and number not in last] + looks
     new = {number: b"#%d" % place for place, number in enumerate(left, start=1)}
     new.update((number, new[first]) for number, first in same.items())
     lines = (b"%s=%s;\n" % (new[number], _renamed(entities[number], new)) for number in left)
@@ -73,6 +79,37 @@ def _same(entities: dict[int, bytes], kinds: dict[bytes, list[int]]) -> dict[int
                 same[number] = kept
                 replaced[number] = b"#%d" % kept
     return same
+
+
+def _in_order(
+    entities: dict[int, bytes], kinds: dict[bytes, list[int]], same: dict[int, int]
+) -> list[int]:
+    """Entities that say how things look, in the order of what looks so.
+
+    The kernel writes them by where its shapes lie in memory, another way in each run.
+    """
+    looks = {number for kind in (*_STYLES, _STYLED, _LOOK) for number in kinds[kind]}
+    refers = {
+        number: [same.get(k, k) for k in map(int, filter(None, _TOKEN.findall(entities[number])))]
+        for number in looks
+    }
+
+    def things(number: int) -> list[int]:
+        near = refers[number]
+        return [k for k in near if k not in looks] + [
+            thing for k in near if k in looks for thing in things(k)
+        ]
+
+    # Each after what refers to it: a dictionary keeps the place of what it has already.
+    order: dict[int, None] = {}
+    for head in sorted(kinds[_LOOK], key=things):
+        waiting = [head]
+        while waiting:
+            number = waiting.pop()
+            if number not in order:
+                order[number] = None
+                waiting += [k for k in reversed(refers[number]) if k in looks]
+    return list(order)
 
 
 def _plain(found: re.Match[bytes]) -> bytes:

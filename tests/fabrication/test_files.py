@@ -13,6 +13,7 @@ from ezdxf.enums import TextEntityAlignment
 
 from freecad_ortho.fabrication import (
     FILES,
+    MATERIALS,
     Beams,
     Measures,
     Panels,
@@ -84,8 +85,9 @@ def test_writing_says_nothing(small, tmp_path, capfd):
 
 
 def test_same_structure_gives_the_same_files(roof, tmp_path):
+    glass = {"beams": MATERIALS["steel"], "panels": MATERIALS["toughened-glass"]}
     for name in ("one", "two"):
-        write(build(roof, [Beams(200, 12)]), tmp_path / name)
+        write(build(roof, [Beams(200, 12), Panels(20, 15)], material=glass), tmp_path / name)
     for name in FILES:
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
 

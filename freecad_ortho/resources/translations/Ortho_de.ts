@@ -90,8 +90,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Border cut: at the border the strips end square before it, or along it</source>
-   <translation>Randschnitt: am Rand enden die Streifen rechtwinklig davor oder entlang des Randes</translation>
+   <source>Border cut: the strips end square before the border, or along it</source>
+   <translation>Randschnitt: die Streifen enden rechtwinklig vor dem Rand oder an ihm entlang</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4376,11 +4376,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>at the border the strips end square before it, or along it</source>
-   <translation>am Rand enden die Streifen rechtwinklig davor oder entlang des Randes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>auto</source>
    <translation>automatisch</translation>
   </message>
@@ -5428,6 +5423,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the strips are this wide</source>
    <translation>die Streifen sind so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips end square before the border, or along it</source>
+   <translation>die Streifen enden rechtwinklig vor dem Rand oder an ihm entlang</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

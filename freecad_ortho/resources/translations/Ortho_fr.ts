@@ -90,8 +90,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Border cut: at the border the strips end square before it, or along it</source>
-   <translation>Coupe au bord : au bord, les bandes finissent d'équerre avant lui, ou le long de lui</translation>
+   <source>Border cut: the strips end square before the border, or along it</source>
+   <translation>Coupe au bord : les bandes finissent d'équerre avant le bord, ou le long de lui</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4376,11 +4376,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>at the border the strips end square before it, or along it</source>
-   <translation>au bord, les bandes finissent d'équerre avant lui, ou le long de lui</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>auto</source>
    <translation>automatique</translation>
   </message>
@@ -5428,6 +5423,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the strips are this wide</source>
    <translation>les bandes ont cette largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the strips end square before the border, or along it</source>
+   <translation>les bandes finissent d'équerre avant le bord, ou le long de lui</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

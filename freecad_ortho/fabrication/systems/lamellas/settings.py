@@ -97,7 +97,7 @@ class LamellaSettings:
             "border_cut",
             "square",
             "choice",
-            "at the border the strips end square before it, or along it",
+            "the strips end square before the border, or along it",
             BORDER_CUTS,
         ),
     )
