@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.part import Part
 from solver.mesh.quadmesh import FloatArray
 
 # Largest distance of triangles from a bent side, mm, and angle from one to the next.
-CHORD, _ANGLE = 0.05, 0.1
+CHORD, _ANGLE = 0.05, 0.25
 # Corners that are as near, mm, are one: the CAD kernel's tolerance.
 _SAME = 1e-6
 
