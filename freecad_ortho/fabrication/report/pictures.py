@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from html import escape
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
 
 from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.nesting import Placement, Sheet
@@ -32,19 +31,22 @@ def structure_view(
     """
     frame = view_frame(eye)
     base = parts[0].origin
-    hulls: list[tuple[float, FloatArray, str, str]] = []
+    seen = []
+    owners: list[tuple[str, str]] = []
     for part, verdict in zip(parts, verdicts, strict=True):
         for piece in part.body.pieces():
-            seen = (part.origin - base + piece.corners @ part.frame) @ frame.T
-            hulls.append((float(seen[:, 2].mean()), _hull(seen[:, :2]), part.name, verdict))
-    hulls.sort(key=lambda hull: hull[0])
-    corners = np.concatenate([hull for _, hull, _, _ in hulls])
+            seen.append((part.origin - base + piece.corners @ part.frame) @ frame.T)
+            owners.append((part.name, verdict))
+    hulls = _hulls([points[:, :2] for points in seen])
+    behind = np.argsort([float(points[:, 2].mean()) for points in seen], kind="stable").tolist()
+    corners = np.concatenate(hulls)
     low, high = corners.min(axis=0), corners.max(axis=0)
     scale = 800 / max(float((high - low).max()), 1e-9)
     size = (high - low) * scale
     shapes = []
-    for _, hull, name, verdict in hulls:
-        points = (hull - [low[0], high[1]]) * [scale, -scale]
+    for number in behind:
+        name, verdict = owners[number]
+        points = (hulls[number] - [low[0], high[1]]) * [scale, -scale]
         kind = "good" if verdict == OK else "bad"
         title = escape(f"{name}: {verdict}")
         shapes.append(f'<path class="{kind}" d="{_path(points)}"><title>{title}</title></path>')
@@ -132,11 +134,16 @@ def _path(points: FloatArray) -> str:
     return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points.tolist()) + "Z"
 
 
-def _hull(points: FloatArray) -> FloatArray:
-    try:
-        return np.asarray(points[ConvexHull(points).vertices])
-    except QhullError:
-        return points
+def _hulls(clouds: Sequence[FloatArray]) -> list[FloatArray]:
+    """Corners of the convex hull of each cloud of points in the plane, (N, 2) each."""
+    import shapely
+
+    owner = np.repeat(np.arange(len(clouds)), [len(points) for points in clouds])
+    many = shapely.multipoints(shapely.points(np.concatenate(clouds)), indices=owner)
+    found, owner = shapely.get_coordinates(shapely.convex_hull(many), return_index=True)
+    rings = np.split(found, np.flatnonzero(np.diff(owner)) + 1)
+    # A ring ends where it began; what is only a line or a point does not.
+    return [ring[:-1] if len(ring) > 2 else ring for ring in rings]
 
 
 def view_frame(eye: tuple[float, float, float]) -> FloatArray:
