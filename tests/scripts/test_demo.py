@@ -273,7 +273,7 @@ def test_model_opens(run, net, parts, tmp_path):
     assert found == [
         ("Design surface", "0", "0"),
         ("Principal mesh", "0", str(len(net.faces))),
-        ("Edge beam", str(kinds.count("edge-beam")), "0"),
+        ("Edge-beam", str(kinds.count("edge-beam")), "0"),
         ("Beams", str(kinds.count("beam")), "0"),
         ("Panels", str(kinds.count("panel")), "0"),
     ]
