@@ -40,7 +40,7 @@ LAMELLAS = {
     "stock of 6 m, two layers": {"stock": 6000.0, "layers": 2},
     "lying, two layers": {"position": "lying", "layers": 2},
     "smooth": {"smooth": True},
-    "stock of 2 m": {"stock": 2000.0},
+    "stock of 2.5 m": {"stock": 2500.0},
 }
 PARTS = ("solver", "fabrication")
 

@@ -12,7 +12,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from freecad_ortho.fabrication import MATERIALS, SYSTEMS, Limits
+from freecad_ortho.fabrication import MATERIALS, SYSTEMS, Limits, Workshop
+from freecad_ortho.fabrication.workshop import ON_SHEETS
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis.fields import fields
 from solver.nets import NETS
@@ -39,6 +40,11 @@ def words() -> Iterator[tuple[str, str]]:
         for option in source.options:
             yield from _option(option)
             yield _PROPERTIES, option.meaning
+    # Sheets and files to be written have fields of their own.
+    for size in Workshop.options:
+        if size.name not in ("sheet", "write"):
+            yield from _option(size)
+    yield from ((_PROPERTIES, size.sentence) for size in ON_SHEETS)
     for limit in Limits.options:
         yield _PROPERTIES, limit.sentence
     for system in SYSTEMS.values():
@@ -52,4 +58,4 @@ def _option(option: Option) -> Iterator[tuple[str, str]]:
     if option.absent:
         yield _PANELS, option.absent
     yield _PANELS, option.meaning
-    yield from ((_PANELS, word) for word in option.choices)
+    yield from ((_PANELS, word) for word in (*option.words.values(), *option.shown.values()))

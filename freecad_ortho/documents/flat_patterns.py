@@ -9,8 +9,9 @@ import FreeCAD
 
 from freecad_ortho import convert
 from freecad_ortho.documents.common import changing, removed_on_failure, transaction
-from freecad_ortho.fabrication.workshop import GRAINS, NESTINGS
+from freecad_ortho.fabrication.workshop import ON_SHEETS
 from freecad_ortho.objects import flat_patterns, places
+from freecad_ortho.objects.option_properties import stored
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
 
@@ -46,7 +47,9 @@ def add_flat_patterns(
         places.refuse_link(item)
     if not chosen or not all(is_structure(item) for item in chosen):
         raise InputError("flat patterns: expected structures; select some first")
-    properties = _properties(sheet or (0.0, 0.0), spacing, grain, nesting, seed, kerf)
+    properties = _properties(
+        sheet or (0.0, 0.0), spacing=spacing, grain=grain, nesting=nesting, seed=seed, kerf=kerf
+    )
     document = chosen[0].Document
     with transaction(document, FreeCAD.Qt.translate("Ortho", "Flat patterns")):
         feature = flat_patterns.create(document, chosen, **properties)
@@ -86,36 +89,24 @@ def change_flat_patterns(
     if not flat_patterns.is_flat_patterns(target):
         label = getattr(target, "Label", target)
         raise InputError(f"flat patterns: {label} is none; select flat patterns first")
-    properties = _properties(sheet, spacing, grain, nesting, seed, kerf)
+    properties = _properties(
+        sheet, spacing=spacing, grain=grain, nesting=nesting, seed=seed, kerf=kerf
+    )
     with changing(target, properties):
         flat_patterns.rebuild(target)
 
 
-def _properties(
-    sheet: tuple[Length, Length] | None,
-    spacing: Length | None,
-    grain: str | None,
-    nesting: str | None,
-    seed: int | None,
-    kerf: Length | None,
-) -> dict[str, Any]:
+def _properties(sheet: tuple[Length, Length] | None, **given: Any) -> dict[str, Any]:
     """Values of the properties for those settings that are given."""
-    for name, word, words in (("grain", grain, GRAINS), ("nesting", nesting, NESTINGS)):
-        if word is not None and word not in words:
-            raise InputError(f"{name}: expected {' or '.join(words)}, got '{word}'")
-    width, height = (None, None) if sheet is None else sheet
-    lengths = (
-        ("SheetWidth", "sheet width", width),
-        ("SheetHeight", "sheet height", height),
-        ("Spacing", "spacing", spacing),
-        ("Kerf", "kerf", kerf),
-    )
-    found: dict[str, Any] = {
-        name: convert.millimetres(value, words)
-        for name, words, value in lengths
-        if value is not None
-    }
-    for name, word in (("Grain", grain), ("Nesting", nesting)):
-        if word is not None:
-            found[name] = word.capitalize()
-    return found if seed is None else {**found, "Seed": seed}
+    found: dict[str, Any] = {}
+    for name, side in zip(("width", "height"), sheet or (), strict=False):
+        found[f"Sheet{name.capitalize()}"] = convert.millimetres(side, f"sheet {name}")
+    for option in ON_SHEETS:
+        value = given[option.name]
+        if value is None:
+            continue
+        if option.kind == "length":
+            value = convert.millimetres(value, option.name)
+        option.check(value)
+        found |= stored(option, value, titled=True)
+    return found

@@ -77,27 +77,67 @@ class Workshop:
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
-        Option("spacing", 10.0, "length", "parts keep so far from each other and from the rim"),
-        Option("grain", "none", "choice", "parts may turn on the sheet as its grain says", GRAINS),
-        Option("nesting", "boxes", "choice", "boxes pack fast, outlines densely", NESTINGS),
+        Option(
+            *("spacing", 10.0, "length", "parts keep so far from each other and from the rim"),
+            title="Clear distance",
+        ),
+        Option(
+            *("grain", "none", "choice", "parts may turn on the sheet as its grain says", GRAINS),
+            shown={"none": "parts may turn", "along": "along the sheet"},
+        ),
+        Option(
+            *("nesting", "boxes", "choice", "boxes pack fast, outlines densely", NESTINGS),
+            title="Packing",
+            shown={"boxes": "by boxes (fast)", "outlines": "by outlines (dense)"},
+        ),
         Option("seed", 0, "count", "another number begins another search for a dense nesting"),
         Option(
-            "stock", None, "length", "bars and strips are this long; longer lamellas are spliced"
+            *("stock", None, "length"),
+            "bars and strips are this long; longer lamellas are spliced",
+            title="Stock length",
+            absent="as long as it takes",
         ),
-        Option("saw", 3.0, "length", "the saw cut behind each part of a bar is this wide"),
-        Option("trim", 10.0, "length", "bars lose this much at each end"),
-        Option("rest", 500.0, "length", "rests of bars from this length on are kept"),
+        Option(
+            *("saw", 3.0, "length", "the saw cut behind each part of a bar is this wide"),
+            title="Saw cut",
+        ),
+        Option(*("trim", 10.0, "length", "bars lose this much at each end"), title="Trimmed ends"),
+        Option(
+            *("rest", 500.0, "length", "rests of bars from this length on are kept"),
+            title="Least rest",
+        ),
         Option(
             "section_tolerance", 1.5, "percent", "tubes of one section differ so much in height"
         ),
         Option("kerf", 0.0, "length", "outlines grow by half this width of a cut", absent="none"),
-        Option("dxf", "blocks", "choice", "parts are blocks, plain lines or files", LAYOUTS),
-        Option("dxf_version", "r2010", "choice", "drawings are of this version", tuple(VERSIONS)),
-        Option("dxf_text", "text", "choice", "names and marks are written so", TEXTS),
-        Option("step", "one", "choice", "solids share a file or have one a system", STEP_FILES),
+        Option(
+            *("dxf", "blocks", "choice", "parts are blocks, plain lines or files", LAYOUTS),
+            title="DXF drawings",
+            shown={
+                "blocks": "a block for each part",
+                "flat": "plain lines without blocks",
+                "parts": "a file for each part",
+            },
+        ),
+        Option(
+            *("dxf_version", "r2010", "choice", "drawings are of this version", tuple(VERSIONS)),
+            title="DXF version",
+            shown={"r2010": "R2010", "r12": "R12"},
+        ),
+        Option(
+            *("dxf_text", "text", "choice", "names and marks are written so", TEXTS),
+            title="Names and marks",
+            shown={"text": "as text", "strokes": "as single strokes", "none": "not at all"},
+        ),
+        Option(
+            *("step", "one", "choice", "solids share a file or have one a system", STEP_FILES),
+            title="STEP files",
+            shown={"one": "one for all parts", "systems": "one for each system"},
+        ),
         Option(
             *("step_tolerance", 0.0, "length"),
             "solids that agree within this are one product of the file with several places",
+            title="Same in STEP within",
             absent="none",
         ),
         Option(
@@ -163,6 +203,14 @@ class Workshop:
         if isinstance(given.get("sheet"), str):
             given["sheet"] = sheet_size(given["sheet"])
         return cls(**given)
+
+
+# What flat patterns are laid out by.
+ON_SHEETS = tuple(
+    option
+    for option in Workshop.options
+    if option.name in ("spacing", "grain", "nesting", "seed", "kerf")
+)
 
 
 def sheet_size(text: str) -> tuple[float, float]:

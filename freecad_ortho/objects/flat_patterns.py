@@ -14,7 +14,8 @@ from freecad_ortho.fabrication import Workshop
 from freecad_ortho.fabrication.dxf import row_layout
 from freecad_ortho.fabrication.kerf import compensated
 from freecad_ortho.fabrication.nesting import Nesting, nest, too_large_words
-from freecad_ortho.objects import build, drawings, outdated
+from freecad_ortho.fabrication.workshop import ON_SHEETS
+from freecad_ortho.objects import build, drawings, option_properties, outdated
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
@@ -51,38 +52,10 @@ _PROPERTIES = (
         "Sheets",
         QT_TRANSLATE_NOOP("App::Property", "Height of a sheet"),
     ),
-    Property(
-        "App::PropertyLength",
-        "Spacing",
-        "Sheets",
-        QT_TRANSLATE_NOOP("App::Property", "Clear distance of parts from each other and the rim"),
-        default=10.0,
-    ),
-    Property(
-        "App::PropertyEnumeration",
-        "Grain",
-        "Sheets",
-        QT_TRANSLATE_NOOP("App::Property", "Along: parts keep their length along the sheet"),
-        choices=("None", "Along"),
-    ),
-    Property(
-        "App::PropertyEnumeration",
-        "Nesting",
-        "Sheets",
-        QT_TRANSLATE_NOOP("App::Property", "Boxes: fast; outlines: denser, with a library"),
-        choices=("Boxes", "Outlines"),
-    ),
-    Property(
-        "App::PropertyInteger",
-        "Seed",
-        "Sheets",
-        QT_TRANSLATE_NOOP("App::Property", "Of the search for a dense nesting"),
-    ),
-    Property(
-        "App::PropertyLength",
-        "Kerf",
-        "Sheets",
-        QT_TRANSLATE_NOOP("App::Property", "Width of the cut that outlines are compensated for"),
+    *(
+        each
+        for option in ON_SHEETS
+        for each in option_properties.properties(option, "Sheets", titled=True)
     ),
     *outdated.updating("Flat patterns"),
     Property(
@@ -220,14 +193,8 @@ def _lay_out(feature: FreeCAD.DocumentObject, structure: Structure, workshop: Wo
 
 def _workshop(feature: FreeCAD.DocumentObject) -> Workshop:
     """What the parts are cut from and with."""
-    return Workshop(
-        sheet=_sheet_size(feature),
-        spacing=feature.Spacing.Value,
-        grain=feature.Grain.lower(),
-        nesting=feature.Nesting.lower(),
-        seed=feature.Seed,
-        kerf=feature.Kerf.Value,
-    )
+    values = {option.name: option_properties.read(feature, option) for option in ON_SHEETS}
+    return Workshop(sheet=_sheet_size(feature), **values)
 
 
 def _sheet_size(feature: FreeCAD.DocumentObject) -> tuple[float, float] | None:

@@ -179,3 +179,14 @@ class OptionField:
             part.setChecked(bool(value))
         else:
             part.setText(value or "")
+
+
+def add_option(rows: QtGui.QFormLayout, field: OptionField) -> None:
+    """Add the row of an option to a form."""
+    words = translate("Ortho", field.option.label)
+    if field.option.kind == "flag":
+        field.widget.setText(words)
+        rows.addRow(field.widget)
+    else:
+        unit = " (%)" if field.option.kind == "percent" else ""
+        rows.addRow(words + unit, field.widget)

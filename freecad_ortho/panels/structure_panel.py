@@ -12,7 +12,7 @@ from freecad_ortho.fabrication import BUILD_UPS, MATERIALS, material
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.system_properties import options_of, values
 from freecad_ortho.panels.fields import ChoiceField, TextField, elided, form_rows, leave_room
-from freecad_ortho.panels.option_fields import OptionField
+from freecad_ortho.panels.option_fields import OptionField, add_option
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 from freecad_ortho.window import context, messages
@@ -63,8 +63,8 @@ class StructurePanel(WorkPanel):
             option.name: OptionField(option, _first(system, option))
             for option in options_of(system)
         }
-        for option in options_of(system):
-            self._add_row(option)
+        for field in self.fields.values():
+            add_option(self._rows, field)
         self._add_common_fields(net)
         # Without one: what a structure has of which nothing is said.
         self._before = dict(_COMMON) | {item.name: item.default for item in options_of(system)}
@@ -120,15 +120,6 @@ class StructurePanel(WorkPanel):
         self.lines.widget.setText(", ".join(map(str, edited.Lines)))
         self.material.choose(material(edited.Material).name)
         self._before = self._chosen()
-
-    def _add_row(self, option: Option) -> None:
-        field, words = self.fields[option.name], translate("Ortho", option.label)
-        if option.kind == "flag":
-            field.widget.setText(words)
-            self._rows.addRow(field.widget)
-        else:
-            unit = " (%)" if option.kind == "percent" else ""
-            self._rows.addRow(words + unit, field.widget)
 
     def _add_common_fields(self, net: FreeCAD.DocumentObject) -> None:
         self.on_beams = None

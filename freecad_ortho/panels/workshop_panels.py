@@ -12,18 +12,31 @@ from PySide import QtGui
 from freecad_ortho import preferences
 from freecad_ortho.documents.structures import lost_on_bars
 from freecad_ortho.fabrication.formats import FORMATS
-from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.fabrication.workshop import ON_SHEETS, Workshop
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
+from freecad_ortho.objects.option_properties import read
 from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows, shortened
+from freecad_ortho.panels.option_fields import OptionField, add_option
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 from freecad_ortho.window import context, dialogs, messages
 
 translate = FreeCAD.Qt.translate
 
+_OPTIONS = {option.name: option for option in Workshop.options}
+# What counts for parts on sheets only, and what is asked besides.
+_SHEETS = tuple(option.name for option in ON_SHEETS if option.name != "kerf")
+_BARS = ("stock", "saw", "trim", "rest", "section_tolerance")
+_FILES = ("dxf", "dxf_version", "dxf_text", "step", "step_tolerance")
+_SITE = ("site_origin", "site_rotation")
+
 
 class _WorkshopPanel(WorkPanel):
-    """Sheet, spacing and kerf."""
+    """Sheet, spacing and kerf.
+
+    Attributes:
+        fields: by the name of the workshop's option.
+    """
 
     def __init__(
         self, structures: list[FreeCAD.DocumentObject], title: str, picture: str, nested: bool
@@ -37,9 +50,9 @@ class _WorkshopPanel(WorkPanel):
         labels.setWordWrap(True)
         self.rows = form_rows(self.form)
         self.rows.addRow(translate("Ortho", "Structures"), labels)
+        self.fields: dict[str, OptionField] = {}
         self._add_sheet_fields(nested)
-        self.kerf = LengthField(0.0, absent=translate("Ortho", "none"))
-        self.rows.addRow(translate("Ortho", "Kerf"), self.kerf.widget)
+        self._ask("kerf")
 
     @property
     def structures(self) -> list[FreeCAD.DocumentObject]:
@@ -51,34 +64,33 @@ class _WorkshopPanel(WorkPanel):
         return [item for item in found if item is not None]
 
     def settings(self) -> dict[str, Any]:
-        """What was chosen, by the names that the document functions have for it.
-
-        Raises:
-            InputError: the seed is not a number.
-        """
+        """What was chosen, by the names that the document functions have for it."""
         settings: dict[str, Any] = {}
-        if self.kerf.millimetres:
-            settings["kerf"] = self.kerf.millimetres
-        if not self.on_sheets.isChecked():
-            return settings
-        settings["sheet"] = (self.width.millimetres, self.height.millimetres)
-        settings["spacing"] = self.spacing.millimetres
-        settings["grain"] = self.grain.word
-        settings["nesting"] = self.nesting.word
-        settings["seed"] = self.seed.number or 0
+        if self.fields["kerf"].value:
+            settings["kerf"] = self.fields["kerf"].value
+        if self.on_sheets.isChecked():
+            settings["sheet"] = (self.width.millimetres, self.height.millimetres)
+            settings |= {name: self.fields[name].value for name in _SHEETS}
         return settings
 
     def _show(self, patterns: FreeCAD.DocumentObject) -> None:
         """Show the settings of flat patterns."""
-        self.kerf.millimetres = patterns.Kerf.Value
+        self._take("kerf", patterns)
         if patterns.SheetWidth.Value > 0.0:
             self.on_sheets.setChecked(True)
             self.width.millimetres = patterns.SheetWidth.Value
             self.height.millimetres = patterns.SheetHeight.Value
-            self.spacing.millimetres = patterns.Spacing.Value
-            self.grain.choose(patterns.Grain.lower())
-            self.nesting.choose(patterns.Nesting.lower())
-            self.seed.widget.setText(str(patterns.Seed))
+            for name in _SHEETS:
+                self._take(name, patterns)
+
+    def _take(self, name: str, patterns: FreeCAD.DocumentObject) -> None:
+        self.fields[name].value = read(patterns, _OPTIONS[name])
+
+    def _ask(self, *names: str) -> None:
+        """Add a row for each of some options."""
+        for name in names:
+            self.fields[name] = OptionField(_OPTIONS[name], _OPTIONS[name].default)
+            add_option(self.rows, self.fields[name])
 
     def possible(self) -> bool:
         """Tell whether any structure is still there."""
@@ -88,27 +100,10 @@ class _WorkshopPanel(WorkPanel):
         self.on_sheets = QtGui.QCheckBox(translate("Ortho", "Nest on sheets"))
         self.rows.addRow(self.on_sheets)
         self.width, self.height = LengthField(3000.0), LengthField(1500.0)
-        self.spacing = LengthField(10.0)
-        turning = {
-            "none": translate("Ortho", "parts may turn"),
-            "along": translate("Ortho", "along the sheet"),
-        }
-        packing = {
-            "boxes": translate("Ortho", "by boxes (fast)"),
-            "outlines": translate("Ortho", "by outlines (dense)"),
-        }
-        self.grain = ChoiceField(turning, "none")
-        self.nesting = ChoiceField(packing, "boxes")
-        self.seed = NumberField(translate("Ortho", "Seed"), 0, whole=True)
-        for label, field in (
-            (translate("Ortho", "Sheet width"), self.width),
-            (translate("Ortho", "Sheet height"), self.height),
-            (translate("Ortho", "Clear distance"), self.spacing),
-            (translate("Ortho", "Grain"), self.grain),
-            (translate("Ortho", "Packing"), self.nesting),
-            (translate("Ortho", "Seed"), self.seed),
-        ):
-            self.rows.addRow(label, field.widget)
+        self.rows.addRow(translate("Ortho", "Sheet width"), self.width.widget)
+        self.rows.addRow(translate("Ortho", "Sheet height"), self.height.widget)
+        self._ask(*_SHEETS)
+        for field in (self.width, self.height, *self.fields.values()):
             field.widget.setEnabled(nested)
             self.on_sheets.toggled.connect(field.widget.setEnabled)
         self.on_sheets.setChecked(nested)
@@ -157,19 +152,20 @@ class ExportPanel(_WorkshopPanel):
         title = translate("Ortho", "Export fabrication files")
         super().__init__(structures, title, "export", nested=False)
         self._take_over(structures)
+        self._ask(*_BARS)
         lengths = [item.Stock.Value for item in structures if "Stock" in item.PropertiesList]
         self._given = max(lengths, default=0.0)
-        as_long = translate("Ortho", "as long as it takes")
-        self.stock = LengthField(self._given, absent=as_long)
-        self.stock.widget.setToolTip(
-            translate("Ortho", "Bars and strips are cut from this length, lamellas too.")
-        )
+        # What lamellas were cut for comes first.
+        self._usual = {name: option.default for name, option in _OPTIONS.items()}
+        self._usual |= lost_on_bars(structures)
+        for name in _BARS[1:]:
+            self.fields[name].value = self._usual[name]
+        self.fields["stock"].value = self._given
+        self._ask(*_FILES)
+        self._add_formats()
+        self._ask(*_SITE)
         self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
         self.workers.widget.setToolTip(translate("Ortho", "So many processes share the work."))
-        self.rows.addRow(translate("Ortho", "Stock length"), self.stock.widget)
-        self._add_bar_fields(structures)
-        self._add_drawing_fields()
-        self._add_formats()
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
         measured = {
             "local": translate("Ortho", "near the net"),
@@ -185,61 +181,6 @@ class ExportPanel(_WorkshopPanel):
         )
         if any(item.Net is not None and item.Net.Origin.Length for item in structures):
             self.rows.addRow(translate("Ortho", "Coordinates"), self.origin.widget)
-
-    def _add_bar_fields(self, structures: list[FreeCAD.DocumentObject]) -> None:
-        """What is lost on bars, and which bars are of one section; lamellas' own comes first."""
-        self._usual = {option.name: option.default for option in Workshop.options}
-        self._usual |= lost_on_bars(structures)
-        self.bars = {name: LengthField(self._usual[name]) for name in ("saw", "trim", "rest")}
-        tolerance = translate("Ortho", "Section tolerance")
-        self.tolerance = NumberField(tolerance, self._usual["section_tolerance"])
-        titles = (
-            (
-                translate("Ortho", "Saw cut"),
-                translate("Ortho", "A saw cut behind each part of a bar is this wide."),
-            ),
-            (
-                translate("Ortho", "Trimmed ends"),
-                translate("Ortho", "Bars lose this much at each end."),
-            ),
-            (
-                translate("Ortho", "Least rest"),
-                translate("Ortho", "Rests of bars from this length on are kept."),
-            ),
-        )
-        for (title, tip), field in zip(titles, self.bars.values(), strict=True):
-            field.widget.setToolTip(tip)
-            self.rows.addRow(title, field.widget)
-        self.tolerance.widget.setToolTip(
-            translate("Ortho", "Tubes of one section differ in height by so many percent.")
-        )
-        self.rows.addRow(tolerance, self.tolerance.widget)
-
-    def _add_drawing_fields(self) -> None:
-        """How the DXF files are written."""
-        layouts = {
-            "blocks": translate("Ortho", "a block for each part"),
-            "flat": translate("Ortho", "plain lines without blocks"),
-            "parts": translate("Ortho", "a file for each part"),
-        }
-        versions = {"r2010": "R2010", "r12": "R12"}
-        texts = {
-            "text": translate("Ortho", "as text"),
-            "strokes": translate("Ortho", "as single strokes"),
-            "none": translate("Ortho", "not at all"),
-        }
-        self.drawing = {
-            "dxf": ChoiceField(layouts, "blocks"),
-            "dxf_version": ChoiceField(versions, "r2010"),
-            "dxf_text": ChoiceField(texts, "text"),
-        }
-        titles = (
-            translate("Ortho", "DXF drawings"),
-            translate("Ortho", "DXF version"),
-            translate("Ortho", "Names and marks"),
-        )
-        for title, field in zip(titles, self.drawing.values(), strict=True):
-            self.rows.addRow(title, field.widget)
 
     def _add_formats(self) -> None:
         """A box to tick for each file for another program; what is not installed cannot be."""
@@ -271,15 +212,14 @@ class ExportPanel(_WorkshopPanel):
         """What was chosen, as ``freecad_ortho.api.export_fabrication`` takes it.
 
         Raises:
-            InputError: the seed, the tolerance or the workers are not a number.
+            InputError: the workers are not a number.
         """
         settings = super().settings()
-        if self.stock.millimetres or self._given:
-            settings["stock"] = self.stock.millimetres
-        chosen: dict[str, Any] = {name: field.word for name, field in self.drawing.items()}
-        chosen |= {name: field.millimetres for name, field in self.bars.items()}
-        if self.tolerance.number is not None:
-            chosen["section_tolerance"] = self.tolerance.number
+        stock = self.fields["stock"].value or 0.0
+        if stock or self._given:
+            settings["stock"] = stock
+        asked = (*_BARS[1:], *_FILES, *_SITE)
+        chosen: dict[str, Any] = {name: self.fields[name].value for name in asked}
         chosen["write"] = ",".join(name for name, box in self.formats.items() if box.isChecked())
         settings |= {name: value for name, value in chosen.items() if value != self._usual[name]}
         if (self.workers.number or 1) > 1:

@@ -247,8 +247,9 @@ class TestStock(WindowCase):
         for shown, typed in ((6000.0, 3000.0), (3000.0, 0.0), (0.0, 0.0)):
             FreeCADGui.runCommand("Ortho_ExportFabrication")
             wait()
-            self.assertEqual(self.panel.stock.millimetres, shown)
-            self.panel.stock.millimetres = typed
+            stock = self.panel.fields["stock"]
+            self.assertEqual(stock.value or 0.0, shown)
+            stock.value = typed
             press("Ok")
             self.assertEqual((self.errors, lamellas.Stock.Value), ([], typed))
         self.assertEqual(FreeCAD.ActiveDocument.UndoNames[:2], ["Stock length"] * 2)
@@ -261,20 +262,20 @@ class TestStock(WindowCase):
         self.replace(dialogs, "ask_folder", lambda: str(folder))
         self.watch_panel(workshop_panels, "ExportPanel")
         lines = []
+        changes = {"saw": 4.0, "trim": 25.0, "rest": 900.0, "section_tolerance": 3.0}
+        changes |= {"step": "systems", "site_origin": "1000,2000,30", "site_rotation": 15.0}
         for changed in (False, True):
             FreeCADGui.runCommand("Ortho_ExportFabrication")
             wait()
             if changed:
-                for name, value in (("saw", 4.0), ("trim", 25.0), ("rest", 900.0)):
-                    self.panel.bars[name].millimetres = value
-                self.panel.tolerance.widget.setText("3")
+                for name, value in changes.items():
+                    self.panel.fields[name].value = value
                 # Of these the package is always there.
                 self.panel.formats["glb"].setChecked(True)
             press("Ok")
             self.assertEqual(self.errors, [])
             lines.append(self.lines[-1])
-        names = ("saw=4.0", "trim=25.0", "rest=900.0", "section_tolerance=3.0", "write='glb'")
-        for name in names:
+        for name in (*(f"{name}={value!r}" for name, value in changes.items()), "write='glb'"):
             self.assertNotIn(name.partition("=")[0], lines[0])
             self.assertIn(name, lines[1])
         stock = json.loads((folder / "report.json").read_text())["stock"]
@@ -295,11 +296,11 @@ class TestFlatPatterns(WindowCase):
         self.watch_panel(workshop_panels, "FlatPatternsPanel")
         panel = self.opened(flat)
         self.assertFalse(panel.on_sheets.isChecked())
-        self.assertEqual(panel.kerf.millimetres, 1.0)
+        self.assertEqual(panel.fields["kerf"].value, 1.0)
         panel.on_sheets.setChecked(True)
         panel.width.millimetres, panel.height.millimetres = 4000.0, 2100.0
-        panel.spacing.millimetres = 30.0
-        panel.grain.choose("along")
+        panel.fields["spacing"].value = 30.0
+        panel.fields["grain"].value = "along"
         document, steps = net.Document, net.Document.UndoCount
         press("Ok")
         self.assertEqual(self.errors, [])
@@ -308,9 +309,9 @@ class TestFlatPatterns(WindowCase):
         self.assertGreater(flat.SheetCount, 0)
         self.assertEqual(len([i for i in document.Objects if i.TypeId == flat.TypeId]), 2)
         panel = self.opened(flat)
-        self.assertEqual((panel.on_sheets.isChecked(), panel.spacing.millimetres), (True, 30.0))
+        self.assertEqual((panel.on_sheets.isChecked(), panel.fields["spacing"].value), (True, 30.0))
         panel.on_sheets.setChecked(False)
-        panel.kerf.millimetres = 0.0
+        panel.fields["kerf"].value = 0.0
         press("Ok")
         self.assertEqual((flat.SheetCount, flat.Kerf.Value), (0, 0.0))
         panel = self.opened(flat)

@@ -9,11 +9,6 @@
    <translation>Ein Punkt der Ebene</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Along: parts keep their length along the sheet</source>
-   <translation>Along: Teile behalten ihre Länge längs der Tafel</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Anchor: four anchor bolts hold a base plate</source>
    <translation>Anker: vier Anker halten eine Fußplatte</translation>
@@ -99,11 +94,6 @@
    <translation>Bohrung: die Naben haben ein Loch dieses Durchmessers längs ihrer Achse</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Boxes: fast; outlines: denser, with a library</source>
-   <translation>Boxes: schnell; Outlines: dichter, mit einer Bibliothek</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Buckling shape that is drawn; 1 is the first</source>
    <translation>Gezeichnete Knickform; 1 ist die erste</translation>
@@ -139,9 +129,9 @@
    <translation>Tschebyschow-Netze: Länge der Kanten; 0 ist frei</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Clear distance of parts from each other and the rim</source>
-   <translation>Lichter Abstand der Teile voneinander und vom Rand</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clear distance: parts keep so far from each other and from the rim</source>
+   <translation>Abstand: so weit bleiben Teile voneinander und vom Rand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -804,11 +794,6 @@
    <translation>Der Knoten, im Gebrauchsfall, der einen am weitesten bewegt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Of the search for a dense nesting</source>
-   <translation>Der Suche nach dichter Schachtelung</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Offset: the parts lie above the net, about it or below it</source>
    <translation>Lage: die Teile liegen über dem Netz, mittig darin oder darunter</translation>
@@ -1159,11 +1144,6 @@
    <translation>Hülsentiefe: die Bleche stehen so tief in den Hülsen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Spacing: parts keep so far from each other and from the rim</source>
-   <translation>Abstand: so weit bleiben Teile voneinander und vom Rand</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Stands for all that the shape was built from</source>
    <translation>Steht für alles, woraus die Form gebaut wurde</translation>
@@ -1479,11 +1459,6 @@
    <translation>Breite einer Tafel; 0: die Teile liegen in Reihen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Width of the cut that outlines are compensated for</source>
-   <translation>Schnittbreite, um die Umrisse ausgeglichen werden</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Width of the edges in pixels</source>
    <translation>Breite der Kanten in Pixeln</translation>
@@ -1502,6 +1477,31 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Zigzag border, or closed by narrow quads</source>
    <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>another number begins another search for a dense nesting</source>
+   <translation>eine andere Zahl beginnt eine andere Suche nach dichter Schachtelung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boxes pack fast, outlines densely</source>
+   <translation>Rahmen packen schnell, Umrisse dicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>outlines grow by half this width of a cut</source>
+   <translation>Umrisse wachsen um die halbe Breite der Schnittfuge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts keep so far from each other and from the rim</source>
+   <translation>so weit bleiben Teile voneinander und vom Rand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts may turn on the sheet as its grain says</source>
+   <translation>Teile drehen sich auf der Tafel, wie ihre Faserrichtung es erlaubt</translation>
   </message>
  </context>
  <context>
@@ -1570,11 +1570,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Ein Punkt der Ebene</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>A saw cut behind each part of a bar is this wide.</source>
-   <translation>So breit ist der Sägeschnitt hinter jedem Teil einer Stange.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1695,16 +1690,6 @@
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Festschreiben</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Bars and strips are cut from this length, lamellas too.</source>
-   <translation>Stangen und Streifen werden aus dieser Länge geschnitten, auch Lamellen.</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Bars lose this much at each end.</source>
-   <translation>So viel verlieren Stangen an jedem Ende.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1902,7 +1887,7 @@
    <translation>Leeren</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Clear distance</source>
    <translation>Abstand</translation>
   </message>
@@ -2027,12 +2012,12 @@
    <translation>Kurve der beiden anderen Koordinaten</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>DXF drawings</source>
    <translation>DXF-Zeichnungen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>DXF version</source>
    <translation>DXF-Version</translation>
   </message>
@@ -2532,7 +2517,7 @@
    <translation>Gleiten auf ...</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Grain</source>
    <translation>Faserrichtung</translation>
   </message>
@@ -2697,7 +2682,7 @@
    <translation>Die letzte Linie behalten, wo der Schritt sie verfehlt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Kerf</source>
    <translation>Schnittfuge</translation>
   </message>
@@ -2737,7 +2722,7 @@
    <translation>Mindestlänge</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Least rest</source>
    <translation>Kleinster Rest</translation>
   </message>
@@ -2982,7 +2967,7 @@
    <translation>Multinetz: ja, auf {:.1e} über alle Rechtecke aus Parameterlinien</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Names and marks</source>
    <translation>Namen und Marken</translation>
   </message>
@@ -3162,7 +3147,7 @@
    <translation>Pakete für den Arbeitsbereich Ortho</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Packing</source>
    <translation>Packung</translation>
   </message>
@@ -3373,6 +3358,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>R12</source>
+   <translation>R12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>R2010</source>
+   <translation>R2010</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Radius</translation>
   </message>
@@ -3425,11 +3420,6 @@
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>Reset</source>
    <translation>Zurücksetzen</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Rests of bars from this length on are kept.</source>
-   <translation>Reste von Stangen ab dieser Länge werden aufgehoben.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3508,6 +3498,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>STEP files</source>
+   <translation>STEP-Dateien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Same in STEP within</source>
+   <translation>Gleich in STEP bis</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Sampling</source>
    <translation>Abtastung</translation>
   </message>
@@ -3522,7 +3522,7 @@
    <translation>Sägeschnitt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Saw cut</source>
    <translation>Sägeschnitt</translation>
   </message>
@@ -3557,7 +3557,7 @@
    <translation>Querschnitt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Section tolerance</source>
    <translation>Toleranz</translation>
   </message>
@@ -3567,7 +3567,7 @@
    <translation>Breite des Querschnitts</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Seed</source>
    <translation>Startwert</translation>
   </message>
@@ -3640,6 +3640,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Singularities</source>
    <translation>Singularitäten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Site origin</source>
+   <translation>Ursprung auf dem Bau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Site rotation</source>
+   <translation>Drehung auf dem Bau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4040,14 +4050,9 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Anschnitt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Trimmed ends</source>
    <translation>Anschnitt</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Tubes of one section differ in height by so many percent.</source>
-   <translation>Rohre eines Querschnitts sind um so viel Prozent verschieden hoch.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4245,12 +4250,12 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a block for each part</source>
    <translation>ein Block je Teil</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a file for each part</source>
    <translation>eine Datei je Teil</translation>
   </message>
@@ -4315,7 +4320,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>längs der Normalen (N)</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>along the sheet</source>
    <translation>längs der Tafel</translation>
   </message>
@@ -4323,6 +4328,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>aluminium</source>
    <translation>Aluminium</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>another number begins another search for a dense nesting</source>
+   <translation>eine andere Zahl beginnt eine andere Suche nach dichter Schachtelung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4340,17 +4350,17 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>wie es beginnt</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as long as it takes</source>
    <translation>so lang wie nötig</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as single strokes</source>
    <translation>als Einzelstriche</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as text</source>
    <translation>als Text</translation>
   </message>
@@ -4388,6 +4398,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>automatic: {}</source>
    <translation>automatisch: {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars and strips are this long; longer lamellas are spliced</source>
+   <translation>Stäbe und Streifen sind so lang; längere Lamellen werden gestoßen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars lose this much at each end</source>
+   <translation>so viel verlieren Stäbe an jedem Ende</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4435,12 +4455,17 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Rand</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boxes pack fast, outlines densely</source>
+   <translation>Rahmen packen schnell, Umrisse dicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>by boxes (fast)</source>
    <translation>Rechtecke (schnell)</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>by outlines (dense)</source>
    <translation>nach Umrissen (dicht)</translation>
   </message>
@@ -4573,6 +4598,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>dog</source>
    <translation>diskret orthogonal geodätisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>drawings are of this version</source>
+   <translation>Zeichnungen sind von dieser Version</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4900,6 +4930,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Multinetz</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>names and marks are written so</source>
+   <translation>so werden Namen und Zeichen geschrieben</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>near the net</source>
    <translation>beim Netz</translation>
@@ -4920,7 +4955,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>keine</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>not at all</source>
    <translation>gar nicht</translation>
   </message>
@@ -4958,6 +4993,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>on the surface (S)</source>
    <translation>auf der Fläche (S)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one for all parts</source>
+   <translation>eine für alle Teile</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one for each system</source>
+   <translation>eine für jedes System</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5006,6 +5051,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts are blocks, plain lines or files</source>
+   <translation>Teile sind Blöcke, bloße Linien oder Dateien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>parts are nested on sheets of this size</source>
    <translation>Teile werden auf Tafeln dieser Größe geschachtelt</translation>
   </message>
@@ -5015,7 +5065,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>so weit bleiben Teile voneinander und vom Rand</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>parts may turn</source>
    <translation>Teile dürfen drehen</translation>
   </message>
@@ -5035,7 +5085,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>einfarbig</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>plain lines without blocks</source>
    <translation>nur Linien, ohne Blöcke</translation>
   </message>
@@ -5106,6 +5156,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>rests of bars from this length on are kept</source>
+   <translation>Reste von Stäben werden ab dieser Länge behalten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>ring</source>
    <translation>Ring</translation>
   </message>
@@ -5163,6 +5218,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>solids have the rounded corners and roots of a section of the catalogue</source>
    <translation>Körper haben die runden Ecken und Ausrundungen eines Querschnitts des Katalogs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids share a file or have one a system</source>
+   <translation>Körper teilen eine Datei oder haben eine je System</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids that agree within this are one product of the file with several places</source>
+   <translation>Körper, die bis auf dies gleich sind, sind ein Produkt der Datei an mehreren Orten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5350,6 +5415,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>die Sonnenlamellen drehen um Linien dieser Schar</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the model's origin is there on site, in metres</source>
+   <translation>dort liegt der Ursprung des Modells auf dem Bau, in Metern</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the model's x axis is turned so far from east</source>
+   <translation>so weit ist die x-Achse des Modells von Osten gedreht</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the other variant of this net, on or off the diagonals, is much nearer</source>
    <translation>die andere Variante dieses Netzes, auf den Diagonalen oder nicht, liegt viel näher</translation>
@@ -5388,6 +5463,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the posts are round tubes of this diameter</source>
    <translation>die Pfosten sind Rundrohre dieses Durchmessers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the saw cut behind each part of a bar is this wide</source>
+   <translation>so breit ist der Sägeschnitt hinter jedem Teil eines Stabes</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -5498,6 +5578,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>tube</source>
    <translation>Rohr</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tubes of one section differ so much in height</source>
+   <translation>so verschieden hoch sind Rohre eines Querschnitts</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -9,11 +9,6 @@
    <translation>Un point du plan</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Along: parts keep their length along the sheet</source>
-   <translation>Along : les pièces gardent leur longueur le long de la tôle</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Anchor: four anchor bolts hold a base plate</source>
    <translation>Ancrage : quatre ancrages tiennent une platine</translation>
@@ -99,11 +94,6 @@
    <translation>Alésage : les moyeux ont un trou de ce diamètre le long de leur axe</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Boxes: fast; outlines: denser, with a library</source>
-   <translation>Boxes : rapide ; Outlines : plus dense, avec une bibliothèque</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Buckling shape that is drawn; 1 is the first</source>
    <translation>Mode de flambement dessiné ; 1 est le premier</translation>
@@ -139,9 +129,9 @@
    <translation>Réseaux de Tchebychev : longueur des arêtes ; 0 est libre</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Clear distance of parts from each other and the rim</source>
-   <translation>Distance libre des pièces entre elles et au bord</translation>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Clear distance: parts keep so far from each other and from the rim</source>
+   <translation>Distance libre: distance entre les pièces et jusqu'au bord</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -804,11 +794,6 @@
    <translation>Des nœuds, dans le cas de service qui en déplace un le plus</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Of the search for a dense nesting</source>
-   <translation>De la recherche d'une imbrication dense</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Offset: the parts lie above the net, about it or below it</source>
    <translation>Décalage : les pièces se trouvent au-dessus du réseau, autour de lui ou en dessous</translation>
@@ -1159,11 +1144,6 @@
    <translation>Profondeur des douilles : les plats entrent de cette profondeur dans les douilles</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Spacing: parts keep so far from each other and from the rim</source>
-   <translation>Espacement : distance entre les pièces et jusqu'au bord</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Stands for all that the shape was built from</source>
    <translation>Représente tout ce dont la forme a été construite</translation>
@@ -1479,11 +1459,6 @@
    <translation>Largeur d'une tôle ; 0 : les pièces sont en rangées</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
-   <source>Width of the cut that outlines are compensated for</source>
-   <translation>Largeur de coupe compensée sur les contours</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Width of the edges in pixels</source>
    <translation>Largeur des arêtes en pixels</translation>
@@ -1502,6 +1477,31 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Zigzag border, or closed by narrow quads</source>
    <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>another number begins another search for a dense nesting</source>
+   <translation>un autre nombre commence une autre recherche d'imbrication dense</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boxes pack fast, outlines densely</source>
+   <translation>les boîtes rangent vite, les contours serré</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>outlines grow by half this width of a cut</source>
+   <translation>les contours croissent de la moitié du trait de coupe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts keep so far from each other and from the rim</source>
+   <translation>distance entre les pièces et jusqu'au bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts may turn on the sheet as its grain says</source>
+   <translation>les pièces tournent sur la plaque selon le sens du fil</translation>
   </message>
  </context>
  <context>
@@ -1570,11 +1570,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Un point du plan</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>A saw cut behind each part of a bar is this wide.</source>
-   <translation>Largeur du trait de scie après chaque pièce d'une barre.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1695,16 +1690,6 @@
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Figer</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Bars and strips are cut from this length, lamellas too.</source>
-   <translation>Les barres et les bandes sont coupées dans cette longueur, les lamelles aussi.</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Bars lose this much at each end.</source>
-   <translation>Les barres perdent cette longueur à chaque bout.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -1902,7 +1887,7 @@
    <translation>Effacer</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Clear distance</source>
    <translation>Distance libre</translation>
   </message>
@@ -2027,12 +2012,12 @@
    <translation>Courbe des deux autres coordonnées</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>DXF drawings</source>
    <translation>Dessins DXF</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>DXF version</source>
    <translation>Version DXF</translation>
   </message>
@@ -2532,7 +2517,7 @@
    <translation>Glisser sur ...</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Grain</source>
    <translation>Sens du fil</translation>
   </message>
@@ -2697,7 +2682,7 @@
    <translation>Garder la dernière ligne là où le pas la manque</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Kerf</source>
    <translation>Trait de coupe</translation>
   </message>
@@ -2737,7 +2722,7 @@
    <translation>Longueur minimale</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Least rest</source>
    <translation>Chute minimale</translation>
   </message>
@@ -2982,7 +2967,7 @@
    <translation>Multi-réseau : oui, à {:.1e} près sur tous les rectangles de lignes</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Names and marks</source>
    <translation>Noms et marques</translation>
   </message>
@@ -3162,7 +3147,7 @@
    <translation>Paquets pour l'atelier Ortho</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Packing</source>
    <translation>Rangement</translation>
   </message>
@@ -3373,6 +3358,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>R12</source>
+   <translation>R12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>R2010</source>
+   <translation>R2010</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Rayon</translation>
   </message>
@@ -3425,11 +3420,6 @@
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>Reset</source>
    <translation>Réinitialiser</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Rests of bars from this length on are kept.</source>
-   <translation>Les chutes de barres sont gardées à partir de cette longueur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3508,6 +3498,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>STEP files</source>
+   <translation>Fichiers STEP</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Same in STEP within</source>
+   <translation>Égal en STEP à</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Sampling</source>
    <translation>Échantillonnage</translation>
   </message>
@@ -3522,7 +3522,7 @@
    <translation>Trait de scie</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Saw cut</source>
    <translation>Trait de scie</translation>
   </message>
@@ -3557,7 +3557,7 @@
    <translation>Section</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Section tolerance</source>
    <translation>Tolérance</translation>
   </message>
@@ -3567,7 +3567,7 @@
    <translation>Largeur de la section</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Seed</source>
    <translation>Graine</translation>
   </message>
@@ -3640,6 +3640,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Singularities</source>
    <translation>Singularités</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Site origin</source>
+   <translation>Origine du site</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Site rotation</source>
+   <translation>Rotation du site</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4040,14 +4050,9 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Éboutage</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Trimmed ends</source>
    <translation>Éboutage</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>Tubes of one section differ in height by so many percent.</source>
-   <translation>Les hauteurs des tubes d'une même section diffèrent de tant de pour cent.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4245,12 +4250,12 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a block for each part</source>
    <translation>un bloc par pièce</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>a file for each part</source>
    <translation>un fichier par pièce</translation>
   </message>
@@ -4315,7 +4320,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>selon la normale (N)</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>along the sheet</source>
    <translation>le long de la tôle</translation>
   </message>
@@ -4323,6 +4328,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>aluminium</source>
    <translation>aluminium</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>another number begins another search for a dense nesting</source>
+   <translation>un autre nombre commence une autre recherche d'imbrication dense</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4340,17 +4350,17 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>comme il commence</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as long as it takes</source>
    <translation>aussi longue qu'il faut</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as single strokes</source>
    <translation>en traits simples</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as text</source>
    <translation>en texte</translation>
   </message>
@@ -4388,6 +4398,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>automatic: {}</source>
    <translation>automatique : {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars and strips are this long; longer lamellas are spliced</source>
+   <translation>barres et bandes ont cette longueur ; les lamelles plus longues sont aboutées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars lose this much at each end</source>
+   <translation>les barres perdent autant à chaque bout</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4435,12 +4455,17 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>bord</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>boxes pack fast, outlines densely</source>
+   <translation>les boîtes rangent vite, les contours serré</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>by boxes (fast)</source>
    <translation>par boîtes (rapide)</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>by outlines (dense)</source>
    <translation>par contours (dense)</translation>
   </message>
@@ -4573,6 +4598,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>dog</source>
    <translation>géodésique orthogonal discret</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>drawings are of this version</source>
+   <translation>les dessins sont de cette version</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4900,6 +4930,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>multi-réseau</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>names and marks are written so</source>
+   <translation>noms et marques sont écrits ainsi</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>near the net</source>
    <translation>près du réseau</translation>
@@ -4920,7 +4955,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>aucun</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>not at all</source>
    <translation>pas du tout</translation>
   </message>
@@ -4958,6 +4993,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>on the surface (S)</source>
    <translation>sur la surface (S)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one for all parts</source>
+   <translation>un pour toutes les pièces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>one for each system</source>
+   <translation>un pour chaque système</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5006,6 +5051,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts are blocks, plain lines or files</source>
+   <translation>les pièces sont des blocs, de simples lignes ou des fichiers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>parts are nested on sheets of this size</source>
    <translation>les pièces sont imbriquées sur des plaques de cette taille</translation>
   </message>
@@ -5015,7 +5065,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>distance entre les pièces et jusqu'au bord</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>parts may turn</source>
    <translation>les pièces peuvent tourner</translation>
   </message>
@@ -5035,7 +5085,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>uni</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>plain lines without blocks</source>
    <translation>lignes simples sans blocs</translation>
   </message>
@@ -5106,6 +5156,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>rests of bars from this length on are kept</source>
+   <translation>les restes de barres sont gardés à partir de cette longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>ring</source>
    <translation>anneau</translation>
   </message>
@@ -5163,6 +5218,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>solids have the rounded corners and roots of a section of the catalogue</source>
    <translation>les solides ont les coins et congés arrondis d'une section du catalogue</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids share a file or have one a system</source>
+   <translation>les solides partagent un fichier ou en ont un par système</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids that agree within this are one product of the file with several places</source>
+   <translation>les solides égaux à cela près sont un seul produit du fichier en plusieurs places</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5350,6 +5415,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>les brise-soleil tournent autour des lignes de cette famille</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the model's origin is there on site, in metres</source>
+   <translation>l'origine du modèle est là sur le site, en mètres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the model's x axis is turned so far from east</source>
+   <translation>l'axe x du modèle est tourné d'autant depuis l'est</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the other variant of this net, on or off the diagonals, is much nearer</source>
    <translation>l'autre variante de ce réseau, sur les diagonales ou non, est bien plus proche</translation>
@@ -5388,6 +5463,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the posts are round tubes of this diameter</source>
    <translation>les poteaux sont des tubes ronds de ce diamètre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the saw cut behind each part of a bar is this wide</source>
+   <translation>le trait de scie derrière chaque pièce d'une barre a cette largeur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -5498,6 +5578,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>tube</source>
    <translation>tube</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tubes of one section differ so much in height</source>
+   <translation>les tubes d'une section diffèrent d'autant en hauteur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
