@@ -115,7 +115,7 @@ class Workshop:
             title="DXF drawings",
             shown={
                 "blocks": "a block for each part",
-                "flat": "plain lines without blocks",
+                "flat": "plain lines",
                 "parts": "a file for each part",
             },
         ),
@@ -137,7 +137,7 @@ class Workshop:
         Option(
             *("step_tolerance", 0.0, "length"),
             "solids that agree within this are one product of the file with several places",
-            title="Same in STEP within",
+            title="Equal in STEP",
             absent="none",
         ),
         Option(

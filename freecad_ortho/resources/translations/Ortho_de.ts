@@ -2208,6 +2208,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal in STEP</source>
+   <translation>Gleich in STEP</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Even lengths or equal steps of the parameters</source>
    <translation>Gleiche Längen oder gleiche Schritte der Parameter</translation>
   </message>
@@ -3500,11 +3505,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>STEP files</source>
    <translation>STEP-Dateien</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Same in STEP within</source>
-   <translation>Gleich in STEP bis</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5086,8 +5086,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>plain lines without blocks</source>
-   <translation>nur Linien, ohne Blöcke</translation>
+   <source>plain lines</source>
+   <translation>nur Linien</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -2208,6 +2208,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal in STEP</source>
+   <translation>Égal en STEP</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Even lengths or equal steps of the parameters</source>
    <translation>Longueurs égales ou pas égaux des paramètres</translation>
   </message>
@@ -3500,11 +3505,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>STEP files</source>
    <translation>Fichiers STEP</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Same in STEP within</source>
-   <translation>Égal en STEP à</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5086,8 +5086,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>plain lines without blocks</source>
-   <translation>lignes simples sans blocs</translation>
+   <source>plain lines</source>
+   <translation>simples lignes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
