@@ -27,7 +27,9 @@ class Sizes(TypedDict, total=False):
     section: str
     section_width: Length
     flange_thickness: Length | None
-    ends: Literal["mitred", "hub", "end-plate", "cover-plate", "lapped", "through-u", "through-v"]
+    ends: Literal[
+        "mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", "through-u", "through-v"
+    ]
     hub_diameter: Length | None
     bolt: Literal["M12", "M16", "M20", "M24", "M27", "M30"]
     bolts: int
@@ -38,7 +40,7 @@ class Sizes(TypedDict, total=False):
     edge_height: Length | None
     edge_width: Length | None
     edge_wall: Length
-    node: Literal["hub", "bolted", "star", "socket"]
+    node: Literal["hub", "bolted", "star", "ball", "socket"]
     bore: Length
     socket_depth: Length
     panel_thickness: Length | None

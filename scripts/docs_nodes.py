@@ -19,6 +19,7 @@ from docs_pictures import PICTURES, ROOT, api, shrink
 # Beams at the node of each kind.
 KINDS: dict[str, dict[str, Any]] = {
     "bolted": {"section": "tube:100x60x5"},
+    "ball": {"section": "chs:88.9x5"},
     "star": {"section": "I", "thickness": 10.0, "section_width": 80.0, "height": 160.0},
 }
 # A vertex inside of the demo's net, and how far around it parts are shown, mm.

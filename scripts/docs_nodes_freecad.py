@@ -31,6 +31,8 @@ COLOURS = {
     "node": (0.85, 0.58, 0.28),
     "end-plate": (0.72, 0.78, 0.45),
     "cover-plate": (0.72, 0.78, 0.45),
+    "cone": (0.72, 0.78, 0.45),
+    "sleeve": (0.62, 0.62, 0.64),
 }
 # How far one of the beams is pulled back, mm.
 PULLED = 160.0

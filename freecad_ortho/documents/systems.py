@@ -53,7 +53,7 @@ def add_beams(
             ``"HEB160"`` or ``"tube:100x60x5"``, which has a height and widths of its own.
         section_width: of tubes and flanges.
         flange_thickness: by default that of the web.
-        ends: ``"mitred"``, ``"hub"``, ``"end-plate"``, ``"cover-plate"``, ``"lapped"``,
+        ends: ``"mitred"``, ``"hub"``, ``"end-plate"``, ``"cover-plate"``, ``"cone"``, ``"lapped"``,
             ``"through-u"`` or ``"through-v"``.
         hub_diameter: of the hubs that beams end before; by default 100 mm, of those that they are
             bolted to what each needs.
@@ -61,8 +61,8 @@ def add_beams(
         no_boundary_beams: leaves the boundary without beams.
         least_length: shorter beams at the border of the surface are left out.
         rounded: solids have the rounded corners and roots of a section of the catalogue.
-        bolt: size of the bolts of end plates and cover plates, ``"M12"`` to ``"M30"``.
-        bolts: above each other, 1 or 2.
+        bolt: size of the bolts of end plates, cover plates and cones, ``"M12"`` to ``"M30"``.
+        bolts: above each other, 1 or 2; a cone has one.
         hub_wall: thickness of the walls that these clamp; by default as thick as the bolts.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
@@ -178,9 +178,9 @@ def add_nodes(
         net: the Net.
         beams: a Structure of beams that the nodes join, and take height, thickness, offset,
             clearance, hub diameter and bolts from; mitred ones end before hubs from then on.
-        node: ``"hub"``, ``"bolted"``, ``"star"`` or ``"socket"``.
-        hub_diameter: across the faces of a hub, of a star or a socket; by default 100 mm, of bolted
-            hubs and stars what each needs.
+        node: ``"hub"``, ``"bolted"``, ``"star"``, ``"ball"`` or ``"socket"``.
+        hub_diameter: across the faces of a hub, of a star, a ball or a socket; by default 100 mm,
+            of bolted hubs, stars and balls what each needs.
         bore: diameter of a hole along the axis of a hub, 0 for none.
         socket_depth: how deep plates stand in sockets.
         height: of beams, where none are given.

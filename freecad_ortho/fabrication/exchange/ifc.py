@@ -47,6 +47,8 @@ _CLASSES = {
     "foot": ("IfcMember", "POST", "Qto_MemberBaseQuantities"),
     "foot-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
     "node": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
+    "cone": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
+    "sleeve": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
 }
 _UNKNOWN = ("IfcBuildingElementProxy", "NOTDEFINED", "Qto_BuildingElementProxyQuantities")
 # The same structure gives the same file: no clock.

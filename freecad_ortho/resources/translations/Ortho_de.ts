@@ -4401,6 +4401,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>ball</source>
+   <translation>Kugel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>bars and strips are this long; longer lamellas are spliced</source>
    <translation>Stäbe und Streifen sind so lang; längere Lamellen werden gestoßen</translation>
   </message>

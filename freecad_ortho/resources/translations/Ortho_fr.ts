@@ -4401,6 +4401,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>ball</source>
+   <translation>sphère</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>bars and strips are this long; longer lamellas are spliced</source>
    <translation>barres et bandes ont cette longueur ; les lamelles plus longues sont aboutées</translation>
   </message>

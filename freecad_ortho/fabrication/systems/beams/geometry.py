@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freecad_ortho.fabrication.sizes import rounded_down
+from freecad_ortho.fabrication.systems.beams.balls import BallJoints
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, edge_name
@@ -87,8 +88,8 @@ class BeamGeometry:
         built: (E,) true for the edges that have a beam.
         meeting: (E, 2) true for ends that meet others at a vertex.
         bolted: how they are bolted to nodes, None where they are not.
-        hub_radii: (V,) from the axes to the faces of bolted hubs, or the ends of the arms of stars,
-            mm, 0 where there are none; empty for beams that are not bolted.
+        hub_radii: (V,) from the axes to the faces of bolted hubs, the ends of the arms of stars, or
+            the seats on balls, mm, 0 where there are none; empty for beams that are not bolted.
     """
 
     points: FloatArray
@@ -106,7 +107,7 @@ class BeamGeometry:
     section_half: float
     built: BoolArray
     meeting: BoolArray
-    bolted: EndPlates | CoverPlates | None
+    bolted: EndPlates | CoverPlates | BallJoints | None
     hub_radii: FloatArray
 
     def ring(self, up: FloatArray, half: float) -> FloatArray:

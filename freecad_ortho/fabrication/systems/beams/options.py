@@ -8,9 +8,9 @@ from freecad_ortho.fabrication.sizes import OFFSETS
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS
 from solver.option import Option
 
-ENDS = ("mitred", "hub", "end-plate", "cover-plate", "lapped", "through-u", "through-v")
+ENDS = ("mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", "through-u", "through-v")
 # Those that are bolted to nodes.
-BOLTED = ("end-plate", "cover-plate")
+BOLTED = ("end-plate", "cover-plate", "cone")
 # Of hubs without bolts, mm, where nothing is said.
 PLAIN_HUB = 100.0
 

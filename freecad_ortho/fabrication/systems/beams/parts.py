@@ -101,7 +101,7 @@ def edge_beams(
                         twist_deg=float(twist[edge]),
                         misfit_mm=None if misfit is None else float(misfit[edges[edge]].max()),
                     ),
-                    note=_cut_angles(geometry, section, edge) if pattern is None else "",
+                    note=_cut_angles(geometry, section, piece, edge) if pattern is None else "",
                     section_width=section.overall_width if pattern is None else None,
                     section=section.name,
                     weighed=piece.weighed(edge),
@@ -219,13 +219,19 @@ def _pattern(
     return _plate_pattern(name, middle[:, :2], inner, ends), origin
 
 
-def _cut_angles(geometry: BeamGeometry, section: Section | RolledSection, edge: int) -> str:
+def _cut_angles(
+    geometry: BeamGeometry, section: Section | RolledSection, piece: Piece, edge: int
+) -> str:
     """Cuts of a tube in words: the saw's tilt from square, in elevation and in plan."""
     tilt = np.degrees(np.arctan(geometry.slopes[edge]))
     plan = np.degrees(np.arctan(geometry.cuts.slope[edge]))
     words = [
         f"{end}: elevation {tilt[k]:.2f}, plan right {plan[right]:.2f} left {plan[left]:.2f} deg"
-        for k, (end, right, left) in enumerate((("start", 0, 3), ("end", 1, 2)))
+        if known is None
+        else f"{end}: {known}"
+        for k, (end, right, left, known) in enumerate(
+            (("start", 0, 3, piece.cut_words(edge)[0]), ("end", 1, 2, piece.cut_words(edge)[1]))
+        )
     ]
     return "; ".join([section.size(float(geometry.height[edge])), *words])
 

@@ -211,6 +211,10 @@ class Piece:
         """Volume by which it weighs where its solid leaves something out, mm3."""
         return None
 
+    def cut_words(self, edge: int) -> tuple[str | None, str | None]:
+        """How its start and end are sawn, where that is not by the angles of the node axes."""
+        return None, None
+
 
 def prism(geometry: BeamGeometry, low: FloatArray, high: FloatArray, half: float) -> FloatArray:
     """(E, 12, 3) corners between two heights (E,), the ends along the axes."""

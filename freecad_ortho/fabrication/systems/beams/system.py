@@ -18,6 +18,8 @@ from freecad_ortho.fabrication.sizes import (
     not_negative,
     offset_levels,
 )
+from freecad_ortho.fabrication.systems.beams.ball_tubes import TubesOnBalls, with_tubes
+from freecad_ortho.fabrication.systems.beams.balls import BallJoints, smallest_angles
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds, stub_words
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
@@ -46,6 +48,8 @@ from solver.mesh.lines import ParameterLine, ParameterLines
 from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
 
+Bolted = EndPlates | CoverPlates | BallJoints
+
 
 @dataclass(frozen=True)
 class Beams(System):
@@ -62,10 +66,10 @@ class Beams(System):
         section_width: of tubes and flanges, mm.
         flange_thickness: mm, by default that of the web.
         ends: "mitred" against each other, cut square for a "hub", for an "end-plate" bolted to one
-            or for a "cover-plate" on each side bolted to a star of plates, or plates along whole
-            lines that are "lapped" where they cross, half from above and half from below; with
-            "through-u" the beams of family u run through and the others are cut square between
-            them.
+            or for a "cover-plate" on each side bolted to a star of plates, as round tubes with a
+            "cone" for the bolt into a ball, or plates along whole lines that are "lapped" where
+            they cross, half from above and half from below; with "through-u" the beams of family
+            u run through and the others are cut square between them.
         hub_diameter: of the hubs, across their faces, mm; by default 100, with end plates as large
             as each has to be.
         clearance: between beam and hub, between plates in slots, and beside beams that run through,
@@ -124,6 +128,11 @@ class Beams(System):
             check_size("hub diameter", self.across)
         if self.ends == "end-plate":
             _ = self.end_plates
+        if self.ends == "cone" and rolled is None:
+            raise InputError(
+                "ends: cones of ball nodes are those of round tubes, got section "
+                f"{self.section}; take one such as chs:88.9x5, or other ends"
+            )
         if self.ends == "cover-plate" and self.section not in ("plate", "I", "T"):
             raise InputError(
                 f"ends: cover plates join webs of plates, got section {self.section}; take section "
@@ -209,7 +218,7 @@ class Beams(System):
         if not wanted.any():
             return SystemParts(())
         around = around_axes(site.mesh, site.axes, frames.along, built)
-        bolted = self._bolted(frames, built)
+        bolted = self._bolted(site, frames, built)
         cuts, folded, laps = self._cuts(site, frames, around, built, bolted)
         width = section.overall_width
         stubs: tuple[str, ...] = ()
@@ -235,6 +244,8 @@ class Beams(System):
         if rolled is not None:
             misfit = rolled.misfit(site, geometry, meeting)
             geometry = replace(geometry, height=np.full_like(geometry.height, rolled.height))
+            if isinstance(bolted, BallJoints):
+                geometry = with_tubes(geometry, rolled.height, site.mesh.connectivity.edges)
         parts = edge_beams(site, geometry, section, wanted & ~folded, border, misfit)
         lines = _runs(site, folded & built, border)
         folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
@@ -272,7 +283,8 @@ class Beams(System):
                 f"section: expected {', '.join(SECTIONS)} or one of the catalogue such as HEB160 "
                 f"or tube:100x60x5, got '{self.section}'"
             )
-        return RolledSection(profile(self.section), self.rounded)
+        section = RolledSection(profile(self.section), self.rounded)
+        return TubesOnBalls.of(section) if self.ends == "cone" else section
 
     def _cuts(
         self,
@@ -280,7 +292,7 @@ class Beams(System):
         frames: Frames,
         around: Around,
         built: BoolArray,
-        bolted: EndPlates | CoverPlates | None,
+        bolted: Bolted | None,
     ) -> tuple[Cuts, BoolArray, Crossings | None]:
         """Where beams end, which edges are parts of folded plates, and their half laps."""
         width = self.profile.overall_width
@@ -295,6 +307,8 @@ class Beams(System):
         if bolted is not None:
             radii = _hub_radii(site, around, bolted)[site.mesh.connectivity.edges]
             cuts = square(frames, radii + bolted.setback)
+            if isinstance(bolted, BallJoints):
+                cuts = Cuts(radii + bolted.setback, 0 * cuts.slope)
             return cuts.where(radii > 0, mitred(frames, around)), none, None
         if self.ends == "lapped":
             laps = half_laps(site, around, self.thickness, self.clearance)
@@ -312,16 +326,20 @@ class Beams(System):
         )
         return cuts, through if self.section == "plate" else none, None
 
-    def _bolted(self, frames: Frames, built: BoolArray) -> EndPlates | CoverPlates | None:
+    def _bolted(self, site: Site, frames: Frames, built: BoolArray) -> Bolted | None:
         """How the beams of edges that are built, (E,), are bolted; None where they are not."""
         if self.ends == "end-plate":
             return self.end_plates
-        section = self.profile
+        section, bolt = self.profile, bolt_of(self.bolt)
+        if self.ends == "cone":
+            edges, count = site.mesh.connectivity.edges, len(site.mesh.vertices)
+            apart = smallest_angles(frames.along, edges, built, count)
+            return BallJoints(bolt, self.height, self.thickness, apart, self.hub_diameter)
         if self.ends != "cover-plate" or isinstance(section, RolledSection):
             return None
         rise = frames.rise[built]
         return CoverPlates(
-            bolt_of(self.bolt),
+            bolt,
             self.bolts,
             self.thickness,
             section.overall_width,
@@ -353,7 +371,7 @@ class Beams(System):
         }
 
 
-def _hub_radii(site: Site, around: Around, bolted: EndPlates | CoverPlates) -> FloatArray:
+def _hub_radii(site: Site, around: Around, bolted: Bolted) -> FloatArray:
     """(V,) from the axes to what beams are bolted to, mm; 0 where there is nothing."""
     radii = bolted.radii(around, len(site.mesh.vertices))
     left_out = without_hubs(site, 2 * (radii + bolted.setback))

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from freecad_ortho.fabrication.ball_body import Ball
 from freecad_ortho.fabrication.equal import equal_groups
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
+from freecad_ortho.fabrication.systems.nodes.ball_parts import BallMaking
 from freecad_ortho.fabrication.systems.nodes.hub_plates import HubMaking
 from freecad_ortho.fabrication.systems.nodes.star_plates import StarMaking
 from freecad_ortho.fabrication.systems.nodes.stars import Star
@@ -39,7 +41,8 @@ def with_end_plates(
         "end_plates": len(plates),
         "end_plate_mm": sizes.thickness,
         "bolt": f"{sizes.bolt.name}x{sizes.length:g}",
-        "bolts": sizes.count * len(plates),
+        "bolts": making.bolts,
+        **making.clamped.report(),
         "not_put_on": sum(bool(hub.assembly) for hub in hubs),
         **equal_report(groups),
         **sums((*hubs, *plates)),
@@ -50,7 +53,8 @@ def with_end_plates(
     }
     tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
     corners = {hub.vertices[0]: (hub.points - site.shift).reshape(2, 2, -1, 3)[0] for hub in hubs}
-    return SystemParts((*hubs, *plates), report, _doubts(hubs), corners, tables=tables)
+    said = (*making.remarks(), *_doubts(hubs))
+    return SystemParts((*hubs, *plates), report, said, corners, tables=tables)
 
 
 def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts:
@@ -70,6 +74,7 @@ def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts
         "cover_plate_mm": covers.thickness,
         "bolt": f"{covers.bolt.name}x{covers.length:g}",
         "bolts": covers.count * len(plates),
+        **making.clamped.report(),
         "not_put_on": sum(bool(arm.assembly) for arm in arms),
         **equal_report(groups),
         **sums((*arms, *plates)),
@@ -85,6 +90,39 @@ def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts
     }
     tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
     return SystemParts((*arms, *plates), report, _doubts(arms), {}, tables=tables)
+
+
+def with_balls(making: BallMaking, joined: Sequence[Star]) -> SystemParts:
+    """Balls, and the cones and sleeves of the tubes that are screwed into them."""
+    site, joints = making.site, making.joints
+    balls = tuple(making.ball(star) for star in joined)
+    cones = tuple(part for _, pair in sorted(making.pieces.items()) for part in pair)
+    groups = equal_names(balls)
+    widths = [ball.width for ball in balls]
+    report = {
+        "kind": "ball",
+        "diameter_mm": max(widths, default=0.0),
+        "diameter_min_mm": min(widths, default=0.0),
+        "cones": len(making.pieces),
+        "cone_mm": joints.cone,
+        "sleeve_mm": joints.sleeve,
+        "bolt": f"{joints.bolt.name}x{joints.length:g}",
+        "bolts": len(making.pieces),
+        **making.clamped.report(),
+        **equal_report(groups),
+        **sums((*balls, *cones)),
+    }
+    named = {
+        ball.name: NodeSize(star, ball.width, ball.width, ball.width)
+        for ball, star in zip(balls, joined, strict=True)
+    }
+    around = {
+        ball.vertices[0]: ball.origin - site.shift + ball.body.around() @ ball.frame
+        for ball in balls
+        if isinstance(ball.body, Ball)
+    }
+    tables = (*making.tables(), node_types(named, list(groups.values()), site.axes))
+    return SystemParts((*balls, *cones), report, (), around, tables=tables)
 
 
 def equal_names(joints: Sequence[Part]) -> dict[str, list[str]]:

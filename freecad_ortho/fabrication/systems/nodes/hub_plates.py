@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.fabrication.bolts import GRADE, HEADS, WASHERS
+from freecad_ortho.fabrication.bolt_strength import COLUMNS, Clamped
+from freecad_ortho.fabrication.bolts import BOLTS, GRADE, HEADS, WASHERS
 from freecad_ortho.fabrication.drilled import drilled_plate
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
@@ -17,13 +18,14 @@ from freecad_ortho.fabrication.systems.nodes.hubs import face_normals, gaps_afte
 from freecad_ortho.fabrication.systems.nodes.seats import seats
 from freecad_ortho.fabrication.systems.nodes.stars import Star
 from freecad_ortho.fabrication.systems.system import Table
+from freecad_ortho.words import counted
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 _ENDS = ("start", "end")
 _BOLT_COLUMNS = (
     *("bolt", "length_mm", "standard", "grade", "count", "washers"),
-    *("grip_mm", "thread_mm", "hole_mm", "drill_mm"),
+    *("grip_mm", "thread_mm", "hole_mm", "drill_mm", *COLUMNS),
 )
 
 
@@ -34,6 +36,7 @@ class HubMaking:
         self.site, self.beams, self.sizes = site, beams, sizes
         self.seats = seats(site, beams, sizes)
         self.plates: dict[tuple[int, int], Part] = {}
+        self.single: list[str] = []
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
         self.families, self.lines = site.edge_family, site.lines.edge_line.tolist()
@@ -80,23 +83,44 @@ class HubMaking:
         return f"{self.sizes.bolt.name}x{self.sizes.length:g}"
 
     def _bolts(self, vertex: int, place: tuple[int, int], low: float, high: float) -> list[float]:
-        """Heights of the bolts of a beam, where its plate and the hub are both behind them."""
+        """Heights of the bolts of a beam, where its plate and the hub are both behind them.
+
+        A steep one that has no room for two above each other has one.
+        """
         low = max(low, float(self.seats.low[place]))
         room = min(high, float(self.seats.high[place])) - low
         sizes, bolt = self.sizes, self.sizes.bolt
-        needed = 2 * bolt.edge + (sizes.count - 1) * bolt.spacing
-        if room < needed:
-            fewer = "one bolt an end plate, " if sizes.count > 1 else ""
+        if room < 2 * bolt.edge:
+            fitting = [each.name for each in BOLTS.values() if 2 * each.edge <= room]
+            smaller = f"bolts of {fitting[-1]} or " if fitting else ""
             raise InputError(
                 f"bolts: at {self.nodes[vertex]} beam {self.names[place[0]]} has {room:.1f} mm of "
-                f"height for bolts, {sizes.count} of {bolt.name} take {needed:.1f} mm; take "
-                f"smaller bolts, {fewer}or higher beams"
+                f"height for bolts, one of {bolt.name} takes {2 * bolt.edge:.1f} mm; take "
+                f"{smaller}higher beams"
             )
         middle = low + room / 2
+        if sizes.count > 1 and room < 2 * bolt.edge + bolt.spacing:
+            self.single.append(f"{self.names[place[0]]}-{_ENDS[place[1]]}")
+            return [middle]
         if sizes.count == 1:
             return [middle]
         apart = max(room / 2, bolt.spacing)
         return [middle - apart / 2, middle + apart / 2]
+
+    @property
+    def bolts(self) -> int:
+        """Of all plates that are made."""
+        return self.sizes.count * len(self.plates) - len(self.single)
+
+    def remarks(self) -> tuple[str, ...]:
+        """Where there is one bolt in place of two."""
+        if not self.single:
+            return ()
+        return (
+            f"nodes: {counted(len(self.single), 'end plate')} without room for two bolts "
+            f"{self.sizes.bolt.name} above each other, {self.single[0]} for one, with one in the "
+            "middle; higher beams or smaller bolts make room",
+        )
 
     def _plate(self, vertex: int, place: tuple[int, int], heights: list[float]) -> Part:
         """The end plate of a beam, seen from the hub."""
@@ -142,13 +166,20 @@ class HubMaking:
             )
         return words
 
+    @property
+    def clamped(self) -> Clamped:
+        """A bolt by its plates: sheared between wall and end plate, or pulled at the wall."""
+        sizes, bolt = self.sizes, self.sizes.bolt
+        plate, apart = min(sizes.wall, sizes.thread), bolt.spacing if sizes.count > 1 else None
+        return Clamped(bolt, 1, plate, sizes.wall, bolt.edge, apart, self.site.material)
+
     def bolt_list(self) -> Table:
         """One row, as all bolts are alike."""
         sizes, bolt = self.sizes, self.sizes.bolt
-        count = sizes.count * len(self.plates)
+        count = self.bolts
         row = (
             *(bolt.name, sizes.length, HEADS, GRADE, count, f"{count} {WASHERS}"),
-            *(sizes.grip, sizes.thread, bolt.hole, bolt.drill),
+            *(sizes.grip, sizes.thread, bolt.hole, bolt.drill, *self.clamped.row()),
         )
         return Table("bolts.csv", _BOLT_COLUMNS, (row,))
 

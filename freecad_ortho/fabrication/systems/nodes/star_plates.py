@@ -8,6 +8,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import Polyhedron, prism_sides
+from freecad_ortho.fabrication.bolt_strength import COLUMNS, Clamped
 from freecad_ortho.fabrication.bolts import GRADE, HEADS, NUTS, WASHERS
 from freecad_ortho.fabrication.drilled import drilled, drilled_plate
 from freecad_ortho.fabrication.part import Part, part_names
@@ -29,7 +30,7 @@ _ENDS = ("start", "end")
 _SIDES = ((5, 3), (5, 2))
 _BOLT_COLUMNS = (
     *("bolt", "length_mm", "standard", "grade", "count", "washers", "nuts"),
-    *("grip_mm", "hole_mm"),
+    *("grip_mm", "hole_mm", *COLUMNS),
 )
 
 
@@ -161,6 +162,14 @@ class StarMaking:
             )
         return words
 
+    @property
+    def clamped(self) -> Clamped:
+        """A bolt by its plates: sheared on both sides of the web."""
+        covers, bolt = self.covers, self.covers.bolt
+        plate, apart = min(covers.web, 2 * covers.thickness), covers.apart or None
+        head = covers.thickness
+        return Clamped(bolt, 2, plate, head, bolt.edge, apart, self.site.material)
+
     def bolt_list(self) -> Table:
         """One row, as all bolts are alike."""
         covers, bolt = self.covers, self.covers.bolt
@@ -169,6 +178,7 @@ class StarMaking:
         row = (
             *(bolt.name, covers.length, HEADS, GRADE, count),
             *(f"{2 * count} {WASHERS}", f"{count} {NUTS}", covers.grip, bolt.hole),
+            *self.clamped.row(),
         )
         return Table("bolts.csv", _BOLT_COLUMNS, (row,))
 

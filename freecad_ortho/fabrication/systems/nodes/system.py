@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.bodies import Body
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.systems.beams.balls import BallJoints
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.frames import around_axes, beam_frames
@@ -24,9 +25,11 @@ from freecad_ortho.fabrication.systems.edge_beam.hubs import (
     no_room_words,
     without_hubs,
 )
+from freecad_ortho.fabrication.systems.nodes.ball_parts import BallMaking
 from freecad_ortho.fabrication.systems.nodes.bolted import (
     equal_names,
     equal_report,
+    with_balls,
     with_cover_plates,
     with_end_plates,
 )
@@ -39,9 +42,9 @@ from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 from solver.option import Option
 
-KINDS = ("hub", "bolted", "star", "socket")
+KINDS = ("hub", "bolted", "star", "ball", "socket")
 # How beams end that nodes of a kind join; those that a socket holds end in several ways.
-ENDS_OF = {"hub": "hub", "bolted": "end-plate", "star": "cover-plate"}
+ENDS_OF = {"hub": "hub", "bolted": "end-plate", "star": "cover-plate", "ball": "cone"}
 BOLTED_KINDS = tuple(kind for kind, ends in ENDS_OF.items() if ends in BOLTED)
 
 
@@ -56,9 +59,10 @@ class Nodes(System):
         kind: "hub", a prism about the axis with a face square to each beam, as high as the beams;
             "bolted", a hollow one with an end plate on each beam that is bolted to it from inside;
             "star", plates welded along the axis, one a beam, bolted to its web by cover plates;
+            "ball", a ball that round tubes are screwed into, each by a bolt in its conical end;
             "socket", a printed disc under the beams with a slot for each plate.
-        diameter: of the hub across its faces, of the star, or of the disc, mm; by default 100, of
-            bolted hubs and stars as large as each has to be.
+        diameter: of the hub across its faces, of the star, the ball or the disc, mm; by default
+            100, of bolted hubs, stars and balls as large as each has to be.
         bore: diameter of a hole along the hub's axis, mm; 0 for none.
         depth: how far plates stand in a socket, mm; its disc is a third as thick.
         height: of the beams, mm.
@@ -165,10 +169,12 @@ class Nodes(System):
 
     def _as_beams(self) -> Beams:
         """The beams that bolted nodes without any would join."""
+        tube = f"chs:{self.height:g}x{self.thickness:g}"
         return Beams(
             self.height,
             self.thickness,
             self.offset,
+            section=tube if self.kind == "ball" else "plate",
             ends=ENDS_OF[self.kind],
             hub_diameter=self.diameter,
             clearance=self.clearance,
@@ -230,6 +236,8 @@ class Nodes(System):
         left_out = [names[vertex] for vertex in beside_edge_beam(site, missing)]
         if geometry is not None and isinstance(bolted, EndPlates):
             made = with_end_plates(site, geometry, bolted, joined)
+        elif geometry is not None and isinstance(bolted, BallJoints):
+            made = with_balls(BallMaking(site, geometry, bolted), joined)
         elif geometry is not None and isinstance(bolted, CoverPlates):
             section = beams.profile if beams is not None else None
             assert isinstance(section, Section)

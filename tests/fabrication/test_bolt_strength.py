@@ -1,0 +1,76 @@
+"""What bolts bear: values of EN 1993-1-8, table 3.4, worked out by hand."""
+
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.fabrication.bolt_strength import AREAS, Clamped
+from freecad_ortho.fabrication.bolts import BOLTS, bolt_of
+from freecad_ortho.fabrication.material import MATERIALS
+
+STEEL = MATERIALS["steel"]
+
+
+@pytest.mark.parametrize(
+    "name, tension, shear",
+    [("M12", 48.6, 32.4), ("M16", 90.4, 60.3), ("M20", 141.1, 94.1), ("M30", 323.1, 215.4)],
+)
+def test_tension_and_shear_are_those_of_tables(name, tension, shear):
+    """Grade 8.8, thread in the shear plane: tables of design aids."""
+    bolt = bolt_of(name)
+    row = Clamped(bolt, 1, 60.0, 60.0, 10 * bolt.hole, None, STEEL).row()
+    assert row[:2] == (tension, shear)
+    assert Clamped(bolt, 2, 60.0, 60.0, 10 * bolt.hole, None, STEEL).row()[1] == pytest.approx(
+        2 * shear, abs=0.11
+    )
+    assert set(AREAS) == {round(each.diameter) for each in BOLTS.values()}
+
+
+def test_bearing_by_hand():
+    """M16 in 20 mm of S235, 21.6 mm from the edges, then with another 40.4 mm away."""
+    bolt = bolt_of("M16")
+    # ab = 21.6 / 54 = 0.4, k1 = 2.8 x 1.2 - 1.7 = 1.66.
+    alone = Clamped(bolt, 1, 20.0, 20.0, 21.6, None, STEEL)
+    assert alone.bearing == pytest.approx(1.66 * 0.4 * 360 * 16 * 20 / 1.25, rel=1e-12)
+    # Bolts nearer than 3.75 holes: ab = 40.4 / 54 - 1 / 4 = 0.498; k1 = 1.4 x 40.4 / 18 - 1.7.
+    close = Clamped(bolt, 1, 20.0, 20.0, 100.0, 40.4, STEEL)
+    assert close.bearing == pytest.approx(
+        (1.4 * 40.4 / 18 - 1.7) * (40.4 / 54 - 0.25) * 360 * 16 * 20 / 1.25, rel=1e-12
+    )
+    # Far from everything 2.5 fu d t / gM2.
+    free = Clamped(bolt, 1, 20.0, 20.0, 500.0, None, STEEL)
+    assert free.bearing == pytest.approx(2.5 * 360 * 16 * 20 / 1.25, rel=1e-12)
+
+
+def test_thin_plates_are_punched_and_other_materials_have_no_bearing():
+    bolt = bolt_of("M16")
+    mean = (bolt.flats + bolt.corners) / 2
+    thin = Clamped(bolt, 1, 4.0, 4.0, 100.0, None, STEEL)
+    assert thin.tension == pytest.approx(0.6 * 3.141592653589793 * mean * 4 * 360 / 1.25, rel=1e-12)
+    other = Clamped(bolt, 1, 4.0, 4.0, 100.0, None, MATERIALS["aluminium"])
+    assert other.row() == (90.4, 60.3, "")
+
+
+def test_lists_and_reports_have_them(roof):
+    cases = [("bolted", {}, 60.3), ("star", {}, 120.6), ("ball", {"section": "chs:88.9x5"}, "")]
+    for node, values, shear in cases:
+        made = api.fabricate(roof, "beams+nodes", node=node, **values)
+        bolts = next(t for t in made.results["nodes"].tables if t.name == "bolts.csv")
+        [said] = [dict(zip(bolts.columns, row, strict=True)) for row in bolts.rows]
+        assert said["shear_kN"] == shear
+        assert made.report()["nodes"]["bolt_tension_kN"] == said["tension_kN"] > 60
+
+
+def test_a_low_beam_has_one_bolt_where_two_have_no_room(roof):
+    """What two M16 take above each other is 83.6 mm; one takes 43.2 mm."""
+    made = api.fabricate(roof, "beams+nodes", node="bolted", section="tube:80x60x5")
+    plates = [part for part in made.parts if part.kind == "end-plate"]
+    single = [part for part in plates if len(part.pattern.holes) == 1]
+    assert single
+    report = made.report()
+    assert report["nodes"]["bolts"] == sum(len(part.pattern.holes) for part in plates)
+    [words] = [words for words in report["messages"] if "without room for two bolts" in words]
+    assert words.startswith(f"nodes: {len(single)} end plates")
+    for part in single:
+        [hole] = part.pattern.holes
+        high = part.pattern.size[1]
+        assert min(hole.centre[1], high - hole.centre[1]) >= bolt_of("M16").edge - 1e-9
