@@ -5,10 +5,12 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, build
+from freecad_ortho.fabrication.bolt_strength import AREAS, Clamped
 from freecad_ortho.fabrication.bolts import BOLTS, LENGTHS, bolt_of
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.files import write
 from freecad_ortho.fabrication.limits import OK
+from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.step import read_step, write_step
 from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
@@ -210,9 +212,13 @@ def test_nodes_alone_are_those_of_plates_of_their_sizes(roof):
 def test_the_table_of_the_documents_is_that_of_the_rules():
     text = (ROOT / "docs" / "fabrication.md").read_text(encoding="utf-8")
     rows = [line for line in text.splitlines() if line.startswith("| M")]
-    written = {name: cells for name, *cells in (row.strip("| ").split(" | ") for row in rows)}
-    assert list(written) == list(BOLTS)
+    split = [row.strip("| ").split(" | ") for row in rows]
+    written = {name: cells for name, *cells in split if len(cells) == 7}
+    strength = {name: cells for name, *cells in split if len(cells) == 3}
+    assert list(written) == list(strength) == list(BOLTS)
     for name, bolt in BOLTS.items():
+        tension, shear, _ = Clamped(bolt, 1, 99.0, 99.0, 99.0, None, MATERIALS["steel"]).row()
+        assert [float(cell) for cell in strength[name]] == [AREAS[bolt.diameter], tension, shear]
         numbers = (
             *(bolt.hole, bolt.edge, bolt.spacing, bolt.wrench, bolt.drill),
             *(bolt.threaded_plate, bolt.clamped_plate),
