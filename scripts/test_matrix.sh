@@ -46,10 +46,12 @@ if [ ${#only[@]} -eq 0 ]; then
   done
 fi
 
+# Suites wait a third of their time, for timers and for what is drawn: one more at once fills that.
+at_once=$((workers + 1))
 # The one thing that runs here and, copied along, in each of the other systems.
 one="bash scripts/setup.sh --dev && . .venv/ortho-paths.sh &&
   .venv/bin/python -m pytest -q tests/freecad \
-    -n $workers --dist load --maxschedchunk 1"' "$@"'
+    -n $at_once --dist load --maxschedchunk 1"' "$@"'
 
 given=("$@")
 results=$(mktemp -d)
