@@ -16,6 +16,7 @@ from freecad_ortho.fabrication import MATERIALS, SYSTEMS, Limits, Workshop
 from freecad_ortho.fabrication.workshop import ON_SHEETS
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis.fields import fields
+from solver.mesh.remesh import OPTIONS as REMESHING
 from solver.nets import NETS
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
@@ -45,6 +46,8 @@ def words() -> Iterator[tuple[str, str]]:
         if size.name not in ("sheet", "write"):
             yield from _option(size)
     yield from ((_PROPERTIES, size.sentence) for size in ON_SHEETS)
+    for entry in REMESHING[1:]:
+        yield from _option(entry)
     for limit in Limits.options:
         yield _PROPERTIES, limit.sentence
     for system in SYSTEMS.values():

@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import sys
 
+from freecad_ortho.cli import options as options_of
 from freecad_ortho.cli import values
 from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.remesh import quads_from_triangles
+from solver.mesh.remesh import OPTIONS, quads_from_triangles
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -21,13 +22,8 @@ def add(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("input", metavar="IN.stl|obj|ply|off|glb")
     values.add_up(parser)
-    parser.add_argument("--faces", type=int, metavar="N", help="wanted number of quads")
-    parser.add_argument("--edge", type=float, metavar="L", help="wanted edge length instead")
-    parser.add_argument("--corner", type=float, default=40.0, metavar="DEG", help="kept from here")
-    parser.add_argument(
-        "--seed", type=int, default=0, metavar="K", help="another gives another net"
-    )
-    parser.add_argument("--time-limit", type=float, default=60.0, metavar="S", help="at most 3600")
+    for option in OPTIONS:
+        options_of.add(parser, option)
     values.add_output(parser)
     parser.set_defaults(run=run)
 
@@ -40,13 +36,7 @@ def run(options: argparse.Namespace) -> int:
     millimetres_per(unit)
     origin = LocalOrigin.of(vertices)
     made = quads_from_triangles(
-        origin.near(vertices),
-        triangles,
-        faces=options.faces,
-        edge=options.edge,
-        seed=options.seed,
-        time_limit=options.time_limit,
-        corner=options.corner,
+        origin.near(vertices), triangles, **options_of.given(OPTIONS, options, unit)
     )
     for remark in made.remarks:
         sys.stderr.write(f"note: {remark}\n")

@@ -250,6 +250,7 @@ def quads_from_mesh(
     edge: Any = None,
     seed: int = 0,
     time_limit: float = 60.0,
+    corner: float = 40.0,
     unit: str | None = None,
     document: FreeCAD.Document | str | None = None,
 ) -> FreeCAD.DocumentObject:
@@ -261,6 +262,7 @@ def quads_from_mesh(
         edge: wanted edge length instead.
         seed: another number gives another layout.
         time_limit: seconds that the library may take.
+        corner: border vertices that turn by more than this (degrees) are kept as corners.
         unit: of a file's coordinates; without it what the file says, else mm.
         document: where to; without it that of the mesh, the active or a new one.
 
@@ -280,6 +282,7 @@ def quads_from_mesh(
             edge=length,
             seed=seed,
             time_limit=time_limit,
+            corner=corner,
             waiting=None if move is None else lambda part: move(part, ""),
         )
     owner = None if isinstance(mesh, (str, os.PathLike)) else mesh

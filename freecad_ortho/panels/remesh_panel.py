@@ -9,20 +9,25 @@ import numpy as np
 from PySide import QtGui
 
 from freecad_ortho.objects import cad_faces
-from freecad_ortho.panels.fields import LengthField, form_rows
+from freecad_ortho.panels.fields import form_rows
+from freecad_ortho.panels.option_fields import OptionField, add_option
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 from freecad_ortho.window import context
+from solver.mesh.remesh import OPTIONS
 
 translate = FreeCAD.Qt.translate
 _QUADS = 400
 
 
 class RemeshPanel(WorkPanel):
-    """Wanted edge length, layout and time limit; OK makes the net.
+    """Wanted edge length, corners, layout and time limit; OK makes the net.
 
     Args:
         mesh: a Mesh object, or the path of a file.
+
+    Attributes:
+        fields: by the name of the option.
     """
 
     def __init__(self, mesh: Any) -> None:
@@ -33,17 +38,17 @@ class RemeshPanel(WorkPanel):
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(translate("Ortho", "Quads from triangles"))
         self.form.setWindowIcon(QtGui.QIcon(icon("remesh")))
-        self.edge = LengthField(float(f"{np.sqrt(self._area / _QUADS):.2g}"))
-        self.layout, self.time_limit = QtGui.QSpinBox(), QtGui.QSpinBox()
-        self.layout.setRange(0, 999)
-        self.time_limit.setRange(1, 3600)
-        self.time_limit.setValue(60)
         rows = form_rows(self.form)
         rows.addRow(translate("Ortho", "Triangles"), QtGui.QLabel(str(len(triangles))))
-        rows.addRow(translate("Ortho", "Edge length"), self.edge.widget)
-        rows.addRow(translate("Ortho", "Layout"), self.layout)
-        rows.addRow(translate("Ortho", "Time limit (s)"), self.time_limit)
-        self.layout.setToolTip(translate("Ortho", "Another number gives another layout of quads"))
+        first = {"edge": float(f"{np.sqrt(self._area / _QUADS):.2g}")}
+        # Instead of a number of quads an edge length is asked for.
+        asked = [option for option in OPTIONS if option.name != "faces"]
+        self.fields = {
+            option.name: OptionField(option, first.get(option.name, option.default))
+            for option in asked
+        }
+        for field in self.fields.values():
+            add_option(rows, field)
 
     @property
     def mesh(self) -> Any:
@@ -59,11 +64,8 @@ class RemeshPanel(WorkPanel):
 
     def work(self) -> bool:
         """Make the net."""
-        context.run(
-            "quads_from_mesh",
-            self.mesh,
-            edge=self.edge.millimetres,
-            seed=self.layout.value(),
-            time_limit=float(self.time_limit.value()),
-        )
+        values = {name: field.value for name, field in self.fields.items()}
+        usual = {option.name: option.default for option in OPTIONS}
+        changed = {name: value for name, value in values.items() if value != usual[name]}
+        context.run("quads_from_mesh", self.mesh, **changed)
         return True

@@ -31,6 +31,7 @@ from solver.mesh.openings import Loops, Misfit, far_loop, other_loops
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.quadriflow import LIBRARY, Quadriflow
 from solver.mesh.triangles import sound_triangles
+from solver.option import Option
 
 # Most quads that are made, and the longest that the library may take, in seconds.
 _MOST, _LONGEST = 200_000, 3600.0
@@ -44,6 +45,25 @@ _HOPELESS = 10.0
 _REACH = 0.5
 # An edge of this part of its width keeps an opening, as a rule.
 _OF_OPENING = 1 / 7
+
+# What may be said about the quads.
+OPTIONS = (
+    Option("faces", None, "count", "wanted number of quads"),
+    Option(
+        *("edge", None, "length", "quads have edges about this long"),
+        title="Edge length",
+        brief="wanted edge length instead",
+    ),
+    Option("corner", 40.0, "angle", "border vertices that turn by more than this are kept"),
+    Option(
+        *("seed", 0, "count", "another number gives another layout of quads"),
+        title="Layout",
+    ),
+    Option(
+        *("time_limit", 60.0, "number", "seconds that the library may take, an hour at most"),
+        title="Time limit (s)",
+    ),
+)
 
 
 @dataclass(frozen=True, eq=False)

@@ -244,7 +244,7 @@ class TestPanels(SourceWindowCase):
         FreeCADGui.runCommand("Ortho_QuadsFromMesh")
         wait()
         panel = RemeshPanel(mesh)
-        self.assertGreater(panel.edge.millimetres, 100.0)
+        self.assertGreater(panel.fields["edge"].value, 100.0)
         with mock.patch("solver.mesh.remesh.LIBRARY", "no_such_library"):
             press("Ok")
         self.assertIn("no_such_library is not installed", self.errors.pop())

@@ -1612,11 +1612,6 @@
    <translation>Winkel der Drehungen um x, dann y, dann z</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
-   <source>Another number gives another layout of quads</source>
-   <translation>Eine andere Zahl ergibt eine andere Anordnung der Vierecke</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Area load</source>
    <translation>Flächenlast</translation>
@@ -1988,6 +1983,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Corner</source>
+   <translation>Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cross rise</source>
    <translation>Querstich</translation>
   </message>
@@ -2127,7 +2127,7 @@
    <translation>Randhöhe</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge length</source>
    <translation>Kantenlänge</translation>
   </message>
@@ -2717,7 +2717,7 @@
    <translation>Lagen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Layout</source>
    <translation>Anordnung</translation>
   </message>
@@ -4015,7 +4015,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Neigung</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Time limit (s)</source>
    <translation>Zeitgrenze (s)</translation>
   </message>
@@ -4336,6 +4336,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>another number gives another layout of quads</source>
+   <translation>eine andere Zahl gibt eine andere Anordnung der Vierecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>arc</source>
    <translation>Bogen</translation>
   </message>
@@ -4448,6 +4453,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bolted hubs have walls of this thickness</source>
    <translation>geschraubte Naben haben Wände dieser Dicke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>border vertices that turn by more than this are kept</source>
+   <translation>Randpunkte, die um mehr als dies abknicken, bleiben</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -5146,6 +5156,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>quads have edges about this long</source>
+   <translation>Kanten der Vierecke sind etwa so lang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>quarter</source>
    <translation>Viertel</translation>
   </message>
@@ -5188,6 +5203,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>zweites</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>seconds that the library may take, an hour at most</source>
+   <translation>Sekunden, die die Bibliothek brauchen darf, höchstens eine Stunde</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -1612,11 +1612,6 @@
    <translation>Angles des rotations autour de x, puis y, puis z</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
-   <source>Another number gives another layout of quads</source>
-   <translation>Un autre nombre donne une autre disposition des quadrilatères</translation>
-  </message>
-  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Area load</source>
    <translation>Charge surfacique</translation>
@@ -1988,6 +1983,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Corner</source>
+   <translation>Coin</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cross rise</source>
    <translation>Flèche transversale</translation>
   </message>
@@ -2127,7 +2127,7 @@
    <translation>Hauteur de rive</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge length</source>
    <translation>Longueur d'arête</translation>
   </message>
@@ -2717,7 +2717,7 @@
    <translation>Couches</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Layout</source>
    <translation>Disposition</translation>
   </message>
@@ -4015,7 +4015,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Inclinaison</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/remesh_panel.py" />
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Time limit (s)</source>
    <translation>Limite de temps (s)</translation>
   </message>
@@ -4336,6 +4336,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>another number gives another layout of quads</source>
+   <translation>un autre nombre donne une autre disposition des quadrilatères</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>arc</source>
    <translation>arc</translation>
   </message>
@@ -4448,6 +4453,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bolted hubs have walls of this thickness</source>
    <translation>épaisseur de paroi des moyeux boulonnés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>border vertices that turn by more than this are kept</source>
+   <translation>les sommets du bord qui tournent de plus sont gardés</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -5146,6 +5156,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>quads have edges about this long</source>
+   <translation>les arêtes des quadrilatères ont à peu près cette longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>quarter</source>
    <translation>quart</translation>
   </message>
@@ -5188,6 +5203,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>second</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>seconds that the library may take, an hour at most</source>
+   <translation>secondes accordées à la bibliothèque, une heure au plus</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
