@@ -129,6 +129,9 @@ class DesignSettings(TypedDict, total=False):
     material: str
     supports: str
     joints: str
+    eccentric: float
+    layers: float
+    crossings: str
     self_weight: bool
     panels: float
     panel_shear: float

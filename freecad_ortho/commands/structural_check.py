@@ -7,6 +7,8 @@ import FreeCADGui
 
 from freecad_ortho.commands.command import NetCommand
 from freecad_ortho.objects.net import is_net
+from freecad_ortho.structural.sizing import LISTS
+from freecad_ortho.structural.sizing_groups import ALL
 from freecad_ortho.window import context, dialogs, messages
 from solver.errors import InputError
 
@@ -47,6 +49,17 @@ def write_check(feature: FreeCAD.DocumentObject) -> None:
             context.run("write_check_files", feature, folder)
             said = FreeCAD.Qt.translate("Ortho", "Files of the check written to {}")
             messages.show_status(said.format(folder))
+
+
+def size_check(feature: FreeCAD.DocumentObject) -> None:
+    """Look for the lightest section of a list that the user chooses."""
+    with messages.errors_shown(), messages.busy():
+        chosen = dialogs.ask_sections(tuple(LISTS))
+        if chosen is not None:
+            sections, groups = chosen
+            more = {} if groups == ALL else {"groups": groups}
+            context.run("size_structural_check", feature, sections, **more)
+            messages.show_in_status_bar(f"{feature.Label}: {feature.Verdict}")
 
 
 def _open(net: FreeCAD.DocumentObject, edited: FreeCAD.DocumentObject | None) -> None:

@@ -41,6 +41,7 @@ from freecad_ortho.documents.sources import (
 from freecad_ortho.documents.structural_checks import (
     add_structural_check,
     change_structural_check,
+    size_structural_check,
     write_check_files,
 )
 from freecad_ortho.documents.structures import (
@@ -107,6 +108,7 @@ __all__ = [
     "save_picture",
     "set_net",
     "show_net",
+    "size_structural_check",
     "update_structures",
     "weld_nets",
     "write_check_files",

@@ -20,6 +20,7 @@ from freecad_ortho.documents.common import (
 from freecad_ortho.objects import places, structural_check
 from freecad_ortho.standing import write_structural_check
 from freecad_ortho.structural.design import Design
+from freecad_ortho.structural.sizing_groups import ALL, FAMILIES
 from solver.errors import InputError
 
 if TYPE_CHECKING:
@@ -90,6 +91,37 @@ def change_structural_check(
     properties = _properties(settings, structural_check.design_of(target))
     with changing(target, properties), progress(target.Label) as say:
         structural_check.rebuild(target, say)
+
+
+def size_structural_check(
+    target: FreeCAD.DocumentObject, sections: str = "tubes", *, groups: str = "all"
+) -> str:
+    """Give a structural check the lightest section with which it passes.
+
+    Args:
+        target: the structural check, whose members are not those of beams.
+        sections: a list (tubes, plates, glulam) or names of sections joined by "+".
+        groups: ``all`` members have the same one, or those of ``families`` (u, v, border, inner)
+            their own.
+
+    Returns:
+        What was found, in a line.
+
+    Raises:
+        InputError: no structural check, none of the sections passes, or what cannot be checked; it
+            is unchanged.
+        OrthoError: Esc was pressed; it is unchanged.
+    """
+    _require_check(target)
+    if groups not in (ALL, FAMILIES):
+        raise InputError(f"groups: expected {ALL} or {FAMILIES}, got '{groups[:40]}'")
+    title = FreeCAD.Qt.translate("Ortho", "Finding the lightest section")
+    with progress(title) as say:
+        found = structural_check.sized(target, sections, groups, say)
+    if not found.check.passed:
+        raise InputError(f"{target.Label}: {found.verdict}")
+    change_structural_check(target, section=found.check.model.design.section)
+    return found.verdict
 
 
 def write_check_files(target: FreeCAD.DocumentObject, folder: str | os.PathLike[str]) -> list[Path]:

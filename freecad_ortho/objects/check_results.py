@@ -135,11 +135,12 @@ def store(
         turn: (3, 3) rotation from there to where z is up.
     """
     report = check_numbers(found)
-    members = found.model.frame.members
+    # Drawn on the net, arms or not.
+    members = np.asarray(found.model.mesh.connectivity.edges)
     moved = max(found.service, key=lambda one: float(one.displacement.max()), default=None)
     first = found.first_to_buckle
     modes = None if first is None else first.buckling
-    moves = np.zeros((0, 3)) if moved is None else moved.response.displacements[:, :3]
+    moves = np.zeros((0, 3)) if moved is None else moved.response.displacements[: len(nodes), :3]
     shapes = np.zeros((0, 3)) if modes is None else _with_middles(modes.shapes, found)
     values: dict[str, Any] = {
         "Passed": found.passed,
@@ -168,8 +169,10 @@ def store(
 
 def _with_middles(shapes: FloatArray, found: StructuralCheck) -> FloatArray:
     """(k (N + M), 3) of modes (k, ..., 6) of the frame with its members in pieces."""
-    count, members = len(found.model.frame.nodes), len(found.model.frame.members)
-    pieces = found.model.design.pieces
-    within = shapes[:, count:, :3].reshape(len(shapes), members, pieces - 1, 3)
+    frame, pieces = found.model.frame, found.model.design.pieces
+    within = shapes[:, len(frame.nodes) :, :3]
+    within = within.reshape(len(shapes), len(frame.members), pieces - 1, 3)
+    within = within[:, : len(found.model.families)]
+    count = found.model.mesh.connectivity.vertex_count
     middles = 0.5 * (within[:, :, (pieces - 2) // 2] + within[:, :, (pieces - 1) // 2])
     return np.concatenate([shapes[:, :count, :3], middles], axis=1).reshape(-1, 3)

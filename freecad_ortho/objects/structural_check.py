@@ -19,10 +19,11 @@ from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.option_properties import properties, read, stored
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
 from freecad_ortho.objects.system_properties import system_of
-from freecad_ortho.standing import check_structure
+from freecad_ortho.standing import check_structure, size_structure
 from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.model import GRAVITY
+from freecad_ortho.structural.sizing import Sizing
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 
@@ -181,6 +182,29 @@ def checked(
     mesh, _ = _standing_mesh(feature)
     lines = list(feature.Combinations) or None
     return check_structure(mesh, combinations=lines, progress=progress, **_design(feature))
+
+
+def sized(
+    feature: FreeCAD.DocumentObject,
+    sections: str,
+    groups: str,
+    progress: outdated.Progress | None = None,
+) -> Sizing:
+    """Look for the lightest section with which it passes.
+
+    Raises:
+        InputError: what cannot be checked, or members that are those of beams.
+    """
+    if feature.Members is not None:
+        raise InputError(
+            f"{feature.Label}: has the members of {feature.Members.Label}; give its section here "
+            "first"
+        )
+    mesh, _ = _standing_mesh(feature)
+    design = _design(feature)
+    design.pop("section")
+    common: Any = {"combinations": list(feature.Combinations) or None, "progress": progress}
+    return size_structure(mesh, sections, groups=groups, **common, **design)
 
 
 def rebuild(feature: FreeCAD.DocumentObject, progress: outdated.Progress | None = None) -> None:

@@ -9,9 +9,9 @@ from PySide import QtGui
 
 from freecad_ortho.objects import structural_check
 from freecad_ortho.objects.kinds import BEAMS, is_structure
+from freecad_ortho.panels.check_picking import LoadPicking, SupportPicking
 from freecad_ortho.panels.fields import TextField, elided, form_rows, leave_room, shortened
 from freecad_ortho.panels.option_fields import OptionField
-from freecad_ortho.panels.support_picking import SupportPicking
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
 from freecad_ortho.structural.design import Design
@@ -57,6 +57,8 @@ class StructuralPanel(WorkPanel):
         }
         self.texts = {"wind": TextField(), "load": TextField()}
         self.picking = SupportPicking(net, self.fields["supports"])
+        self.load_picking = LoadPicking(net, self.texts["load"], _BETWEEN)
+        self.picking.beside, self.load_picking.beside = self.load_picking, self.picking
         self._add_rows()
         self.beams.currentIndexChanged.connect(self._with_beams)
         self._before = self._chosen()
@@ -75,7 +77,7 @@ class StructuralPanel(WorkPanel):
 
     def work(self) -> bool:
         """Check."""
-        self.picking.stop()
+        self._pick_no_more()
         chosen = self._chosen()
         new = {name: chosen[name] for name in chosen if chosen[name] != self._before[name]}
         if self._edited is None:
@@ -90,8 +92,12 @@ class StructuralPanel(WorkPanel):
 
     def reject(self) -> bool:
         """Leave everything as it was."""
-        self.picking.stop()
+        self._pick_no_more()
         return super().reject()
+
+    def _pick_no_more(self) -> None:
+        self.picking.stop()
+        self.load_picking.stop()
 
     def _object(self, name: str) -> FreeCAD.DocumentObject | None:
         if self._document not in FreeCAD.listDocuments():
@@ -135,6 +141,7 @@ class StructuralPanel(WorkPanel):
         ):
             field.widget.setToolTip(tip)
             self._rows.addRow(label, field.widget)
+        self._rows.addRow("", self.load_picking.button)
 
     def _with_beams(self, *_: Any) -> None:
         """Beams say what the members are."""

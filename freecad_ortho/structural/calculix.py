@@ -21,10 +21,11 @@ def input_file(model: Model) -> str | None:
     """Beams with three nodes, a static step a load case; N, mm, t.
 
     None where CalculiX has no such model: sections other than rectangles and tubes, joints that are
-    not rigid, springs as supports, panels that stiffen.
+    not rigid, springs as supports, panels that stiffen, members that are not on the net.
     """
     sections = [found for found in map(_section, model.groups) if found is not None]
     springs = bool(model.supports.springs.any()) or model.design.panel_shear > 0
+    springs = springs or len(model.frame.members) > len(model.families)
     if len(sections) < len(model.groups) or model.design.joints != "rigid" or springs:
         return None
     return "\n".join(_lines(model, sections)) + "\n"

@@ -111,7 +111,7 @@ class StructuralCheck:
     @cached_property
     def utilisation(self) -> FloatArray:
         """(M,) largest of all combinations."""
-        none = np.zeros(len(self.model.frame.members))
+        none = np.zeros(len(self.model.families))
         each = [none, *(one.utilisation for one in self.strength)]
         return np.asarray(np.max(each, axis=0))
 
@@ -165,6 +165,16 @@ class StructuralCheck:
     def balance(self) -> float:
         """Largest imbalance of loads and reactions."""
         return max(one.balance for one in self.found)
+
+    @cached_property
+    def arm_forces(self) -> tuple[float, float]:
+        """Largest force along an arm or bolt and across it, for strength, N; 0 without any."""
+        frame, first = self.model.frame, len(self.model.families)
+        if len(frame.members) == first:
+            return 0.0, 0.0
+        forces = np.stack([one.response.forces_at(frame, 0.5)[first:] for one in self.strength])
+        across = np.hypot(forces[:, :, 1], forces[:, :, 2])
+        return float(np.abs(forces[:, :, 0]).max()), float(across.max())
 
     @cached_property
     def panel_shear(self) -> float:
@@ -295,7 +305,7 @@ def _one(
     whole = _summed(factors, cases)
     loads = _summed(factors, [case.loads for case in model.cases])
     balance = imbalance(model.frame, loads, whole.reactions)
-    count = len(model.frame.members)
+    count = len(model.families)
     if combination.kind == SERVICE:
         none = np.zeros(count)
         return Found(
@@ -303,13 +313,13 @@ def _one(
         )
     mode = buckling(pieces.system, _summed(factors, pieces.cases), model.design.modes)
     carried = None
-    forces = np.stack([whole.forces_at(model.frame, part) for part in STATIONS])
+    forces = np.stack([whole.forces_at(model.frame, part) for part in STATIONS])[:, :count]
     share, drawn = _bent(strain_energies(model, forces)), len(forces)
     # What buckles under its load does not pass anyway.
     if model.design.second_order and len(mode.factors) and 1 < mode.factors[0] < ENOUGH:
         carried, deformed = pieces.second_order(mode, _summed(factors, pieces.loads))
-        forces = np.concatenate([forces, deformed])
-    lengths = model.design.buckling_length * model.frame.lengths
+        forces = np.concatenate([forces, deformed[:, :count]])
+    lengths = model.design.buckling_length * model.bare.lengths
     permanent = combination.permanent(model.cases)
     section, member = np.empty(forces.shape[:2]), np.empty(count)
     for group in model.groups:
@@ -335,7 +345,7 @@ def _governing(section: FloatArray, member: FloatArray, forces: FloatArray) -> I
 
 def strain_energies(model: Model, forces: FloatArray) -> FloatArray:
     """(M, 6) twice the energy of N, Vy, Vz, T, My, Mz in members, of (K, M, 6) along them, Nmm."""
-    of = model.frame.stiffness
+    of = model.bare.stiffness
     stiff = np.stack(
         [
             of.youngs * of.area,
@@ -348,7 +358,7 @@ def strain_energies(model: Model, forces: FloatArray) -> FloatArray:
         axis=1,
     )
     squares = 0.5 * (forces[1:] ** 2 + forces[:-1] ** 2).mean(axis=0)
-    return np.asarray(squares / stiff * model.frame.lengths[:, None])
+    return np.asarray(squares / stiff * model.bare.lengths[:, None])
 
 
 def _bent(energy: FloatArray) -> float:

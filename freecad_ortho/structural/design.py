@@ -33,6 +33,9 @@ class Design:
     material: str = ""
     supports: str = "boundary"
     joints: str = "rigid"
+    eccentric: float = 0.0
+    layers: float = 0.0
+    crossings: str = "rigid"
     self_weight: bool = True
     panels: float = 0.0
     panel_shear: float = 0.0
@@ -61,6 +64,20 @@ class Design:
         Option(
             "joints", "rigid", "text",
             "Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad",
+        ),
+        Option(
+            "eccentric", 0.0, "distance",
+            "How far the middle of sections lies above the net, along its axes",
+        ),
+        Option(
+            "layers", 0.0, "length",
+            "Lines u and v in two layers, u above: distance between the middles of their sections",
+            absent="one layer",
+        ),
+        Option(
+            "crossings", "rigid", "text",
+            "How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness "
+            "of a spring in kNm/rad",
         ),
         Option(
             "self_weight", True, "flag", "Weight of the members is a load",
@@ -111,7 +128,9 @@ class Design:
             value = getattr(self, option.name)
             if not (value is None and option.default is None):
                 option.check(option.plain(value))
-        for name, unit in (("panels", "kN/m2"), ("snow", "kN/m2"), ("panel_shear", "kN/mm")):
+        for name, unit in (
+            ("panels", "kN/m2"), ("snow", "kN/m2"), ("panel_shear", "kN/mm"), ("layers", "mm"),
+        ):  # fmt: skip
             if getattr(self, name) < 0:
                 raise InputError(f"{name}: expected 0 {unit} or more, got {getattr(self, name):g}")
         if self.pieces < 2:
@@ -122,6 +141,7 @@ class Design:
         self.winds()
         self.points()
         self.joint_spring()
+        self.crossing_spring()
 
     def winds(self) -> list[tuple[float, FloatArray, str]]:
         """Pressure, kN/m2, unit direction and name of each wind."""
@@ -167,22 +187,30 @@ class Design:
 
     def joint_spring(self) -> float:
         """Stiffness about the member's y and z at its ends, Nmm/rad; infinite where rigid."""
-        words: Mapping[str, float] = dict(zip(_JOINTS, (np.inf, 0.0), strict=True))
-        if self.joints in words:
-            return words[self.joints]
-        try:
-            value = float(self.joints)
-        except ValueError:
-            value = -1.0
-        if not 0 <= value < np.inf:
-            raise InputError(
-                f"joints: expected rigid, hinged or a stiffness in kNm/rad, got "
-                f"'{self.joints[:40]}'"
-            )
-        return 1e6 * value
+        return _turning("joints", self.joints)
+
+    def crossing_spring(self) -> float:
+        """Stiffness of layers turning about their bolts, Nmm/rad; infinite where rigid."""
+        return _turning("crossings", self.crossings)
 
     def chosen_side(self) -> FloatArray | None:
         """(3,) direction of the half that snow lies on alone, None for none."""
         option = next(one for one in self.options if one.name == "snow_side")
         side = np.asarray(option.plain(self.snow_side), dtype=float)
         return side if side.any() else None
+
+
+def _turning(name: str, text: str) -> float:
+    """Stiffness of a joint, Nmm/rad."""
+    words: Mapping[str, float] = dict(zip(_JOINTS, (np.inf, 0.0), strict=True))
+    if text in words:
+        return words[text]
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value < np.inf:
+        raise InputError(
+            f"{name}: expected rigid, hinged or a stiffness in kNm/rad, got '{text[:40]}'"
+        )
+    return 1e6 * value

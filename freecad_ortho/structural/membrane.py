@@ -35,7 +35,7 @@ def membrane(model: Model, loads: Loads, found: Response) -> Membrane | None:
     """Compare force densities, N / L, of the frame and of the nearest state without bending.
 
     All loads are gathered at the nodes, half of what lies on a member at each end. None where no
-    node is both free and loaded.
+    node is both free and loaded, or members are not on the net.
 
     Args:
         model: the frame on its net.
@@ -43,6 +43,8 @@ def membrane(model: Model, loads: Loads, found: Response) -> Membrane | None:
         found: the frame's response to it.
     """
     frame, net = model.frame, model.mesh.connectivity
+    if len(frame.members) > len(model.families):
+        return None
     supported = model.supports.fixed | (model.supports.springs > 0)
     held = np.asarray(supported[:, :3].any(axis=1))
     free = ~held & net.referenced

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.groups import Group, groups_of
+from freecad_ortho.structural.layers import off_the_net
 from freecad_ortho.structural.supports import supports_of
 from solver.errors import InputError
 from solver.frame.model import Frame, Loads, Stiffness, Supports
@@ -45,14 +47,14 @@ class Model:
     """What is checked, in N, mm and MPa.
 
     Attributes:
-        mesh: the net, mm; its vertices are the nodes, its edges the members.
+        mesh: the net, mm; its vertices are the first nodes, its edges the first members.
         design: what it was made from.
         groups: of members, each with its section; every member is in one.
-        frame: of members.
+        frame: of members; after them the arms of those that are not on the net.
         supports: of the nodes.
         cases: of loads.
-        families: of each member, ``u``, ``v`` or ``border``; ``inner`` where these do not tell. Or
-            the groups that were asked for.
+        families: (M,) of each member, ``u``, ``v`` or ``border``; ``inner`` where these do not
+            tell. Or the groups that were asked for.
     """
 
     mesh: QuadMesh
@@ -69,10 +71,22 @@ class Model:
         used = self.mesh.vertices[self.mesh.connectivity.referenced]
         return float(np.sort(np.ptp(used, axis=0))[1])
 
+    @cached_property
+    def bare(self) -> Frame:
+        """The members alone, without arms; all nodes."""
+        frame, own = self.frame, np.arange(len(self.families))
+        return replace(
+            frame,
+            members=frame.members[own],
+            stiffness=frame.stiffness.taken(own),
+            up=frame.up[own],
+            springs=frame.springs[own],
+        )
+
     @property
     def mass(self) -> float:
         """Of all members by their length from node to node, kg."""
-        lengths = self.frame.lengths
+        lengths = self.bare.lengths
         return sum(
             group.material.mass(group.profile.area * float(lengths[group.members].sum()))
             for group in self.groups
@@ -109,7 +123,7 @@ def model_of(mesh: QuadMesh, design: Design, groups: Sequence[str] | None = None
     words = families_of(mesh) if groups is None else tuple(groups)
     sections = groups_of(design.section, design.material, words)
     frame = _frame(mesh, sections, design)
-    supports = supports_of(design.supports, mesh.connectivity)
+    supports = supports_of(design.supports, mesh.connectivity).followed_by(len(frame.nodes))
     cases = tuple(_cases(mesh, frame, design, sections))
     if not cases:
         raise InputError("loads: there are none; give snow, wind, panels or a load")
@@ -152,7 +166,9 @@ def _frame(mesh: QuadMesh, groups: Sequence[Group], design: Design) -> Frame:
     if design.panel_shear:
         faces = np.asarray(mesh.faces)
         panels = Panels.of_shear(mesh.vertices, faces, 1000.0 * design.panel_shear)
-    return Frame(mesh.vertices, members, stiffness, axes[members].sum(axis=1), springs, panels)
+    up = axes[members].sum(axis=1)
+    on_net = Frame(mesh.vertices, members, stiffness, up, springs, panels)
+    return off_the_net(on_net, mesh, axes, design)
 
 
 def _cases(mesh: QuadMesh, frame: Frame, design: Design, groups: Sequence[Group]) -> list[Case]:
@@ -166,7 +182,7 @@ def _cases(mesh: QuadMesh, frame: Frame, design: Design, groups: Sequence[Group]
         loads = Loads.none(frame)
         for group in groups:
             weight = group.material.mass(1.0) * group.profile.area * GRAVITY
-            loads.spread[group.members] = weight * down
+            loads.spread[np.flatnonzero(group.members)] = weight * down
         found.append(Case("self-weight", PERMANENT, loads))
     if design.panels:
         force = design.panels * _MPA * size[:, None] * down
@@ -189,10 +205,10 @@ def _cases(mesh: QuadMesh, frame: Frame, design: Design, groups: Sequence[Group]
     if points:
         loads = Loads.none(frame)
         for vertex, force in points:
-            if not (vertex < len(frame.nodes) and mesh.connectivity.referenced[vertex]):
+            count = mesh.connectivity.vertex_count
+            if not (vertex < count and mesh.connectivity.referenced[vertex]):
                 raise InputError(
-                    f"load: there is no vertex {vertex} in the net; it has {len(frame.nodes)}, "
-                    "counted from 0"
+                    f"load: there is no vertex {vertex} in the net; it has {count}, counted from 0"
                 )
             loads.nodal[vertex, :3] += 1000.0 * force
         found.append(Case("point loads", IMPOSED, loads))

@@ -27,7 +27,7 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
         "verdict": {"passed": check.passed, "words": check.verdict, "failures": check.failures},
         "section": model.section_words,
         "material": model.material_words,
-        "members": len(model.frame.members),
+        "members": len(model.families),
         "mass_of_members_kg": model.mass,
         "utilisation": float(check.utilisation[worst]),
         "most_used_member": worst,
@@ -96,7 +96,8 @@ def combination_numbers(combinations: list[Combination]) -> dict[str, Any]:
 
 def model_numbers(model: Model) -> dict[str, Any]:
     """The frame with sections, supports and load cases; N, mm, MPa, z upwards."""
-    frame = model.frame
+    frame, bare = model.frame, model.bare
+    count = len(model.families)
     springs = [
         {"node": int(node), "stiffness": model.supports.springs[node].tolist()}
         for node in range(len(frame.nodes))
@@ -108,14 +109,20 @@ def model_numbers(model: Model) -> dict[str, Any]:
         "members": [
             {"nodes": pair, "z": up, "family": family, "section": section}
             for pair, up, family, section in zip(
-                frame.members.tolist(),
-                frame.axes[:, 2].tolist(),
+                bare.members.tolist(),
+                bare.axes[:, 2].tolist(),
                 model.families,
                 model.section_numbers.tolist(),
                 strict=True,
             )
         ],
         "joints": model.design.joints,
+        "arms_and_bolts": [
+            {"nodes": pair, "turning_about_it": None if np.isinf(turning) else turning}
+            for pair, turning in zip(
+                frame.members[count:].tolist(), frame.springs[count:, 3].tolist(), strict=True
+            )
+        ],
         "sections": [_section(group) for group in model.groups],
         "supports": [
             {"node": int(node), "fixed": model.supports.fixed[node].tolist()}
@@ -127,7 +134,7 @@ def model_numbers(model: Model) -> dict[str, Any]:
             {
                 "name": case.name,
                 "kind": case.kind,
-                "force_by_length_of_members": case.loads.spread.tolist(),
+                "force_by_length_of_members": case.loads.spread[:count].tolist(),
                 "forces_at_nodes": [
                     {"node": int(node), "force": case.loads.nodal[node].tolist()}
                     for node in range(len(frame.nodes))

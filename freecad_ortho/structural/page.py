@@ -31,7 +31,7 @@ def check_page(check: StructuralCheck, project: str = "") -> str:
     bad = "" if check.passed else " bad"
     sections = [
         f"<h1>{title}</h1>",
-        f"<p>{len(model.frame.members)} members {escape(model.section_words)} of "
+        f"<p>{len(model.families)} members {escape(model.section_words)} of "
         f"{escape(model.material_words)}, {model.mass / 1000:.2f} t by their length from node to "
         "node. A design check of a conceptual model, no proof for a permit: an engineer has to "
         "answer for it.</p>",
@@ -61,7 +61,7 @@ def _list(title: str, items: Sequence[str]) -> str:
 
 
 def _pictures(check: StructuralCheck) -> str:
-    frame = check.model.frame
+    frame = check.model.bare
     percent = 100 * check.utilisation
     figures = [
         _figure(
@@ -94,9 +94,9 @@ def _shape(check: StructuralCheck, shape: FloatArray, words: str, unit: str) -> 
     size = np.linalg.norm(shape, axis=1)
     largest = float(size.max())
     drawn = _DRAWN * check.model.span / largest if largest else 0.0
-    values = size[check.model.frame.members].mean(axis=1)
+    values = size[check.model.bare.members].mean(axis=1)
     picture = frame_picture(
-        check.model.frame, values, largest, unit, CORNER, words, moved=drawn * shape
+        check.model.bare, values, largest, unit, CORNER, words, moved=drawn * shape
     )
     times = f", drawn {drawn:.3g} times as large" if unit else ""
     return _figure(picture, f"{words}{times}")

@@ -114,8 +114,9 @@ def _strained(found: StructuralCheck, groups: np.ndarray) -> dict[str, float]:
     moves = found.deflection > found.deflection_limit
     worst = max(found.service, key=lambda one: float(one.displacement.max())) if moves else None
     by = worst or found.first_to_buckle or found.strength[0]
-    frame = found.model.frame
-    forces = np.stack([by.response.forces_at(frame, part) for part in STATIONS])
+    whole, frame = found.model.frame, found.model.bare
+    forces = np.stack([by.response.forces_at(whole, part) for part in STATIONS])
+    forces = forces[:, : len(groups)]
     energy = strain_energies(found.model, forces).sum(axis=1)
     volume = frame.stiffness.area * frame.lengths
     return {
@@ -127,7 +128,7 @@ def _strained(found: StructuralCheck, groups: np.ndarray) -> dict[str, float]:
 def _saved(found: StructuralCheck, words: Sequence[str], group: str, name: str) -> float:
     """Volume that a lighter section of a group saves, mm3."""
     own = np.array(words) == group
-    frame = found.model.frame
+    frame = found.model.bare
     return float(((frame.stiffness.area - profile(name).area) * frame.lengths)[own].sum())
 
 

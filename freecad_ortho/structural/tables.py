@@ -34,11 +34,13 @@ def members(check: StructuralCheck) -> tuple[tuple[str, ...], Iterator[Row]]:
 
 
 def _members(check: StructuralCheck) -> Iterator[Row]:
-    frame, found = check.model.frame, check.strength
+    frame, found = check.model.bare, check.strength
+    ends = np.asarray(check.model.mesh.connectivity.edges)
     sections = [group.profile.name for group in check.model.groups]
     of_group = check.model.section_numbers.tolist()
-    forces = [[one.response.forces_at(frame, part) for _, part in _AT] for one in found]
-    for member, ((one, two), length) in enumerate(zip(frame.members, frame.lengths, strict=True)):
+    whole = check.model.frame
+    forces = [[one.response.forces_at(whole, part) for _, part in _AT] for one in found]
+    for member, ((one, two), length) in enumerate(zip(ends, frame.lengths, strict=True)):
         number = int(check.governing[member])
         by = found[number]
         values = (check.governing_forces, *forces[number])
@@ -61,7 +63,7 @@ def _forces(check: StructuralCheck) -> Iterator[Row]:
     for one in check.strength:
         for place, part in _AT:
             values = one.response.forces_at(check.model.frame, part) * _KILO
-            for member, row in enumerate(values):
+            for member, row in enumerate(values[: len(check.model.families)]):
                 yield (one.combination.name, member, place, *_shown(row))
 
 
@@ -71,7 +73,7 @@ def displacements(check: StructuralCheck) -> tuple[tuple[str, ...], Iterator[Row
 
 
 def _displacements(check: StructuralCheck) -> Iterator[Row]:
-    used = np.unique(check.model.frame.members)
+    used = np.flatnonzero(check.model.mesh.connectivity.referenced)
     for one in check.service:
         for node in used.tolist():
             row = one.response.displacements[node] * _MILLI

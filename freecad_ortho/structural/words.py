@@ -9,7 +9,8 @@ from freecad_ortho.words import counted
 NOT_CHECKED = (
     "the nodes and their bolts and welds, the supports and what is below them",
     "the panels and their fixings, whether they are weight and area only or stiffen the shell too",
-    "local buckling of thin walls (class 4 sections), warping torsion, eccentric joints",
+    "local buckling of thin walls (class 4 sections), warping torsion, joints that are more "
+    "eccentric than was given",
     "erection, fatigue, fire, earthquake, temperature, settlement, accidental loads",
     "pressure coefficients, gusts and drifted snow by EN 1991: loads act as they are given",
     "the sag of members between their nodes: displacements are those of nodes",
@@ -22,8 +23,8 @@ def assumptions(check: StructuralCheck) -> list[str]:
     model, design = check.model, check.model.design
     rules = "; ".join(dict.fromkeys(group.rules.words for group in model.groups))
     words = [
-        f"Members are straight between vertices, {model.section_words}, their middle on the net, "
-        "upright along its axes.",
+        f"Members are straight between vertices, {model.section_words}, their middle "
+        f"{_place(check)}, upright along its axes.",
         *dict.fromkeys(map(_of_material, model.groups)),
         f"Joints are {_joints(design.joints)}; supports: {design.supports}.",
         f"Sections and members are checked by {rules}; buckling length "
@@ -32,6 +33,13 @@ def assumptions(check: StructuralCheck) -> list[str]:
         "spread evenly.",
         f"Buckling is linear, with {counted(design.pieces, 'piece')} a member.",
     ]
+    if design.layers:
+        along, across = (force / 1e3 for force in check.arm_forces)
+        words.append(
+            f"Lines u and v are joined where they cross, {_joints(design.crossings)} about the "
+            f"bolt; by first order a bolt takes up to {across:.1f} kN across and {along:.1f} kN "
+            "along, from the net to the middle of a section."
+        )
     if design.panel_shear:
         words.append(
             f"Panels stiffen the shell with G t = {design.panel_shear:g} kN/mm, in every "
@@ -55,6 +63,18 @@ def _of_material(group: Group) -> str:
         f"{material.name}: E {material.youngs_modulus:g} MPa, G {material.shear_modulus:.0f} MPa, "
         f"strength {material.bending_limit:g} MPa."
     )
+
+
+def _place(check: StructuralCheck) -> str:
+    design = check.model.design
+    if not design.eccentric and not design.layers:
+        return "on the net"
+    middle = (
+        f"{design.eccentric:g} mm above the net" if design.eccentric else "on both sides of the net"
+    )
+    if not design.layers:
+        return middle
+    return f"in two layers {design.layers:g} mm apart, u over v, {middle}"
 
 
 def _joints(joints: str) -> str:

@@ -133,6 +133,10 @@ class CheckView(Stateless):
             ),
             (translate("Ortho", "Next buckling shape"), self.next_mode),
             (translate("Ortho", "Let the shape swing"), self.swing),
+            (
+                translate("Ortho", "Find the lightest section"),
+                lambda: answers.ask("size check", self.Object),
+            ),
             (translate("Ortho", "Write files"), lambda: answers.ask("write check", self.Object)),
         ):
             entry = QtGui.QAction(words, menu)

@@ -70,6 +70,29 @@ def ask_picture() -> tuple[str, int, int] | None:
     return name, numbers[0], numbers[1]
 
 
+def ask_sections(lists: Sequence[str]) -> tuple[str, str] | None:
+    """Ask for a list of sections, and what has one of its own; None when the user cancels."""
+    title = translate("Ortho", "Find the lightest section")
+    names, accepted = QtGui.QInputDialog.getItem(
+        FreeCADGui.getMainWindow(),
+        title,
+        translate("Ortho", "A list, or sections joined by +"),
+        list(lists),
+        0,
+        True,
+    )
+    if not accepted or not names.strip():
+        return None
+    words = {
+        translate("Ortho", "one section for all"): "all",
+        translate("Ortho", "border, u and v have their own"): "families",
+    }
+    groups, accepted = QtGui.QInputDialog.getItem(
+        FreeCADGui.getMainWindow(), title, translate("Ortho", "Members"), list(words), 0, False
+    )
+    return (names.strip(), words[groups]) if accepted else None
+
+
 def _filter(title: str, endings: Sequence[str]) -> str:
     return f"{title} ({' '.join(f'*{ending}' for ending in endings)})"
 

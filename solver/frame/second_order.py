@@ -148,6 +148,7 @@ class _Moving:
         self._system = system
         self._load, self._given = at_nodes(system, loads)
         self._axes, self._lengths = frame.axes, frame.lengths
+        self._spans = frame.nodes[frame.members[:, 1]] - frame.nodes[frame.members[:, 0]]
         self._spread = np.einsum("mij,mj->mi", self._axes, loads.spread)
         self._turn = turns(frame, system.supports, np.broadcast_to(np.eye(3), self._axes.shape))
         self._springs = system.supports.springs.ravel()
@@ -159,7 +160,9 @@ class _Moving:
 
     def _ends(self) -> Ends:
         frame, (moved, turned, _) = self._system.frame, self.state
-        places = (frame.nodes + moved)[frame.members.T]
+        # From where each member starts: far from the origin short stiff ones would lose digits.
+        places = moved[frame.members.T]
+        places[1] += self._spans
         return Ends(places, turned[frame.members.T])
 
     def _forces(self) -> tuple[FloatArray, FloatArray]:
@@ -197,7 +200,8 @@ class _Moving:
         """Move until a part of the load is balanced; whether that was found."""
         free = self._system.free
         load = factor * self._load[free]
-        size = float(np.linalg.norm(load)) or 1.0
+        # Of the whole load: of a small part of it rounding may leave more.
+        size = float(np.linalg.norm(self._load[free])) or 1.0
         for _ in range(_STEPS):
             inner, _ = self._forces()
             left = load - inner[free]

@@ -303,6 +303,13 @@ class Sequence:
         change = partial(api.change_structural_check, supports=supports, pieces=2)
         self.allowed_to_fail(change, self.dice.choice(self.checks()))
 
+    def size_structural_check(self):
+        checks = [item for item in self.checks() if "Invalid" not in item.State]
+        if not checks or self.dice.random() < 0.5:
+            return False
+        names = "tube:60x40x4+tube:100x60x5"
+        self.allowed_to_fail(api.size_structural_check, self.dice.choice(checks), names)
+
     def write_check_files(self):
         checks = [item for item in self.checks() if "Invalid" not in item.State]
         if not checks or self.dice.random() < 0.5:

@@ -100,6 +100,39 @@ class TestPanel(CheckWindowCase):
         self.assertEqual(check.Supports, "corners:fixed+7")
         self.assertFalse(self.net.Visibility)
 
+    def test_the_lightest_section_is_looked_for_and_undone(self):
+        check = self.check(section="tube:100x60x5")
+        self.replace(dialogs, "ask_sections", lambda lists: ("tube:100x60x5+tube:40x40x3", "all"))
+        from freecad_ortho import answers
+
+        answers.ask("size check", check)
+        self.assertEqual((check.Section, check.Passed), ("tube:40x40x3", True))
+        self.assertIn("size_structural_check", self.lines[-1])
+        self.document.undo()
+        self.assertEqual(check.Section, "tube:100x60x5")
+        self.replace(dialogs, "ask_sections", lambda lists: ("plate:1x8", "all"))
+        answers.ask("size check", check)
+        self.assertIn("None of 1 sections passes", self.errors[-1])
+        self.assertEqual(check.Section, "tube:100x60x5")
+
+    def test_point_loads_are_picked_in_the_view(self):
+        check = self.check(supports="boundary")
+        check.ViewObject.Proxy.doubleClicked(check.ViewObject)
+        loads, supports = self.panel.load_picking, self.panel.picking
+        supports.button.setChecked(True)
+        loads.button.setChecked(True)
+        self.assertFalse(supports.button.isChecked())
+        self.assertTrue(self.net.Visibility)
+        loads.pick(8)
+        self.assertEqual(self.panel.texts["load"].text, "8:0,0,-1")
+        self.panel.texts["load"].widget.setText("8:0,0,-5")
+        loads.pick(9)
+        loads.pick(14)
+        loads.pick(8)
+        press("Ok")
+        self.assertEqual(check.PointLoads, ["9:0,0,-5", "14:0,0,-5"])
+        self.assertFalse(self.net.Visibility)
+
     def test_files_go_where_the_user_says(self):
         check, folder = self.check(), tools.SCRATCH / "check-window"
         self.replace(dialogs, "ask_folder", lambda: str(folder))

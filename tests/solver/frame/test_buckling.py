@@ -63,20 +63,28 @@ def test_a_cantilever_tips_over_sideways():
     assert first(built, {0: RIGID}, loads).factors[0] == pytest.approx(known, rel=0.01)
 
 
-def test_a_shallow_arch_between_hinges():
-    """Thrust pi^2 E I / (S / 2)^2, S its length: Pi, Bradford, Uy (2002), in-plane stability."""
+@pytest.mark.parametrize(("hinge", "known"), [(False, np.pi**2), (True, 4 * 1.36275**2)])
+def test_a_shallow_arch_of_two_and_three_hinges(hinge, known):
+    """Thrust by E I / (S / 2)^2, S the length of the arch.
+
+    Two hinges: pi^2, Pi, Bradford, Uy (2002), in-plane stability of arches. Three: it sinks evenly
+    at 4 u^2 with tan u - u = 4 u^3 / 3, the limit of shallow ones of (tan u - u) / u^3 =
+    4 (tan a - a) / a^3 in Timoshenko, Gere (1961), 7.5.
+    """
     radius, half, count = 20_000.0, np.pi / 12, 2 * COUNT
     at = np.pi / 2 + np.linspace(half, -half, count + 1)
     points = radius * np.stack([np.cos(at), 0 * at, np.sin(at)], axis=1)
-    built = frames.polyline(points)
+    springs = np.full((count, 12), np.inf)
+    springs[COUNT - 1, 10] = 0.0 if hinge else np.inf
+    built = frames.polyline(points, springs=springs)
     middle = 0.5 * (points[1:] + points[:-1])
     loads = Loads.none(built)
     loads.spread[:] = -middle / np.linalg.norm(middle, axis=1)[:, None]
     held = {node: "y rx rz" for node in range(count + 1)}
     held |= dict.fromkeys((0, count), "x y z rx rz")
     found = first(built, held, loads)
-    known = np.pi**2 * YOUNGS * frames.ABOUT_Y / (radius * half) ** 2 / radius
-    assert found.factors[0] == pytest.approx(known, rel=0.01)
+    stiff = YOUNGS * frames.ABOUT_Y / (radius * half) ** 2
+    assert found.factors[0] == pytest.approx(known * stiff / radius, rel=0.01)
 
 
 def test_a_shallow_dome_of_hinged_bars():
@@ -89,6 +97,30 @@ def test_a_shallow_dome_of_hinged_bars():
     slope = np.arctan2(rise, radius)
     known = sides * YOUNGS * AREA * np.tan(slope) ** 2 * np.sin(slope)
     assert found.factors[0] == pytest.approx(known, rel=1e-6)
+
+
+@pytest.mark.parametrize(("rise", "snaps"), [(60.0, True), (400.0, False)])
+def test_a_shallow_dome_of_three_hinged_arches(rise, snaps):
+    """Six ribs of eight elements, hinged at their feet and in the crown.
+
+    The crown goes through where N = E A tan^2 of the slope; where that is more than Euler's load,
+    the ribs buckle first, sideways as they are weakest there, all at once.
+    """
+    sides, radius, about = 6, 3000.0, 2.2e6
+    whole = frames.dome(sides, radius, rise)
+    sizes = {"area": AREA, "about_y": about, "about_z": 0.5 * about}
+    whole = frames.frame(whole.nodes, whole.members, springs=frames.hinged(sides), **sizes)
+    loads = Loads.none(whole)
+    loads.nodal[0, 2] = -1.0
+    # The ribs hold the crown's turns by nothing but their torsion.
+    held = {node: "x y z" for node in range(1, sides + 1)} | {0: "rx ry rz"}
+    found = first(whole.divided(COUNT), held, loads.divided(whole, COUNT))
+    slope, length = np.arctan2(rise, radius), np.hypot(radius, rise)
+    euler = np.pi**2 * YOUNGS * 0.5 * about / length**2
+    through = YOUNGS * AREA * np.tan(slope) ** 2
+    assert (through < euler) == snaps
+    known = sides * np.sin(slope) * min(euler, through)
+    assert found.factors[0] == pytest.approx(known, rel=0.01)
 
 
 def test_modes_of_a_large_frame_are_those_of_a_dense_one(monkeypatch):

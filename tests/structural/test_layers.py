@@ -1,0 +1,151 @@
+"""Members beside the net: eccentric ones, and two layers with a bolt where lines cross."""
+
+import json
+
+import numpy as np
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.structural.check import StructuralCheck
+from freecad_ortho.structural.design import Design
+from freecad_ortho.structural.model import model_of
+from freecad_ortho.structural.words import assumptions
+from solver.errors import InputError
+from solver.frame.response import response
+from solver.frame.system import System
+from solver.mesh.primitives import primitive
+
+SECTION = "tube:100x60x5"
+# So much the arms give way, by their stiffness of 300 members each.
+ARMS = 0.01
+
+
+@pytest.fixture(scope="module")
+def dome():
+    mesh = primitive("translational", 7, 5)
+    return mesh.with_vertices(2000.0 * mesh.vertices)
+
+
+def flat(count, across, length, width):
+    mesh = primitive("rectangle", count, across, length=length, width=width)
+    return mesh.with_vertices(mesh.vertices - mesh.vertices.min(axis=0))
+
+
+def moved(mesh, **settings):
+    model = model_of(mesh, Design.of({"section": SECTION, "self_weight": False} | settings))
+    return model, response(System(model.frame, model.supports), model.cases[0].loads)
+
+
+@pytest.mark.parametrize("height", [40.0, -25.0])
+def test_an_eccentric_beam_is_squeezed_by_its_pinned_ends(height):
+    """Ends that are held e below the middle of the section would part by 2 e times their turn.
+
+    -N (L / E A + e^2 L / E I) = 2 e P L^2 / (16 E I), P in the middle.
+    """
+    length, force = 4000.0, 1000.0
+    mesh = flat(3, 2, length, 1000.0)
+    ends = np.flatnonzero(~np.isclose(mesh.vertices[:, 0], length / 2)).tolist()
+    middle = np.flatnonzero(np.isclose(mesh.vertices[:, 0], length / 2)).tolist()
+    model, found = moved(
+        mesh,
+        eccentric=height,
+        supports=",".join(map(str, ends)),
+        load=[f"{vertex}:0,0,{-force / 1000}" for vertex in middle],
+    )
+    of = model.bare.stiffness
+    bend, stretch = of.youngs[0] * of.about_y[0], of.youngs[0] * of.area[0]
+    thrust = -height * force * length**2 / (8 * bend)
+    thrust /= length / stretch + height**2 * length / bend
+    span = model.bare.nodes[model.bare.members[:, 1]] - model.bare.nodes[model.bare.members[:, 0]]
+    along = np.abs(span[:, 0]) > 1.0
+    got = found.forces_at(model.frame, 0.5)[: len(along), 0][along]
+    assert got == pytest.approx(np.full(along.sum(), thrust), rel=ARMS)
+
+
+@pytest.mark.parametrize(("crossings", "spring"), [("3", 3e6), ("200", 2e8), ("rigid", np.inf)])
+def test_a_square_of_two_layers_is_sheared_as_its_bolts_let_it(crossings, spring):
+    """H a^2 / 4 (1 / k + a / (3 E I) + 4 / (a G As)): bolts turn and members bend to an S."""
+    side, force = 2000.0, 1000.0
+    mesh = flat(2, 2, side, side)
+    below = np.isclose(mesh.vertices[:, 1], 0.0)
+    top = np.flatnonzero(~below).tolist()
+    model, found = moved(
+        mesh,
+        layers=10.0,
+        crossings=crossings,
+        supports=f"{','.join(map(str, np.flatnonzero(below)))}+{','.join(map(str, top))}:sliding",
+        load=[f"{vertex}:{force / 2000},0,0" for vertex in top],
+    )
+    of = model.bare.stiffness
+    bent = side / (3 * of.youngs[0] * of.about_z[0])
+    sheared = 4 / (side * of.shear[0] * of.shear_area_y[0])
+    sway = force * side**2 / 4 * (1 / spring + bent + sheared)
+    assert found.displacements[top, 0] == pytest.approx(np.full(2, sway), rel=ARMS)
+
+
+def test_bolts_that_let_go_of_everything_are_a_mechanism():
+    mesh = flat(2, 2, 2000.0, 2000.0)
+    settings = {"layers": 10.0, "crossings": "hinged", "load": "3:1,0,0"}
+    with pytest.raises(InputError, match=r"a mechanism: node.* freely"):
+        moved(mesh, supports="0,1+2,3:sliding", **settings)
+
+
+def test_layers_are_where_they_are_said_to_be(dome):
+    model = model_of(dome, Design.of({"snow": 1.0, "layers": 80.0, "eccentric": 10.0}))
+    middles = model.bare.nodes[model.bare.members].mean(axis=1)
+    edges = np.asarray(dome.connectivity.edges)
+    above = middles - dome.vertices[edges].mean(axis=1)
+    height = (above * dome.vertex_normals[edges].mean(axis=1)).sum(axis=1)
+    upper = np.array([word == "u" for word in model.families])
+    lower = np.array([word == "v" for word in model.families])
+    assert above[:, 2].max() > 40 and height[upper].min() > 45 and height[lower].max() < -25
+    on_net = model_of(dome, Design.of({"snow": 1.0}))
+    for one, two in zip(model.cases, on_net.cases, strict=True):
+        assert one.loads.total(model.frame) == pytest.approx(
+            two.loads.total(on_net.frame), rel=0.03
+        )
+
+
+@pytest.fixture(scope="module")
+def in_layers(dome) -> StructuralCheck:
+    low = dome.with_vertices(dome.vertices * [1.0, 1.0, 0.2])
+    return api.check_structure(
+        low, section="plate:10x60", snow=1.0, layers=70.0, crossings="hinged", second_order=True,
+        imperfection=5.0,
+    )  # fmt: skip
+
+
+def test_the_whole_check_of_two_layers(in_layers, tmp_path):
+    assert in_layers.balance < 1e-9
+    edges = len(in_layers.model.mesh.connectivity.edges)
+    assert len(in_layers.utilisation) == edges < len(in_layers.model.frame.members)
+    said = " ".join(assumptions(in_layers))
+    along, across = in_layers.arm_forces
+    assert "in two layers 70 mm apart" in said and along > 0 and f"{across / 1e3:.1f} kN" in said
+    names = {path.name for path in api.write_structural_check(in_layers, tmp_path)}
+    assert "model.inp" not in names
+    model = json.loads((tmp_path / "model.json").read_text(encoding="utf-8"))
+    assert len(model["members"]) == edges
+    assert {row["turning_about_it"] for row in model["arms_and_bolts"]} == {0.0, None}
+    with (tmp_path / "forces.csv").open(encoding="utf-8") as stream:
+        assert sum(1 for _ in stream) == 1 + 3 * edges * len(in_layers.strength)
+
+
+def test_hinged_bolts_buckle_earlier_than_rigid_ones(in_layers):
+    design = {"section": "plate:10x60", "snow": 1.0, "layers": 70.0}
+    rigid = api.check_structure(in_layers.model.mesh, **design)
+    assert in_layers.factor < 0.99 * rigid.factor
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({"crossings": "hinged"}, "crossings: 'hinged' is for lines in two layers; give layers"),
+        ({"layers": -5.0}, "layers: expected"),
+        ({"layers": 50.0, "crossings": "loose"}, "crossings: expected rigid, hinged or a stiff"),
+    ],
+)
+def test_what_cannot_be_is_refused_in_one_line(dome, settings, said):
+    with pytest.raises(InputError, match=said) as found:
+        model_of(dome, Design.of({"snow": 1.0} | settings))
+    assert "\n" not in str(found.value)
