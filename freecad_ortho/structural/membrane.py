@@ -23,12 +23,16 @@ class Membrane:
             its load.
         carried: part of the load that the axial forces of the frame balance; the rest is bent off.
         apart: how far the axial forces of the frame are from the nearest ones that balance the load
-            as well as any, by their size.
+            as well as any, by the size of these.
+        needed: size of these by that of the frame's own. It is large in forms that nearly have
+            forces without any load: those that balance the load then pull in one direction and
+            push in the other, and a frame rather bends a little than takes them up.
     """
 
     left: float
     carried: float
     apart: float
+    needed: float
 
 
 def membrane(model: Model, loads: Loads, found: Response) -> Membrane | None:
@@ -56,12 +60,14 @@ def membrane(model: Model, loads: Loads, found: Response) -> Membrane | None:
     density = found.forces_at(frame, 0.5)[:, 0] / frame.lengths
     missing = at_nodes - matrix @ density
     nearest = density + smallest_solution(matrix, missing)
-    force = nearest * frame.lengths
-    apart = np.linalg.norm((nearest - density) * frame.lengths)
+    wanted = float(np.linalg.norm(nearest * frame.lengths))
+    taken = float(np.linalg.norm(density * frame.lengths))
+    apart = float(np.linalg.norm((nearest - density) * frame.lengths))
     return Membrane(
         left=float(np.linalg.norm(at_nodes - matrix @ nearest)) / size,
         carried=max(0.0, 1.0 - float(np.linalg.norm(missing)) / size),
-        apart=float(apart / (np.linalg.norm(force) or 1.0)),
+        apart=apart / (wanted or 1.0),
+        needed=wanted / (taken or 1.0),
     )
 
 

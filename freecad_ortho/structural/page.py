@@ -138,7 +138,10 @@ def _form(check: StructuralCheck) -> str:
     return (
         f" In this form no axial forces can balance {100 * worst.membrane.left:.1f} % of "
         f"{escape(worst.combination.name)}, more than of any other; a stress net leaves nothing "
-        "of the load it was made for, but how much its frame then bends is up to its stiffness."
+        "of the load it was made for, but how much its frame then bends is up to its stiffness. "
+        f"The nearest axial forces that balance the rest are {worst.membrane.needed:.1f} times as "
+        f"large as the frame's, which are {100 * worst.membrane.apart:.0f} % apart: where that is "
+        "much, the form asks for more push and pull than the frame takes up, and it bends."
     )
 
 
