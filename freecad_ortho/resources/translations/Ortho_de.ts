@@ -1542,6 +1542,11 @@
    <translation>Eine abwickelbare Fläche: aus ebenem Blech gebogen.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
+   <source>A list, or sections joined by +</source>
+   <translation>Eine Liste oder Querschnitte, verbunden durch +</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A membrane or cable net in equilibrium with its supports and loads</source>
    <translation>Eine Membran oder ein Seilnetz im Gleichgewicht mit Lagern und Lasten</translation>
@@ -2277,9 +2282,19 @@
    <translation>Dateien der Prüfung in {} geschrieben</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Find the lightest section</source>
+   <translation>Leichtesten Querschnitt suchen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
    <source>Finding the exact net ...</source>
    <translation>Das exakte Netz wird gesucht ...</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structural_checks.py" />
+   <source>Finding the lightest section</source>
+   <translation>Suche nach dem leichtesten Querschnitt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3212,7 +3227,7 @@
    <translation>Lager wählen</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/support_picking.py" />
+   <location filename="../../../freecad_ortho/panels/check_picking.py" />
    <source>Pick vertices</source>
    <translation>Ecken wählen</translation>
   </message>
@@ -4460,6 +4475,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Randpunkte, die um mehr als dies abknicken, bleiben</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
+   <source>border, u and v have their own</source>
+   <translation>Rand, u und v haben eigene</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>both families</source>
    <translation>beide Scharen</translation>
@@ -5023,6 +5043,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>one layer has slots where strips cross, two have bolt holes</source>
    <translation>eine Lage hat Schlitze, wo Streifen sich kreuzen, zwei haben Schraubenlöcher</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
+   <source>one section for all</source>
+   <translation>ein Querschnitt für alle</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -1542,6 +1542,11 @@
    <translation>Une surface développable : courbée d'une tôle plane.</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
+   <source>A list, or sections joined by +</source>
+   <translation>Une liste, ou des sections reliées par +</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A membrane or cable net in equilibrium with its supports and loads</source>
    <translation>Une membrane ou un réseau de câbles en équilibre avec ses appuis et ses charges</translation>
@@ -2277,9 +2282,19 @@
    <translation>Fichiers de la vérification écrits dans {}</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Find the lightest section</source>
+   <translation>Chercher la section la plus légère</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
    <source>Finding the exact net ...</source>
    <translation>Recherche du réseau exact ...</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/documents/structural_checks.py" />
+   <source>Finding the lightest section</source>
+   <translation>Recherche de la section la plus légère</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3212,7 +3227,7 @@
    <translation>Choisir les appuis</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/support_picking.py" />
+   <location filename="../../../freecad_ortho/panels/check_picking.py" />
    <source>Pick vertices</source>
    <translation>Choisir des sommets</translation>
   </message>
@@ -4460,6 +4475,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>les sommets du bord qui tournent de plus sont gardés</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
+   <source>border, u and v have their own</source>
+   <translation>bord, u et v ont la leur</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>both families</source>
    <translation>les deux familles</translation>
@@ -5023,6 +5043,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>one layer has slots where strips cross, two have bolt holes</source>
    <translation>une couche a des encoches où les bandes se croisent, deux ont des trous de boulons</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/window/dialogs.py" />
+   <source>one section for all</source>
+   <translation>une section pour toutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
