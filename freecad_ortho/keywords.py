@@ -74,6 +74,7 @@ class Sizes(TypedDict, total=False):
     trim: Length
     saw: Length
     border_cut: Literal["square", "along"]
+    cutter: Length | None
     sheet: str | None
     spacing: Length
     grain: Literal["none", "along"]

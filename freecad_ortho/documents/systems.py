@@ -303,6 +303,7 @@ def add_lamellas(
     trim: Length = 10.0,
     saw: Length = 3.0,
     border_cut: str = "square",
+    cutter: Length | None = None,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -326,6 +327,7 @@ def add_lamellas(
         trim: what that loses at each end.
         saw: width of a saw cut.
         border_cut: at the border of the surface, ``"square"`` before it or ``"along"`` it.
+        cutter: diameter of the milling cutter that slots have round corners for.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

@@ -174,6 +174,11 @@
    <translation>Teile entlang des Randes der Fläche schneiden, wo das Netz einen hat</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cutter: slots have round corners for a milling cutter of this diameter</source>
+   <translation>Fräser: Schlitze haben runde Ecken für einen Fräser dieses Durchmessers</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Density in kg/m3; 0: that of the material</source>
    <translation>Dichte in kg/m3; 0: die des Materials</translation>
@@ -2015,6 +2020,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Curve of the two other coordinates</source>
    <translation>Kurve der beiden anderen Koordinaten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cutter</source>
+   <translation>Fräser</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5236,6 +5246,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>sharp corners</source>
+   <translation>scharfe Ecken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>silicone</source>
    <translation>Silikon</translation>
   </message>
@@ -5248,6 +5263,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>slots and hubs leave this much air</source>
    <translation>Schlitze und Naben lassen so viel Luft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>slots have round corners for a milling cutter of this diameter</source>
+   <translation>Schlitze haben runde Ecken für einen Fräser dieses Durchmessers</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -174,6 +174,11 @@
    <translation>Couper les pièces le long du bord de la surface, si le réseau en a un</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cutter: slots have round corners for a milling cutter of this diameter</source>
+   <translation>Fraise : les fentes ont des coins ronds pour une fraise de ce diamètre</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Density in kg/m3; 0: that of the material</source>
    <translation>Densité en kg/m3 ; 0 : celle du matériau</translation>
@@ -2015,6 +2020,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Curve of the two other coordinates</source>
    <translation>Courbe des deux autres coordonnées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cutter</source>
+   <translation>Fraise</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5236,6 +5246,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>sharp corners</source>
+   <translation>coins vifs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>silicone</source>
    <translation>silicone</translation>
   </message>
@@ -5248,6 +5263,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>slots and hubs leave this much air</source>
    <translation>les encoches et les moyeux laissent ce jeu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>slots have round corners for a milling cutter of this diameter</source>
+   <translation>les fentes ont des coins ronds pour une fraise de ce diamètre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

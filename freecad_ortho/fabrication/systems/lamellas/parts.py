@@ -28,6 +28,7 @@ from freecad_ortho.fabrication.systems.lamellas.cells import hulls
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
 from freecad_ortho.fabrication.systems.lamellas.facets import folded_body
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot, notch, outline
+from freecad_ortho.fabrication.systems.lamellas.reliefs import relieved
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.spans import Drilled, span_body
@@ -82,6 +83,8 @@ def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettin
         )
     holes = _holes(lamella, crossings, settings)
     body, drilled = _bodies(lamella, slots, edge, holes, settings)
+    if settings.cutter is not None:
+        edge = relieved(edge, [made.floor for made in notches], settings.cutter, lamella.name)
     return Cut(lamella, crossings, edge, holes, body, drilled)
 
 

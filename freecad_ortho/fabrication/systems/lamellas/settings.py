@@ -40,6 +40,8 @@ class LamellaSettings:
             plates and bolts of ``hole``. None for one piece a line.
         trim: cut off at each end of that length, mm.
         saw: width of the saw cut behind a piece, mm.
+        cutter: diameter of the milling cutter that slots have round corners for, in flat patterns,
+            mm; None for sharp corners, as lasers and water cut them.
         border_cut: at the border of the surface strips end "square" before it, or "along" it where
             that leaves their crossings room, square through the plate.
 
@@ -61,6 +63,7 @@ class LamellaSettings:
     trim: float = Workshop.trim
     saw: float = Workshop.saw
     border_cut: str = "square"
+    cutter: float | None = None
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("width", 80.0, "length", "the strips are this wide"),
@@ -100,6 +103,13 @@ class LamellaSettings:
             "the strips end square before the border, or along it",
             BORDER_CUTS,
         ),
+        Option(
+            "cutter",
+            None,
+            "length",
+            "slots have round corners for a milling cutter of this diameter",
+            absent="sharp corners",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -109,6 +119,8 @@ class LamellaSettings:
         check_size("hole", self.hole)
         if self.overhang is not None:
             check_size("overhang", self.overhang)
+        if self.cutter is not None:
+            check_size("cutter", self.cutter)
         not_negative("trim", self.trim)
         not_negative("saw", self.saw)
         if self.stock is not None:
