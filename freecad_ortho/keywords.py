@@ -121,6 +121,8 @@ class WorkshopSettings(TypedDict, total=False):
     write: str
     site_origin: str
     site_rotation: float
+    paper: Literal["a4", "a3", "a2", "a1", "a0"]
+    date: str
 
 
 class DesignSettings(TypedDict, total=False):

@@ -13,6 +13,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.__main__ import main
+from freecad_ortho.cli import reporting
 from freecad_ortho.fabrication import FILES
 from tests.conftest import ROOT, wavy_grid
 
@@ -343,3 +344,10 @@ def test_small_mesh_without_unit_is_remarked(mesh_file, tmp_path):
     assert api.read_mesh(small, "m").remarks == ()
     api.write_mesh(small, plain.mesh.scaled(1e-3), "m")
     assert api.read_mesh(small).remarks == ()
+
+
+def test_verbose_says_each_message_once(capsys):
+    with reporting.Progress(True) as say:
+        for done, words in ((0.1, "parts"), (0.2, "parts"), (0.3, "files"), (0.4, "files")):
+            say(done, words)
+    assert capsys.readouterr().err == " 10 % parts\n 30 % files\n"

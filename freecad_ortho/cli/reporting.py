@@ -32,10 +32,10 @@ def load(options: argparse.Namespace) -> api.LoadedMesh:
 
 
 class Progress:
-    """A bar on a terminal, a line a message with ``verbose``, silence otherwise."""
+    """A bar on a terminal, with ``verbose`` a line for each new message, silence otherwise."""
 
     def __init__(self, verbose: bool) -> None:
-        self._verbose = verbose
+        self._verbose, self._said = verbose, ""
         self._bar = sys.stderr.isatty() and not verbose
 
     def __enter__(self) -> Progress:
@@ -54,7 +54,8 @@ class Progress:
             full = round(_BAR * min(max(fraction, 0.0), 1.0))
             sys.stderr.write(f"\r\033[K[{'#' * full}{'.' * (_BAR - full)}] {words}")
             sys.stderr.flush()
-        elif self._verbose:
+        elif self._verbose and words != self._said:
+            self._said = words
             sys.stderr.write(f"{100 * fraction:3.0f} % {words}\n")
 
 

@@ -46,6 +46,36 @@ class Datum:
         east, north, height = numbers
         return cls(east, north, height, turn_deg)
 
+    @property
+    def turn(self) -> FloatArray:
+        """(3, 3) turns vectors of the model (columns) to east, north and up."""
+        angle = np.radians(self.turn_deg)
+        cosine, sine = np.cos(angle), np.sin(angle)
+        return np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1.0]])
+
+    def of_files(self, file_origin: FloatArray) -> Datum:
+        """Where the origin of coordinates in files is on site.
+
+        Args:
+            file_origin: (3,) of the model's coordinates, mm.
+        """
+        east, north, height = (
+            self.turn @ file_origin / 1000 + [self.east, self.north, self.height]
+        ).tolist()
+        return Datum(east, north, height, self.turn_deg)
+
+    @property
+    def is_known(self) -> bool:
+        """Whether it says anything."""
+        return self != Datum()
+
+    def __str__(self) -> str:
+        """In words, in metres and degrees."""
+        return (
+            f"origin at east {self.east:.6f} m, north {self.north:.6f} m, height "
+            f"{self.height:.6f} m, x axis turned by {self.turn_deg:.10g} degrees from east"
+        )
+
     def points(self, place: Place, near: FloatArray) -> FloatArray:
         """(n, 3) points of a structure, east, north and height in metres.
 
@@ -55,9 +85,6 @@ class Datum:
             place: where the structure stands in the model.
             near: (n, 3) in its own coordinates, mm.
         """
-        angle = np.radians(self.turn_deg)
-        turn = np.array(
-            [[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1.0]]
-        )
+        turn = self.turn
         base = turn @ place.origin / 1000 + [self.east, self.north, self.height]
         return np.asarray(base + place.directions(near) @ turn.T / 1000)

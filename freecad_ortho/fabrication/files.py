@@ -108,7 +108,7 @@ def write(
         for number, (name, parts) in enumerate(solids.items()):
             say(0.4 + 0.4 * number / len(solids), name)
             tolerance = production.workshop.step_tolerance
-            write_step(staging / name, parts, structure.place, tolerance)
+            write_step(staging / name, parts, structure.place, tolerance, production.on_site)
         if production.named_patterns:
             say(0.8, "flat patterns")
             _write_patterns(staging, production)

@@ -78,6 +78,10 @@ FORMATS = {
             *("assembly", "assembly/*", "", ""),
             "order of assembly, weights, what meets at nodes, points to be surveyed",
         ),
+        Format(
+            *("drawings", "drawings.pdf", "reportlab", "reportlab"),
+            "plan, sheets, a typical node and typical parts with dimensions, to scale",
+        ),
     )
 }
 

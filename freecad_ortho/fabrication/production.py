@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
@@ -62,6 +62,12 @@ class Production:
     def bars(self) -> tuple[Bar, ...]:
         """Stock that long parts are sawn from."""
         return self.stock.bars
+
+    @property
+    def on_site(self) -> str:
+        """Where the origin of coordinates in files is on site, in words; empty for there."""
+        datum = self.workshop.datum.of_files(self.structure.file_origin)
+        return str(datum) if datum.is_known else ""
 
     @property
     def places(self) -> dict[str, str]:
@@ -154,6 +160,7 @@ class Production:
             "stock": _stock_report(self.stock, self.workshop),
             "sheets": self._sheet_report(),
             "kerf_mm": self.workshop.kerf,
+            "site": asdict(self.workshop.datum.of_files(self.structure.file_origin)),
         }
 
     def _sheet_report(self) -> dict[str, Any] | None:

@@ -37,6 +37,7 @@ def write_step(
     parts: Sequence[Part],
     place: Place | None = None,
     shared_within: float = 0.0,
+    words: str = "",
 ) -> None:
     """Write the parts as components of one assembly, in their order.
 
@@ -50,6 +51,7 @@ def write_step(
             the parts whose solids agree with it.
         place: where the structure stands.
         shared_within: distance within which they do, mm; 0 gives each part a product of its own.
+        words: description in the file's head.
 
     Raises:
         OrthoError: the kernel could not translate the solids.
@@ -57,7 +59,7 @@ def write_step(
     """
     document = _document()
     _fill(document, parts, place or Place(), shared_within)
-    path.write_bytes(_step_bytes(document))
+    path.write_bytes(_step_bytes(document, words))
 
 
 def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
@@ -161,7 +163,7 @@ def _paint(document: Any, product: Any, part: Part) -> None:
     layers.SetLayer(product, TCollection_ExtendedString(part.kind), False)
 
 
-def _step_bytes(document: Any) -> bytes:
+def _step_bytes(document: Any, words: str) -> bytes:
     from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
     from OCP.IFSelect import IFSelect_ReturnStatus
     from OCP.Interface import Interface_Static
@@ -184,6 +186,8 @@ def _step_bytes(document: Any) -> bytes:
             header.SetTimeStamp(TCollection_HAsciiString(_TIME_STAMP))
             header.SetAuthorValue(1, TCollection_HAsciiString(""))
             header.SetOrganizationValue(1, TCollection_HAsciiString(""))
+            if words:
+                header.SetDescriptionValue(1, TCollection_HAsciiString(words))
             header.SetOriginatingSystem(TCollection_HAsciiString("freecad_ortho"))
             stream = BytesIO()
             done = writer.WriteStream(stream) == IFSelect_ReturnStatus.IFSelect_RetDone

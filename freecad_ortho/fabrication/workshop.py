@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.datum import Datum
+from freecad_ortho.fabrication.drawing_form import PAPERS, DrawingForm
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
 from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.formats import FORMATS, Format, formats_of
@@ -50,6 +51,9 @@ class Workshop:
         site_origin: where the model's origin is on site: east, north and height in metres, with
             commas between them; empty for zero.
         site_rotation: by which the model's x axis is turned from east, counter-clockwise, degrees.
+        paper: of drawings, "a4" to "a0".
+        date: in the title block of drawings, as it is written there; empty for none, as with a
+            clock the same structure would not give the same file.
 
     Raises:
         InputError: a size that cannot be used, an unknown word.
@@ -74,6 +78,8 @@ class Workshop:
     write: str = ""
     site_origin: str = ""
     site_rotation: float = 0.0
+    paper: str = "a3"
+    date: str = ""
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -149,6 +155,8 @@ class Workshop:
             written="EAST,NORTH,HEIGHT",
         ),
         Option("site_rotation", 0.0, "angle", "the model's x axis is turned so far from east"),
+        Option("paper", "a3", "choice", "drawings are of this size", tuple(PAPERS)),
+        Option("date", "", "text", "drawings have this date in their title block"),
     )
 
     def __post_init__(self) -> None:
@@ -169,12 +177,17 @@ class Workshop:
             )
         one_of("nesting", self.nesting, NESTINGS)
         one_of("step", self.step, STEP_FILES)
-        _ = self.dxf_form, self.formats, self.datum
+        _ = self.dxf_form, self.formats, self.datum, self.drawing_form
 
     @property
     def dxf_form(self) -> DxfForm:
         """How drawings are written."""
         return DxfForm(self.dxf, self.dxf_version, self.dxf_text)
+
+    @property
+    def drawing_form(self) -> DrawingForm:
+        """How drawings for the office are made."""
+        return DrawingForm(self.paper, self.date)
 
     @property
     def formats(self) -> tuple[Format, ...]:

@@ -28,6 +28,7 @@ _OPTIONS = {option.name: option for option in Workshop.options}
 _SHEETS = tuple(option.name for option in ON_SHEETS if option.name != "kerf")
 _BARS = ("stock", "saw", "trim", "rest", "section_tolerance")
 _FILES = ("dxf", "dxf_version", "dxf_text", "step", "step_tolerance")
+_PAPER = ("paper", "date")
 _SITE = ("site_origin", "site_rotation")
 
 
@@ -163,7 +164,7 @@ class ExportPanel(_WorkshopPanel):
         self.fields["stock"].value = self._given
         self._ask(*_FILES)
         self._add_formats()
-        self._ask(*_SITE)
+        self._ask(*_PAPER, *_SITE)
         self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
         self.workers.widget.setToolTip(translate("Ortho", "So many processes share the work."))
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
@@ -188,6 +189,7 @@ class ExportPanel(_WorkshopPanel):
             "labels": translate("Ortho", "Labels"),
             "saw": translate("Ortho", "Saw list"),
             "assembly": translate("Ortho", "Assembly"),
+            "drawings": translate("Ortho", "Drawings"),
         }
         self.formats = {name: QtGui.QCheckBox(titles.get(name, name.upper())) for name in FORMATS}
         missing = translate("Ortho", "The Python package {} is not installed")
@@ -218,7 +220,7 @@ class ExportPanel(_WorkshopPanel):
         stock = self.fields["stock"].value or 0.0
         if stock or self._given:
             settings["stock"] = stock
-        asked = (*_BARS[1:], *_FILES, *_SITE)
+        asked = (*_BARS[1:], *_FILES, *_PAPER, *_SITE)
         chosen: dict[str, Any] = {name: self.fields[name].value for name in asked}
         chosen["write"] = ",".join(name for name, box in self.formats.items() if box.isChecked())
         settings |= {name: value for name, value in chosen.items() if value != self._usual[name]}

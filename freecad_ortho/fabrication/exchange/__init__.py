@@ -5,6 +5,7 @@ from pathlib import Path
 
 from freecad_ortho.fabrication.exchange.assembly import write_assembly
 from freecad_ortho.fabrication.exchange.btlx import write_btlx
+from freecad_ortho.fabrication.exchange.drawings import write_drawings
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.exchange.labels import write_labels
 from freecad_ortho.fabrication.exchange.nc1 import write_nc1
@@ -28,6 +29,7 @@ WRITERS: dict[str, Writer] = {
     "btlx": write_btlx,
     "3dm": write_3dm,
     "assembly": write_assembly,
+    "drawings": write_drawings,
 }
 
 __all__ = ["WRITERS", "Writer"]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from freecad_ortho.fabrication.bodies import Polyhedron
+from freecad_ortho.fabrication.bodies import Body, Polyhedron
 from freecad_ortho.fabrication.part import Part
 from solver.mesh.quadmesh import FloatArray
 
@@ -26,17 +28,19 @@ class Facets:
     Attributes:
         points: (N, 3) corners, mm.
         sides: of each polygon the corners around it, counter-clockwise seen from outside, then
-            those around its openings, the other way round.
+            those around its openings, the other way round; of triangles an array (T, 1, 3).
         exact: whether they are the part's own sides.
     """
 
     points: FloatArray
-    sides: tuple[tuple[Ring, ...], ...]
+    sides: Sequence[Sequence[Sequence[int]]]
     exact: bool
 
     @property
     def triangles(self) -> FloatArray:
         """(T, 3, 3) corners of triangles that fill the polygons."""
+        if isinstance(self.sides, np.ndarray):
+            return np.asarray(self.points[self.sides[:, 0]])
         found = []
         for outer, *openings in self.sides:
             if len(outer) == 3:
@@ -50,6 +54,9 @@ class Facets:
         """Volume within, mm3."""
         total = 0.0
         base = self.points[0]
+        if isinstance(self.sides, np.ndarray):
+            a, b, c = np.moveaxis(self.triangles - base, 1, 0)
+            return float(np.einsum("tk,tk->", a, np.cross(b, c))) / 6
         for rings in self.sides:
             for ring in rings:
                 arms = self.points[list(ring)] - base
@@ -57,15 +64,21 @@ class Facets:
         return total / 6
 
 
+# Of bodies whose solids were asked: several files of an export are made of them.
+_known: WeakKeyDictionary[Body, Facets] = WeakKeyDictionary()
+
+
 def facets(part: Part) -> Facets:
-    """The sides of a part in its own coordinates."""
+    """The sides of a part in its own coordinates; worked out once as long as its body is there."""
     if isinstance(part.body, Polyhedron):
         sides = tuple((tuple(loop),) for loop in part.body.loops)
         return Facets(np.asarray(part.body.corners), sides, exact=True)
-    from OCP.TopLoc import TopLoc_Location
+    if part.body not in _known:
+        from OCP.TopLoc import TopLoc_Location
 
-    shape = part.solid().wrapped.Located(TopLoc_Location())
-    return _plane_sides(shape) or _triangles(shape)
+        shape = part.solid().wrapped.Located(TopLoc_Location())
+        _known[part.body] = _plane_sides(shape) or _triangles(shape)
+    return _known[part.body]
 
 
 class _Corners:
@@ -156,22 +169,29 @@ def _triangles(shape: Any) -> Facets:
     from OCP.TopoDS import TopoDS
 
     BRepMesh_IncrementalMesh(shape, CHORD, False, _ANGLE, False)
-    corners, sides = _Corners(), []
+    points: list[tuple[float, float, float]] = []
+    triangles: list[FloatArray] = []
     faces = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE)
     while faces.More():
         face = TopoDS.Face_s(faces.Current())
         mesh = BRep_Tool.Triangulation_s(face, TopLoc_Location())
-        numbers = [corners.number(mesh.Node(k + 1)) for k in range(mesh.NbNodes())]
+        corners = [mesh.Triangle(k + 1).Get() for k in range(mesh.NbTriangles())]
+        around = np.array(corners) + (len(points) - 1)
         turned = face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED
-        for k in range(mesh.NbTriangles()):
-            around = [numbers[number - 1] for number in mesh.Triangle(k + 1).Get()]
-            if len(set(around)) == 3:
-                sides.append((tuple(around[::-1] if turned else around),))
+        triangles.append(around[:, ::-1] if turned else around)
+        nodes = [mesh.Node(k + 1) for k in range(mesh.NbNodes())]
+        points += [(node.X(), node.Y(), node.Z()) for node in nodes]
         faces.Next()
-    return Facets(np.array(corners.points), tuple(sides), exact=False)
+    places = np.array(points)
+    _, first, same = np.unique(
+        np.round(places / _SAME), axis=0, return_index=True, return_inverse=True
+    )
+    found = same.reshape(-1)[np.concatenate(triangles)].astype(np.int32)
+    found = found[(found != np.roll(found, 1, axis=1)).all(axis=1)]
+    return Facets(places[first], found[:, None], exact=False)
 
 
-def _filled(points: FloatArray, rings: tuple[Ring, ...]) -> FloatArray:
+def _filled(points: FloatArray, rings: Sequence[Sequence[int]]) -> FloatArray:
     """(T, 3, 3) triangles of a plane polygon with openings, as its outer ring turns."""
     import shapely
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freecad_ortho import __version__
+from freecad_ortho.fabrication.datum import Datum
 from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.exchange.facets import Facets, facets
 from freecad_ortho.fabrication.exchange.ifc_profiles import profile_definition
@@ -54,6 +55,8 @@ _UNKNOWN = ("IfcBuildingElementProxy", "NOTDEFINED", "Qto_BuildingElementProxyQu
 # The same structure gives the same file: no clock.
 _TIME = "2000-01-01T00:00:00"
 _SET = "Ortho_Part"
+# What the coordinates of the site are called; which grid they are of is known there.
+_SITE = "site"
 
 
 def write_ifc(
@@ -108,8 +111,8 @@ class _Model:
 
     def fill(self, production: Production, say: Callable[[float], None]) -> None:
         """All from the project down to the parts."""
-        body = self._project()
         structure = production.structure
+        body = self._project(production.workshop.datum.of_files(structure.file_origin))
         site = self._spatial("IfcSite", structure.place.origin, structure.place.rotation, None)
         building = self._spatial("IfcBuilding", np.zeros(3), np.eye(3), site)
         self._aggregate("site", self.root, [site])
@@ -144,8 +147,8 @@ class _Model:
                 *("IfcRelAssociatesMaterial", self.guid(key), None, None, None, parts, used),
             )
 
-    def _project(self) -> Any:
-        """The project with its units; the context of bodies."""
+    def _project(self, datum: Datum) -> Any:
+        """The project with its units; the context of bodies; where it is on site."""
         units = [
             self.make("IfcSIUnit", None, kind, prefix, name)
             for kind, prefix, name in (
@@ -158,6 +161,8 @@ class _Model:
         ]
         axes = self._axes(np.zeros(3), np.eye(3))
         context = self.make("IfcGeometricRepresentationContext", None, "Model", 3, 1e-6, axes, None)
+        if datum.is_known:
+            self._on_site(context, datum)
         self.root = self.make(
             *("IfcProject", self.guid("project"), None, self.project, None, None, None, None),
             *([context], self.make("IfcUnitAssignment", units)),
@@ -165,6 +170,16 @@ class _Model:
         return self.make(
             *("IfcGeometricRepresentationSubContext", "Body", "Model", None, None, None, None),
             *(context, None, "MODEL_VIEW", None),
+        )
+
+    def _on_site(self, context: Any, datum: Datum) -> None:
+        """From the coordinates of the file, mm, to those of the site, m."""
+        metre = self.make("IfcSIUnit", None, "LENGTHUNIT", None, "METRE")
+        system = self.make("IfcProjectedCRS", _SITE, None, None, None, None, None, metre)
+        towards = datum.turn[:, 0].tolist()
+        self.make(
+            *("IfcMapConversion", context, system, datum.east, datum.north, datum.height),
+            *(towards[0], towards[1], 1e-3),
         )
 
     def _axes(self, origin: FloatArray, frame: FloatArray) -> Any:
@@ -229,7 +244,7 @@ class _Model:
 
     def _shape(self, sides: Facets, body: Any) -> Any:
         points = self.make("IfcCartesianPointList3D", sides.points.tolist())
-        rings = [[[k + 1 for k in ring] for ring in rings] for rings in sides.sides]
+        rings = [[[int(k) + 1 for k in ring] for ring in rings] for rings in sides.sides]
         if sides.exact:
             faces = [
                 self.make("IfcIndexedPolygonalFaceWithVoids", outer, openings)

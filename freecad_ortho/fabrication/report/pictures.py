@@ -37,7 +37,7 @@ def structure_view(
         for piece in part.body.pieces():
             seen.append((part.origin - base + piece.corners @ part.frame) @ frame.T)
             owners.append((part.name, verdict))
-    hulls = _hulls([points[:, :2] for points in seen])
+    hulls = hulls_of([points[:, :2] for points in seen])
     behind = np.argsort([float(points[:, 2].mean()) for points in seen], kind="stable").tolist()
     corners = np.concatenate(hulls)
     low, high = corners.min(axis=0), corners.max(axis=0)
@@ -134,7 +134,7 @@ def _path(points: FloatArray) -> str:
     return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points.tolist()) + "Z"
 
 
-def _hulls(clouds: Sequence[FloatArray]) -> list[FloatArray]:
+def hulls_of(clouds: Sequence[FloatArray]) -> list[FloatArray]:
     """Corners of the convex hull of each cloud of points in the plane, (N, 2) each."""
     import shapely
 

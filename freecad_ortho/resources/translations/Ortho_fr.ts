@@ -2037,6 +2037,11 @@
    <translation>Version DXF</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Date</source>
+   <translation>Date</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Deflected shape</source>
    <translation>Forme déformée</translation>
@@ -2110,6 +2115,11 @@
    <location filename="../../../freecad_ortho/documents/drawing_pages.py" />
    <source>Drawing pages</source>
    <translation>Pages de dessin</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Drawings</source>
+   <translation>Dessins</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3190,6 +3200,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Panel thickness</source>
    <translation>Épaisseur des panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Paper</source>
+   <translation>Papier</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -4306,6 +4321,31 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>a0</source>
+   <translation>A0</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a1</source>
+   <translation>A1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a2</source>
+   <translation>A2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a3</source>
+   <translation>A3</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a4</source>
+   <translation>A4</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>above</source>
    <translation>au-dessus</translation>
   </message>
@@ -4646,8 +4686,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>drawings are of this size</source>
+   <translation>les dessins ont ce format</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>drawings are of this version</source>
    <translation>les dessins sont de cette version</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>drawings have this date in their title block</source>
+   <translation>les dessins portent cette date dans leur cartouche</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
