@@ -1,12 +1,14 @@
 """How a structure is put up: sequences, node book, survey points; weights against the solids."""
 
 import csv
+import re
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
+from freecad_ortho.fabrication.exchange.assembly_page import pictures_of
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from solver.errors import InputError
@@ -122,3 +124,42 @@ def test_national_grid_coordinates_lose_nothing(roof, tmp_path):
 def test_a_site_that_is_none_is_refused(origin):
     with pytest.raises(InputError, match=r"site origin: expected east,north,height in metres"):
         Workshop(site_origin=origin)
+
+
+def test_pictures_show_what_stands_and_what_comes(job, folder):
+    page = (folder / "assembly" / "assembly.html").read_text(encoding="utf-8")
+    order = [row["name"] for row in rows_of(folder, "sequence-by-ring")]
+    rings = [int(row["ring"]) for row in rows_of(folder, "sequence-by-ring")]
+    stood, came = 0, []
+    for figure in re.findall(r"<figure><h2>.*?</figure>", page):
+        comes = [int(k) for k in re.findall(r'<use href="#s(\d+)" class="comes"/>', figure)]
+        stands = [int(k) for k in re.findall(r'<use href="#s(\d+)" class="stands"/>', figure)]
+        assert sorted(stands) == list(range(stood))
+        assert sorted(comes) == list(range(stood, stood + len(comes)))
+        assert re.findall(r"<text [^>]*>([^<]+)</text>", figure) == [
+            order[k] for k in sorted(comes)
+        ]
+        assert len({rings[k] for k in comes}) == 1
+        stood += len(comes)
+        came += comes
+    assert len(came) == len(job.parts)
+    assert all(f'id="s{k}"' in page for k in came)
+
+
+def test_sketches_of_nodes_have_every_end(folder):
+    page = (folder / "assembly" / "assembly.html").read_text(encoding="utf-8")
+    sketches = dict(re.findall(r'aria-label="(N\d+)">(.*?)</svg>', page))
+    for row in rows_of(folder, "node-book"):
+        words = f"{row['parts']} {row['ends']}"
+        assert words in sketches[row["node"]]
+        assert f"to {row['towards']}" in sketches[row["node"]]
+
+
+def test_large_structures_have_few_pictures():
+    stages = [0] * 30 + [1] * 3000
+    found = pictures_of(stages)
+    assert len(found) <= 61
+    assert [end for _, end in found][:1] == [30]
+    assert found[0][0] == 0
+    assert all(one[1] == two[0] for one, two in pairwise(found))
+    assert found[-1][1] == len(stages)

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from freecad_ortho.fabrication.exchange.assembly_page import Arm, assembly_page
 from freecad_ortho.fabrication.exchange.facets import facets
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.production import Production
@@ -50,12 +51,12 @@ class Step:
 def write_assembly(
     path: Path, production: Production, project: str, say: Callable[[float], None]
 ) -> None:
-    """Write the two sequences, the node book and the points to be surveyed, as CSV.
+    """Write the two sequences, the node book and the points to be surveyed, and a page to print.
 
     Args:
         path: folder to make.
         production: of the structure.
-        project: its name; not written.
+        project: its name, the heading of the page.
         say: called with the fraction done; may raise to stop.
 
     Raises:
@@ -63,13 +64,18 @@ def write_assembly(
     """
     path.mkdir()
     structure = production.structure
+    parts = structure.parts
     rings = rings_of(structure.site)
     centres = _centres(structure.parts, lambda done: say(0.8 * done))
     for name, ranks in (
         ("by-ring", ranks_by_ring(structure.parts, rings)),
         ("by-line", ranks_by_line(structure.parts, structure.site, rings)),
     ):
-        steps = sequence(structure.parts, ranks, rings)
+        steps = sequence(parts, ranks, rings)
+        if name == "by-ring":
+            (path / "assembly.html").write_text(
+                _page(steps, production, rings, project), encoding="utf-8"
+            )
         rows = _sequence(steps, production, rings, centres)
         write_table(path / f"sequence-{name}.csv", SEQUENCE_COLUMNS, rows)
         say(0.9)
@@ -226,6 +232,23 @@ def _book(production: Production, rings: Sequence[int]) -> list[list[object]]:
                 ]
             )
     return rows
+
+
+def _page(steps: Sequence[Step], production: Production, rings: Sequence[int], project: str) -> str:
+    """Pictures of the steps ring by ring, and the node book."""
+    order = [step.part for step in steps]
+    stages = [max((rings[vertex] for vertex in part.vertices), default=0) for part in order]
+    book: dict[str, list[Arm]] = defaultdict(list)
+    turn: dict[str, float] = defaultdict(float)
+    for row in _book(production, rings):
+        name, angle = str(row[0]), float(str(row[BOOK_COLUMNS.index("angle_deg")]))
+        parts, ends, towards = (str(row[k]) for k in (3, 4, 5))
+        words = ", ".join(
+            f"{part} {end}" for part, end in zip(parts.split(), ends.split(), strict=True)
+        )
+        book[name].append(Arm(towards, words, turn[name]))
+        turn[name] += angle
+    return assembly_page(order, stages, [step.held for step in steps], list(book.items()), project)
 
 
 def _survey(production: Production) -> list[list[object]]:
