@@ -9,7 +9,9 @@ EN 1993-1-1, table 3.1, up to 40 mm.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from freecad_ortho.fabrication.bolts import Bolt
 from freecad_ortho.fabrication.material import Material
@@ -84,7 +86,40 @@ class Clamped:
         found = (self.tension, self.shear, self.bearing)
         return tuple("" if force is None else round(force / 1e3, 1) for force in found)
 
-    def report(self) -> dict[str, float]:
-        """The same by their names, without what there is none of."""
+    def report(self, count: int) -> dict[str, float]:
+        """The same by their names, without what there is none of, and how many join an end."""
         pairs = zip(COLUMNS, self.row(), strict=True)
-        return {f"bolt_{name}": value for name, value in pairs if isinstance(value, float)}
+        found = {f"bolt_{name}": value for name, value in pairs if isinstance(value, float)}
+        return {"bolts_an_end": count, **found}
+
+
+def bolts_used(nodes: Mapping[str, Any], forces: Mapping[str, float]) -> str:
+    """How far bolts are used by the largest forces at ends of members, in words.
+
+    Tension and shear together by EN 1993-1-8, table 3.4: Fv / FvRd + Ft / (1.4 FtRd); what webs
+    are pulled by between cover plates shears their bolts, and balls take no shear by their bolts.
+
+    Args:
+        nodes: what the report says of bolted nodes.
+        forces: of a structural check, tension_kN, compression_kN, shear_kN and moment_kNm.
+    """
+    count, pull, shear = nodes["bolts_an_end"], forces["tension_kN"], forces["shear_kN"]
+    along, across = nodes["bolt_tension_kN"], nodes.get("bolt_shear_kN", 0.0)
+    across = min(across, nodes.get("bolt_bearing_kN", across))
+    if nodes["kind"] == "star":
+        used = math.hypot(max(pull, forces["compression_kN"]), shear) / (count * across)
+        words = f"{across:g} kN each across"
+    elif nodes["kind"] == "ball":
+        used = pull / (count * along)
+        words = f"{along:g} kN each in tension"
+    else:
+        together = pull / (1.4 * count * along) + shear / (count * across)
+        used = max(pull / (count * along), together)
+        words = f"{along:g} kN each in tension and {across:g} kN across"
+    also = "shear and moments" if nodes["kind"] == "ball" else "moments"
+    return (
+        f"Bolts of the nodes, {count} an end, bear {words} (EN 1993-1-8, table 3.4). Members pull "
+        f"with {pull:.3g} kN at most, press with {forces['compression_kN']:.3g} kN and shear with "
+        f"{shear:.3g} kN at their ends: taken together bolts are used to {100 * used:.0f} %. The "
+        f"{also} there, {forces['moment_kNm']:.3g} kNm at most, are not counted."
+    )

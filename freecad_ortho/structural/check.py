@@ -161,6 +161,20 @@ class StructuralCheck:
         sideways = float(np.hypot(forces[:, 0], forces[:, 1]).max())
         return max(0.0, -float(forces[:, 2].min())), float(forces[:, 2].max()), sideways
 
+    @cached_property
+    def largest_end_forces(self) -> tuple[float, float, float, float]:
+        """Largest tension, compression, shear and moment at ends of members, N and Nmm."""
+        each = [
+            one.response.forces_at(self.model.frame, part)
+            for one in self.strength
+            for part in (0.0, 1.0)
+        ]
+        forces = np.concatenate(each)
+        shear = np.hypot(forces[:, 1], forces[:, 2]).max()
+        moment = np.hypot(forces[:, 4], forces[:, 5]).max()
+        pulls = max(0.0, float(forces[:, 0].max()))
+        return pulls, max(0.0, -float(forces[:, 0].min())), float(shear), float(moment)
+
     @property
     def balance(self) -> float:
         """Largest imbalance of loads and reactions."""

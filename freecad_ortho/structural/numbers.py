@@ -22,6 +22,7 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
     """The report: verdict, combinations, assumptions; kN, m and mm as the names say."""
     model, worst = check.model, int(check.utilisation.argmax())
     down, up, sideways = check.largest_reactions
+    pull, push, shear, moment = check.largest_end_forces
     return {
         "program": f"freecad_ortho {__version__}",
         "verdict": {"passed": check.passed, "words": check.verdict, "failures": check.failures},
@@ -39,6 +40,12 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
             "down": down / 1e3,
             "up": up / 1e3,
             "sideways": sideways / 1e3,
+        },
+        "largest_end_forces": {
+            "tension_kN": pull / 1e3,
+            "compression_kN": push / 1e3,
+            "shear_kN": shear / 1e3,
+            "moment_kNm": moment / 1e6,
         },
         "largest_shear_of_panels_kN_m": check.panel_shear,
         "imbalance": check.balance,

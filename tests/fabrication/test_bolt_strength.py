@@ -3,7 +3,7 @@
 import pytest
 
 from freecad_ortho import api
-from freecad_ortho.fabrication.bolt_strength import AREAS, Clamped
+from freecad_ortho.fabrication.bolt_strength import AREAS, Clamped, bolts_used
 from freecad_ortho.fabrication.bolts import BOLTS, bolt_of
 from freecad_ortho.fabrication.material import MATERIALS
 
@@ -74,3 +74,24 @@ def test_a_low_beam_has_one_bolt_where_two_have_no_room(roof):
         [hole] = part.pattern.holes
         high = part.pattern.size[1]
         assert min(hole.centre[1], high - hole.centre[1]) >= bolt_of("M16").edge - 1e-9
+
+
+def test_how_far_bolts_are_used_by_the_forces_of_a_check():
+    """By hand: two bolts of 90.4 kN, 40 kN of tension and 20 kN of shear."""
+    forces = {"tension_kN": 40.0, "compression_kN": 60.0, "shear_kN": 20.0, "moment_kNm": 1.5}
+    hub = {
+        "kind": "bolted",
+        "bolts_an_end": 2,
+        "bolt_tension_kN": 90.4,
+        "bolt_shear_kN": 60.3,
+        "bolt_bearing_kN": 50.0,
+    }
+    used = 100 * (40 / (1.4 * 2 * 90.4) + 20 / (2 * 50.0))
+    assert f"used to {used:.0f} %" in bolts_used(hub, forces)
+    star = {**hub, "kind": "star", "bolt_shear_kN": 120.6, "bolt_bearing_kN": 61.2}
+    used = 100 * (60**2 + 20**2) ** 0.5 / (2 * 61.2)
+    assert f"used to {used:.0f} %" in bolts_used(star, forces)
+    ball = {"kind": "ball", "bolts_an_end": 1, "bolt_tension_kN": 90.4}
+    words = bolts_used(ball, forces)
+    assert "used to 44 %" in words
+    assert "The shear and moments there, 1.5 kNm at most, are not counted" in words

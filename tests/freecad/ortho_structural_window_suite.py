@@ -102,7 +102,9 @@ class TestPanel(CheckWindowCase):
 
     def test_the_lightest_section_is_looked_for_and_undone(self):
         check = self.check(section="tube:100x60x5")
-        self.replace(dialogs, "ask_sections", lambda lists: ("tube:100x60x5+tube:150x100x6.3", "all"))
+        self.replace(
+            dialogs, "ask_sections", lambda lists: ("tube:100x60x5+tube:150x100x6.3", "all")
+        )
         from freecad_ortho import answers
 
         answers.ask("size check", check)

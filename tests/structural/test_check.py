@@ -203,6 +203,13 @@ def test_the_fabrication_report_tells_the_check_of_its_net(dome, checked, tmp_pa
         assert page.count("as drawn</td>") == 5
         report = json.loads((tmp_path / "files" / "report.json").read_text(encoding="utf-8"))
         assert report["structural_check"]["verdict"]["words"] == checked.verdict
+        assert "Bolts of the nodes" not in page
+    hubs = api.fabricate(dome, "beams+nodes", unit="m", node="bolted", section="tube:100x60x5")
+    api.write_fabrication(hubs, tmp_path / "files", check=checked)
+    page = (tmp_path / "files" / "report.html").read_text(encoding="utf-8")
+    pull = report["structural_check"]["largest_end_forces"]["tension_kN"]
+    assert "Bolts of the nodes, 2 an end, bear 90.4 kN each in tension and" in page
+    assert f"Members pull with {pull:.3g} kN at most" in page
     other = api.fabricate(primitive("translational", 4, 4), "panels", unit="m", panel_thickness=5)
     with pytest.raises(InputError, match="check: is of a net with 58 edges, and this one has 24"):
         api.write_fabrication(other, tmp_path / "other", check=checked)

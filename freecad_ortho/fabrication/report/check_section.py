@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from html import escape
 from typing import Any
 
+from freecad_ortho.fabrication.bolt_strength import bolts_used
+
 # Columns of the governing members: of the numbers, in the table.
 _COLUMNS = {
     "member": "member",
@@ -20,12 +22,17 @@ _COLUMNS = {
 }
 
 
-def check_section(check: Mapping[str, Any]) -> str:
+def check_section(check: Mapping[str, Any], nodes: Mapping[str, Any] | None = None) -> str:
     """A section of the page.
 
     Args:
         check: what a structural check writes into its ``check.json``.
+        nodes: what the report says of bolted nodes, None where there are none.
     """
+    forces = check.get("largest_end_forces")
+    bolts = ""
+    if forces is not None and nodes is not None and "bolts_an_end" in nodes:
+        bolts = f"<p>{escape(bolts_used(nodes, forces))}</p>"
     verdict, design = check["verdict"], escape(f"{check['section']} of {check['material']}")
     bad = "" if verdict["passed"] else " bad"
     head = "".join(f"<th>{escape(words)}</th>" for words in _COLUMNS.values())
@@ -41,7 +48,7 @@ def check_section(check: Mapping[str, Any]) -> str:
         "a permit, and does not know the parts of this report but by what it was told of them.</p>"
         f"{_list('', check['warnings'])}"
         "<p>The most used members, with the forces that govern them:</p>"
-        f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+        f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>{bolts}"
         f"{_list('Not checked:', check['not_checked'])}"
     )
 

@@ -76,6 +76,8 @@ def report_page(
         way: how the net came to be.
         check: numbers of a structural check.
     """
+    joints = production.structure.results.get("nodes")
+    nodes = None if joints is None else joints.report
     title = escape(f"Fabrication report: {project}" if project else "Fabrication report")
     sections = [
         f"<h1>{title}</h1>",
@@ -83,7 +85,7 @@ def report_page(
         _summary(production),
         _views(production),
         _messages(production.messages),
-        "" if check is None else check_section(check),
+        "" if check is None else check_section(check, nodes),
         groups_of_parts(production),
         _plots(production),
         equal_parts(production),
