@@ -63,7 +63,7 @@ class Sizes(TypedDict, total=False):
     louvre_axis: Literal["u", "v"]
     tilt: float
     width: Length
-    position: Literal["standing", "lying"]
+    position: Literal["standing", "lying", "tilted"]
     layers: int
     hole: Length
     overhang: Length | None
@@ -179,7 +179,10 @@ class NetSettings(PassedSettings, total=False):
     symmetry: str
     diagonal: bool
     flatness: Length | None
-    angle: float
+    angle: float | None
+    tilt_u: float | None
+    tilt_v: float | None
+    plane: Literal["one", "u", "v", "both"]
     radius: Length | None
     length: Length | None
     per_family: bool

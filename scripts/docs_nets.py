@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
@@ -38,7 +38,17 @@ from solver.nets import NETS, Net
 from solver.report import CONVERGED, Outcome
 from solver.statics import VerticalLoads, start_densities, unbalanced
 from tests.conftest import SHARED, demo_roof, wavy_grid
-from tests.meshes import bent_sheet, deformed, hanging_net, helicoid, noisy, scherk, unduloid
+from tests.meshes import (
+    bent_sheet,
+    constant_ratio,
+    deformed,
+    freeform_roof,
+    hanging_net,
+    helicoid,
+    noisy,
+    scherk,
+    unduloid,
+)
 
 PICTURES = ROOT / "docs" / "pictures" / "nets"
 CLEAN, INK, GREY = "#9fc3e6", "#26292f", "#d9dde2"
@@ -52,7 +62,7 @@ Measure = Callable[[QuadMesh], np.ndarray]
 class View:
     """A mesh to show a net on, and where to look from (turn and tilt in degrees).
 
-    ``measured`` is for nets that a bare mesh is not judged by.
+    ``measured`` is for nets that a bare mesh is not judged by, ``options`` for what a net is told.
     """
 
     what: str
@@ -61,6 +71,7 @@ class View:
     tilt: float = 35.0
     measured: tuple[Measure, ...] = ()
     handles: Callable[[QuadMesh], dict[int, np.ndarray]] | None = None
+    options: Mapping[str, float | str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -152,6 +163,13 @@ VIEWS = {
     "asymptotic --diagonal": View(
         "complete01", lambda: paper("complete01", lambda: noisy(helicoid())), turn=-60, tilt=30
     ),
+    "asymptotic-angle": View(
+        "waved funnel", lambda: deformed(constant_ratio(31, 27, 0.5, 2.0), 0.05), turn=-40, tilt=25
+    ),
+    "pseudo-geodesic": View(
+        "freeform roof, 60 degrees", freeform_roof, options={"tilt_u": 60.0, "tilt_v": 60.0}
+    ),
+    "planar-lines": View("demo roof, both families", demo_roof, options={"plane": "both"}),
     "cmc": View("cmc1", lambda: paper("cmc1", lambda: noisy(unduloid()))),
     "snet": View("sheared dome", lambda: sheared(primitive("translational", 19, 19))),
     "stress": View(
@@ -203,7 +221,7 @@ def solve(example: Example) -> tuple[QuadMesh, Outcome]:
     wanted = None
     if example.view.handles is not None:
         wanted = Constraints(handles=example.view.handles(start))
-    options = NetOptions(diagonal=example.diagonal)
+    options = NetOptions(diagonal=example.diagonal, **example.view.options)
     outcome = optimise(start, example.net.name, options=options, constraints=wanted)
     if outcome.report.status != CONVERGED:
         sys.exit(f"{example.name}: {outcome.report.message}")

@@ -174,6 +174,9 @@ def start_optimisation(
     held = _held(asked, bool(standing.standing.any()), wanted)
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
+    if asked.stays and wanted.close_to is None and not wanted.handles:
+        drawn = surface_of(mesh)
+        wanted = replace(wanted, close_to=(drawn.vertices, drawn.triangles))
     if wanted.close_to is not None:
         wanted = replace(wanted, close_to=reaching(mesh, *wanted.close_to))
     wanted = replace(wanted, glide=(*wanted.glide, *standing.glides(mesh, wanted)))

@@ -102,7 +102,8 @@ class Option:
     @property
     def sentence(self) -> str:
         """The meaning, and what stands for "let it be found" in a property."""
-        found = {"length": f"0 is {self.absent}", "weight": "-1 is automatic"}.get(self.kind)
+        zero = f"0 is {self.absent}"
+        found = {"length": zero, "angle": zero, "weight": "-1 is automatic"}.get(self.kind)
         return f"{self.meaning}; {found}" if found and self.default is None else self.meaning
 
     @property

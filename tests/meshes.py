@@ -83,6 +83,49 @@ def helicoid(rows: int = 17, columns: int = 13, turn: float = 2.0, reach: float 
     return grid(np.sinh(v) * np.cos(u), np.sinh(v) * np.sin(u), u)
 
 
+def constant_ratio(
+    rows: int = 15, columns: int = 15, ratio: float = 0.5, size: float = 1.6
+) -> QuadMesh:
+    """Asymptotic lines of the surface of revolution of which k1 = -ratio k2, k2 of the parallels.
+
+    With the slope of the normal n, k2 = n / r and k1 = dn / dr, so that n = r^-ratio for a waist of
+    one. In the conformal parameter u, r = cosh(ratio u)^(1 / ratio); the lines are those of
+    turn +- sqrt(ratio) u, and meet at an angle g with tan(g / 2)^2 = ratio about the meridian.
+    """
+    p, q = parameters(rows, columns, size, size * (columns - 1) / (rows - 1))
+    u, turn = p + q, np.sqrt(ratio) * (p - q)
+    radius = np.cosh(ratio * u) ** (1 / ratio)
+    heights = np.linspace(0.0, float(np.abs(u).max()), 20_001)
+    slope = np.cosh(ratio * heights) ** (1 / ratio - 1)
+    steps = 0.5 * (slope[1:] + slope[:-1]) * (heights[1] - heights[0])
+    height = np.interp(np.abs(u), heights, np.append(0.0, np.cumsum(steps))) * np.sign(u)
+    return grid(radius * np.cos(turn), radius * np.sin(turn), height)
+
+
+def freeform_roof(rows: int = 26, columns: int = 22, size: float = 20.0) -> QuadMesh:
+    """A dome over a rectangle with a slow wave in it, along no particular lines."""
+    x, y = parameters(rows, columns, size, size * (columns - 1) / (rows - 1))
+    return grid(x, y, 0.3 * np.sin(0.5 * x + 0.2 * y) - 0.02 * x**2 - 0.015 * y**2)
+
+
+def small_circles(
+    rows: int = 13, columns: int = 13, radius: float = 50.0, low: float = 15.0, high: float = 35.0
+) -> QuadMesh:
+    """Two families of equal small circles on the unit sphere: pseudo-geodesics of one tilt.
+
+    A circle of angular ``radius`` degrees bends towards its centre, at 90 - radius degrees to the
+    normal of the sphere. Those of centres on the equator at longitudes a and b meet where
+    cos(latitude) = cos(radius) / cos(b - a over 2); that half difference runs from ``low`` to
+    ``high``.
+    """
+    reach = np.radians(high - low)
+    i, j = np.meshgrid(np.linspace(0, 1, rows), np.linspace(0, 1, columns), indexing="ij")
+    a, b = i * reach, j * reach + np.radians(2 * low + (high - low))
+    latitude = np.arccos(np.cos(np.radians(radius)) / np.cos((b - a) / 2))
+    turn = (a + b) / 2
+    return grid(np.cos(latitude) * np.cos(turn), np.cos(latitude) * np.sin(turn), np.sin(latitude))
+
+
 def unduloid_points(along: FloatArray, turn: FloatArray) -> FloatArray:
     """(..., 3) points of an unduloid in conformal coordinates along its principal lines.
 

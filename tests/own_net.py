@@ -17,7 +17,7 @@ def flat(problem: Problem, options: NetOptions) -> Problem:
 FLAT = Net(
     "flat",
     flat,
-    place=15,
+    place=150,
     title="flat: whatever their angles",
     condition="flat faces",
     purpose="flat panels of any outline",

@@ -316,7 +316,7 @@ def add_lamellas(
         width: of the strips.
         thickness: of the plates.
         clearance: of the slots, and between layers.
-        position: ``"standing"`` on the surface or ``"lying"`` in it.
+        position: ``"standing"`` on the surface, ``"lying"`` in it, or ``"tilted"``.
         layers: 1: slots where strips cross; 2: bolts.
         hole: diameter of the bolt holes.
         overhang: beyond the last vertex, by default half the width.

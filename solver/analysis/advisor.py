@@ -116,7 +116,7 @@ class _Shape:
 
     def _doubt(self, net: Net) -> tuple[bool, str, str]:
         """Whether the mesh can be near a net, and the cause and reason where it may not."""
-        if net.shape == "minimal" and self._positive > _MOST:
+        if net.shape in ("minimal", "saddle") and self._positive > _MOST:
             return False, "bulges", _bulges(self._positive)
         if net.shape == "developable" and self._positive + self._negative > _MOST:
             return True, "bends", _BENDS
@@ -130,10 +130,12 @@ def _zero(mesh: QuadMesh, coarse: float | None) -> float:
     return max(_IS, resolution(mesh) if coarse is None else coarse)
 
 
-def _order(advice: Advice, zero: float) -> tuple[bool, bool, bool, bool, float, float]:
+def _order(advice: Advice, zero: float) -> tuple[bool, bool, bool, bool, bool, float, float]:
     there, doubtful = advice.distance < zero, bool(advice.cause)
-    general = NETS[advice.net].general
-    return general, not there, not advice.possible, doubtful, advice.beyond, advice.distance
+    net = NETS[advice.net]
+    last = net.general and not (there and net.telling)
+    how_far = advice.beyond, advice.distance
+    return last, not there, not advice.possible, doubtful, net.general, *how_far
 
 
 def advice_as_dict(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from solver.mesh.combed import Combed
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, row_lengths, unit_rows
 
@@ -68,17 +69,43 @@ def conical(mesh: QuadMesh) -> FloatArray:
 
 
 def medial_angle(
-    mesh: QuadMesh, angle: float = np.pi / 2, chosen: BoolArray | None = None
+    mesh: QuadMesh,
+    angle: float = np.pi / 2,
+    chosen: BoolArray | None = None,
+    diagonal: bool = False,
 ) -> FloatArray:
     """(F,) deviation of the angle between the medial lines from ``angle``, in radians.
 
-    ``chosen`` are the faces that count, by default all.
+    ``chosen`` are the faces that count, by default all. With ``diagonal`` (S,) that of the faces
+    of the diagonal meshes, whose corners are the four neighbours of a vertex.
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, lemma 4.
     """
-    a, b, c, d = _corners(mesh)
-    values = np.abs(_angles(b + c - a - d, c + d - a - b) - angle)
+    combed = Combed(mesh.connectivity)
+    quads = combed.stars[:, 1:] if diagonal else combed.faces
+    values = np.abs(medial_angles(mesh.vertices[quads]) - angle)
     return values if chosen is None else values[chosen]
+
+
+def uneven_angle(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
+    """(F,) deviation of the angle between the medial lines from their median, in radians.
+
+    Faces at singular vertices have no say in that. With ``diagonal`` (S,) that of the faces of the
+    diagonal meshes.
+    """
+    net = mesh.connectivity
+    combed = Combed(net)
+    angles = medial_angles(mesh.vertices[combed.stars[:, 1:] if diagonal else combed.faces])
+    if not combed.families:
+        angles = np.minimum(angles, np.pi - angles)
+    counted = angles[~(net.singular_stars if diagonal else net.singular_faces)]
+    return np.abs(angles - np.median(counted if len(counted) else angles))
+
+
+def medial_angles(corners: FloatArray) -> FloatArray:
+    """(n,) angle between the lines through midpoints of opposite sides of (n, 4, 3) corners."""
+    a, b, c, d = corners.transpose(1, 0, 2)
+    return _angles(b + c - a - d, c + d - a - b)
 
 
 def isometry(mesh: QuadMesh, reference: FloatArray) -> FloatArray:

@@ -80,18 +80,20 @@ def snet(problem: Problem, options: NetOptions) -> Problem:
     )
 
 
+ASYMPTOTIC = Measure("asymptotic", measures.asymptotic, "vertex", across="vertex")
+
 NETS = (
     Net(
         "asymptotic",
         asymptotic,
-        place=10,
+        place=100,
         title="asymptotic: minimal",
         condition="equal diagonals, flat stars",
         purpose="minimal surfaces; straight lamellas upright on the surface",
         gives="A minimal surface with straight upright lamellas.",
         measures=(
             ORTHOGONALITY,
-            Measure("asymptotic", measures.asymptotic, "vertex", across="vertex"),
+            ASYMPTOTIC,
         ),
         options=("diagonal", "singular"),
         begins_as="asymptotic",
@@ -101,7 +103,7 @@ NETS = (
     Net(
         "cmc",
         cmc,
-        place=11,
+        place=110,
         title="constant mean curvature",
         condition="equal diagonals, stars on spheres of one radius",
         purpose="pneumatic shapes; lamellas that are arcs of one radius",
@@ -119,7 +121,7 @@ NETS = (
     Net(
         "snet",
         snet,
-        place=12,
+        place=120,
         title="spherical stars",
         abbreviation="S-net",
         condition="equal diagonals, stars on spheres",

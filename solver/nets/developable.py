@@ -114,7 +114,7 @@ NETS = (
     Net(
         "geodesic",
         geodesic,
-        place=6,
+        place=60,
         title="geodesic: developable",
         condition="equal diagonals, equal opposite angles in every star",
         purpose="sheet bent from flat, ribs that unroll straight",
@@ -128,7 +128,7 @@ NETS = (
     Net(
         "dog",
         dog,
-        place=7,
+        place=70,
         title="geodesic, four equal angles",
         abbreviation="DOG",
         condition="four equal angles in every star",
@@ -143,7 +143,7 @@ NETS = (
     Net(
         "chebyshev",
         chebyshev,
-        place=8,
+        place=80,
         title="Chebyshev: equal edges",
         condition="equal diagonals, all edges equally long",
         purpose="rods or fabric of one mesh width",
@@ -157,7 +157,7 @@ NETS = (
     Net(
         "geodesic-chebyshev",
         geodesic_chebyshev,
-        place=9,
+        place=90,
         title="geodesic and Chebyshev",
         abbreviation="geod.-Cheb.",
         condition="both",
@@ -172,7 +172,7 @@ NETS = (
     Net(
         "isometric",
         isometric,
-        place=14,
+        place=140,
         title="isometric: faces keep shape",
         condition="every face keeps its shape",
         purpose="bending a developed sheet",

@@ -116,14 +116,18 @@ class Net:
         supports: what carries its loads where nothing is said: boundary or corners; none of a net
             that carries no loads.
         held: what fixed vertices are called.
-        shape: surfaces that carry it: any, developable ones only, or minimal ones only.
+        shape: surfaces that carry it: any, developable ones only, minimal ones only, or those that
+            are saddles everywhere.
         along_curvature: its lines follow the principal directions.
         begins_as: the net whose lines it begins with on a surface, where these are others.
         conjugate: its faces are flat and nothing else is asked: its lines are conjugate.
         flat: a plane is a shape as good as any other, as it is of sheets.
         general: others are special cases of it, and are advised before it.
+        telling: a mesh that is this net is said to be so, though it is general.
         nearest: the start is the design surface where no other is given: of all such nets the one
             nearest to it is meant.
+        stays: where no other surface is given, the start guides the way as one to stay close to:
+            without it the surface would give way rather than the lines.
         way: how it is reached where the start leads nowhere.
     """
 
@@ -140,13 +144,15 @@ class Net:
     options: tuple[str, ...] = ()
     supports: str = "none"
     held: str = "fixed vertices"
-    shape: Literal["any", "developable", "minimal"] = "any"
+    shape: Literal["any", "developable", "minimal", "saddle"] = "any"
     along_curvature: bool = False
     begins_as: str = ""
     conjugate: bool = False
     flat: bool = False
     general: bool = False
+    telling: bool = False
     nearest: bool = False
+    stays: bool = False
     way: Way = Way()
 
     @property

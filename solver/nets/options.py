@@ -16,6 +16,12 @@ _FORCES = {
     "compression": "compression only",
     "tension": "tension only",
 }
+_PLANE = {
+    "one": "the family nearer to it",
+    "u": "along u",
+    "v": "along v",
+    "both": "both families",
+}
 _SINGULAR = {"exempt": "left out", "include": "asked too"}
 
 
@@ -32,7 +38,14 @@ class NetOptions:
         diagonal: ask star properties of a vertex and the four opposite corners of its faces.
         flatness: largest distance between the diagonals of a face of a planar net, in model
             units, None for flat to the last digit.
-        angle: angle of the medial lines in degrees, 90 for orthogonal.
+        angle: between the medial lines in degrees, None for what the net has by itself: a right
+            angle of orthogonal nets, any one angle of asymptotic nets at a constant angle, any
+            angles of others.
+        tilt_u: angle in degrees between the surface and the strips along u of a pseudo-geodesic
+            net, 90 upright, 0 or 180 lying; None for one that is found.
+        tilt_v: the same along v.
+        plane: u, v, both or one: of which families the lines of a net of plane lines lie in
+            planes; one for the family that is nearer to that.
         radius: radius of the star spheres in model units, None for free.
         length: edge length of a Chebyshev net in model units, None for free.
         per_family: a Chebyshev net has one length for each family of parameter lines.
@@ -66,13 +79,45 @@ class NetOptions:
             stored="LargestGap",
         ),
     )
-    angle: float = field(
-        default=90.0,
+    angle: float | None = field(
+        default=None,
         metadata=_offered(
             "angle",
-            "Orthogonal nets: angle between the two directions",
-            brief="angle of the lines",
+            "Angle between the two directions",
+            title="Angle",
+            brief="angle between the lines; right for orthogonal nets, any for others",
+            absent="as the net has it",
             stored="MedialAngle",
+        ),
+    )
+    tilt_u: float | None = field(
+        default=None,
+        metadata=_offered(
+            "angle",
+            "Angle between the surface and strips along u: 90 stands, 180 lies",
+            title="Strips along u",
+            brief="angle between surface and strips along u: 90 stands, 180 lies",
+            absent="free",
+        ),
+    )
+    tilt_v: float | None = field(
+        default=None,
+        metadata=_offered(
+            "angle",
+            "Angle between the surface and strips along v: 90 stands, 180 lies",
+            title="Strips along v",
+            brief="angle between surface and strips along v: 90 stands, 180 lies",
+            absent="free",
+        ),
+    )
+    plane: str = field(
+        default="one",
+        metadata=_offered(
+            "choice",
+            "Lines that lie in planes of their own",
+            title="Plane lines",
+            choices=tuple(_PLANE),
+            shown=_PLANE,
         ),
     )
     radius: float | None = field(
@@ -178,8 +223,12 @@ class NetOptions:
             )
         for option in OPTIONS.values():
             option.check(getattr(self, option.name))
-        if not 0 < self.angle < 180:
+        if self.angle is not None and not 0 < self.angle < 180:
             raise InputError(f"angle: expected degrees between 0 and 180, got {self.angle}")
+        for name in ("tilt_u", "tilt_v"):
+            tilt = getattr(self, name)
+            if tilt is not None and not 0 <= tilt <= 180:
+                raise InputError(f"{name}: expected degrees from 0 to 180, got {tilt}")
 
     @property
     def load_vectors(self) -> list[tuple[float, float, float]]:

@@ -8,7 +8,9 @@ import numpy as np
 
 from solver.analysis import measures
 from solver.errors import InputError
+from solver.mesh.combed import Combed
 from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.net import Measure, Net
 from solver.nets.options import NetOptions, stars_of
 from solver.problem import Problem, of_mesh
@@ -22,15 +24,53 @@ def orthogonal(problem: Problem, options: NetOptions) -> Problem:
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, definition 3 and the remark
     after lemma 4.
     """
-    if options.angle == 90.0:
-        return require_right_angles(problem, options)
-    faces, chosen = problem.mesh.faces, _asked(problem, options, diagonal=False)
-    angle, numbers = math.radians(options.angle), np.flatnonzero(chosen)
-    return problem.require(
-        MedialAngle(faces[chosen], angle),
-        of_mesh(measures.medial_angle, angle=angle, chosen=chosen),
-        lambda index: f"face {numbers[index]}",
-    )
+    return require_angle(problem, options, 90.0 if options.angle is None else options.angle)
+
+
+def require_angle(
+    problem: Problem, options: NetOptions, degrees: float | None, across: bool = False
+) -> Problem:
+    """Require one angle between the medial lines, given in degrees or free.
+
+    Args:
+        problem: to which it is added.
+        options: of the net.
+        degrees: from family u to family v; None for one free angle of all faces.
+        across: ask it of the diagonal meshes, from the diagonal before family u to the one after.
+
+    Raises:
+        InputError: the families of the mesh cannot be told apart.
+    """
+    if degrees == 90.0:
+        return require_right_angles(problem, options, across)
+    combed = Combed(problem.mesh.connectivity)
+    if not combed.families:
+        raise InputError(
+            f"{problem.net} net: around an inner vertex of the mesh its two families of lines are "
+            "exchanged, so that only a right angle is the same for all faces; give --angle 90"
+        )
+    chosen = _asked(problem, options, across)
+    quads = combed.stars[:, 1:] if across else combed.faces
+    start = float(np.median(measures.medial_angles(problem.mesh.vertices[quads[chosen]])))
+    what = "vertex" if across else "face"
+    numbers = problem.mesh.connectivity.stars[chosen, 0] if across else np.flatnonzero(chosen)
+
+    def place(index: int) -> str:
+        return f"{what} {numbers[index]}"
+
+    if degrees is not None:
+        wanted = math.radians(degrees)
+        judged = of_mesh(measures.medial_angle, angle=wanted, chosen=chosen, diagonal=across)
+        return problem.require(MedialAngle(quads[chosen], wanted), judged, place)
+    shared = problem.scalar(start)
+    number = shared - 3 * len(problem.mesh.vertices)
+    problem.details["angle"] = lambda mesh, scalars: math.degrees(float(scalars[number]))
+
+    def uneven(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
+        wanted = float(scalars[number])
+        return measures.medial_angle(mesh, angle=wanted, chosen=chosen, diagonal=across)
+
+    return problem.require(MedialAngle(quads[chosen], shared=shared), uneven, place)
 
 
 def require_right_angles(problem: Problem, options: NetOptions, across: bool = False) -> Problem:
@@ -83,7 +123,7 @@ NETS = (
     Net(
         "orthogonal",
         orthogonal,
-        place=3,
+        place=30,
         title="orthogonal",
         condition="equal diagonals in every face",
         purpose="layouts that look square, cladding that bends",

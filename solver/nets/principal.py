@@ -75,7 +75,7 @@ NETS = (
     Net(
         "principal",
         principal,
-        place=1,
+        place=10,
         title="principal: flat panels",
         condition="equal diagonals, flat faces",
         purpose="flat panels on beams without twist",
@@ -87,7 +87,7 @@ NETS = (
     Net(
         "planar",
         planar,
-        place=2,
+        place=20,
         title="planar: flat faces",
         condition="flat faces",
         purpose="flat panels on a surface that is to stay as it is",
@@ -102,7 +102,7 @@ NETS = (
     Net(
         "circular",
         circular,
-        place=4,
+        place=40,
         title="circular",
         condition="flat faces with a circle through their corners",
         purpose="flat panels, second layer at equal distance from the vertices",
@@ -114,7 +114,7 @@ NETS = (
     Net(
         "conical",
         conical,
-        place=5,
+        place=50,
         title="conical",
         condition="flat faces that touch a cone at every vertex",
         purpose="flat panels, layers of constant thickness",

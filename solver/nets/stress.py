@@ -131,7 +131,7 @@ NETS = (
     Net(
         "stress",
         stress,
-        place=13,
+        place=130,
         title="principal stress: equilibrium",
         condition="equal diagonals, forces in balance at every free vertex",
         purpose="grid shells whose members carry the load without bending",

@@ -69,7 +69,14 @@ def test_the_advisor_knows_every_net_that_a_mesh_alone_is_judged_by():
     }
     assert advised == expected
     flat_strip = {one.net for one in advise(wavy_grid(5, 2))}
-    assert flat_strip == {"orthogonal", "planar", "principal", "circular", "chebyshev"}
+    assert flat_strip == {
+        "orthogonal",
+        "planar",
+        "planar-lines",
+        "principal",
+        "circular",
+        "chebyshev",
+    }
 
 
 def test_a_strip_without_inner_vertices_is_not_called_curved(monkeypatch):

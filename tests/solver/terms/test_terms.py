@@ -28,6 +28,7 @@ from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
 from solver.terms.flatness import FlatWithin
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
+from solver.terms.in_plane import InPlane
 from solver.terms.isometry import Isometry
 from solver.terms.medial_angle import MedialAngle
 from solver.terms.multi import multi_net
@@ -36,6 +37,7 @@ from solver.terms.planarity import Planarity
 from solver.terms.pull import Pull
 from solver.terms.spherical_star import SphericalStar
 from solver.terms.star_angles import ConicalStar, EqualAngleStar, GeodesicStar
+from solver.terms.tilted_line import TiltedLine
 from tests.conftest import QuadMesh, grid_faces, surface_of_revolution, wavy_grid
 
 ROWS, COLUMNS = 5, 4
@@ -120,6 +122,28 @@ CASES = {
         lambda m: EqualEdges(m.connectivity.edges, shared=3 * COUNT), SQUARES, [1.3]
     ),
     "medial angle": Case(lambda m: MedialAngle(m.faces, np.pi / 3), RHOMBI),
+    "medial angle, free": Case(
+        lambda m: MedialAngle(m.faces, shared=3 * COUNT), RHOMBI, [np.pi / 3]
+    ),
+    "tilt": Case(
+        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.stars[:, [1, 3]], np.pi / 2),
+        HELICOID,
+    ),
+    "tilt, free": Case(
+        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.stars[:, [4, 2]], shared=60),
+        HELICOID,
+        [np.pi / 2],
+    ),
+    "tilt of a diagonal": Case(
+        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.diagonal_stars[:, [1, 3]], 0.7),
+        STRAIGHT,
+    ),
+    "in plane": Case(
+        lambda m: InPlane(ALL[:8], np.tile(3 * COUNT + np.arange(4), (8, 1))),
+        STRAIGHT,
+        [*(np.array([-0.3, 0.2, 1.0]) / np.linalg.norm([-0.3, 0.2, 1.0])), 0.0],
+        False,
+    ),
     "isometry": Case(lambda m: Isometry(m.faces, REST.vertices), REST),
     "asymptotic": Case(lambda m: SphericalStar(m.connectivity.stars, curvature=0.0), HELICOID),
     "sphere given": Case(lambda m: SphericalStar(m.connectivity.stars, curvature=-0.25), SPHERE),

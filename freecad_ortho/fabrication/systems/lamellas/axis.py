@@ -1,4 +1,4 @@
-"""From parameter lines to ribbons: which pattern, which rulings, which ends."""
+"""From parameter lines to ribbons: which rulings, which ends."""
 
 from __future__ import annotations
 
@@ -10,16 +10,15 @@ import numpy as np
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge
+from freecad_ortho.fabrication.systems.lamellas.direction import Pattern
 from freecad_ortho.fabrication.systems.lamellas.ends import lengthened
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
-from solver.analysis.measures import asymptotic, geodesic
-from solver.analysis.spheres import cmc, common_radius
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
-from solver.unroll.axes import arc_turns, strip_axes
+from solver.unroll.axes import arc_turns
 from solver.unroll.measures import (
     StripMeasures,
     fitted_circle,
@@ -31,10 +30,6 @@ from solver.unroll.planes import developable_strip
 from solver.unroll.strip import Strip
 from solver.unroll.twisted import twisted_strip
 
-# Largest measure of a net, in mean edges, at which it is taken for asymptotic, CMC or geodesic.
-IS_NET = 1e-3
-# Largest measure with which an exact pattern can still be asked for.
-_NEAR_NET = 0.1
 # Degrees that a lamella may lean for its pattern before one along the normals is looked at, and the
 # most that it may lean at all.
 _LEAN, _LEAN_OVER = 10.0, 45.0
@@ -51,21 +46,6 @@ _EXACT = 1e-6
 _ROOM = 2.0
 # ... and if its rulings stand at more than 30 degrees to the axis, or they would run into slots.
 _SLANT = 0.5
-
-
-@dataclass(frozen=True, eq=False)
-class Pattern:
-    """What the patterns of a structure are meant to be.
-
-    Attributes:
-        kind: "straight", "arc" or "free".
-        radius: of the arcs, signed, positive towards the normals; inf for straight ones.
-        axes: (V, 3) unit directions that the strips stand along at the vertices.
-    """
-
-    kind: str
-    radius: float
-    axes: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,45 +87,6 @@ class Lamella:
         straight = self.aim == "straight"
         miss = self.measures.straightness if straight else self.measures.radius_spread
         return self.pattern == self.aim and miss <= NEARLY * self.measures.length
-
-
-def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:
-    """Find out, or check, what patterns the net allows.
-
-    Raises:
-        InputError: the net is too far from what the wanted pattern needs.
-    """
-    mesh = site.mesh
-    measured = _measured(mesh, settings.standing)
-    kind, radius = settings.pattern, math.inf
-    if kind == "auto":
-        fitting = [name for name in measured if measured[name] <= IS_NET]
-        kind = fitting[0] if fitting else "free"
-    elif kind != "free":
-        net = {"straight": "asymptotic" if settings.standing else "geodesic", "arc": "cmc"}[kind]
-        if kind not in measured:
-            raise InputError(
-                "pattern: lying lamellas unroll straight or free, not to arcs; let them stand"
-            )
-        if measured[kind] > _NEAR_NET:
-            raise InputError(
-                f"pattern: {kind} lamellas need a net that is {net}; this one misses it by "
-                f"{measured[kind]:.2g} mean edges, at most {_NEAR_NET:g} will do; optimise for "
-                f"{net} first or take pattern free"
-            )
-    if kind == "arc":
-        radius = common_radius(mesh)
-    axes = strip_axes(mesh, radius if kind != "free" and settings.standing else None)
-    return Pattern(kind, radius, axes)
-
-
-def _measured(mesh: QuadMesh, standing: bool) -> dict[str, float]:
-    """Largest measure of the net behind each pattern, best first where several fit."""
-    if not len(mesh.connectivity.stars):
-        return {"straight": math.inf}
-    if not standing:
-        return {"straight": float(geodesic(mesh).max())}
-    return {"straight": float(asymptotic(mesh).max()), "arc": float(cmc(mesh).max())}
 
 
 def lamella_on(
@@ -313,7 +254,8 @@ class _Maker:
                     return strip, False, measures
                 if self._fits(strip, measures):
                     return strip, False, measures
-        strip = twisted_strip(self.points, self.upright, turns)
+        follow = self.settings.position == "tilted"
+        strip = twisted_strip(self.points, self.upright, turns, follow=follow)
         return strip, True, self._measure(strip)
 
     def _fits(self, strip: Strip, measures: StripMeasures) -> bool:

@@ -13,7 +13,7 @@ from solver.option import Option
 
 STRIPS = ("auto", "developable", "twisted")
 PATTERNS = ("auto", "straight", "arc", "free")
-POSITIONS = ("standing", "lying")
+POSITIONS = ("standing", "lying", "tilted")
 BORDER_CUTS = ("square", "along")
 # Distance of a hole's centre from an edge, in diameters (EN 1993-1-8, table 3.3).
 EDGE_DISTANCE = 1.2
@@ -27,7 +27,8 @@ class LamellaSettings:
         width: of the strips, mm.
         thickness: of the plate, mm.
         clearance: added to the width and the depth of slots, and between layers, mm.
-        position: "standing" normal to the surface, or "lying" tangential to it.
+        position: "standing" normal to the surface, "lying" tangential to it, or "tilted" by the
+            angle of its family, as the lines of a pseudo-geodesic net want it.
         layers: 1: half-lap slots at each crossing, family u open above, v below; 2: u above the
             surface, v below; lying ones have a bolt hole at each crossing.
         hole: diameter of the bolt holes of two layers, mm.
@@ -73,7 +74,7 @@ class LamellaSettings:
             "position",
             "standing",
             "choice",
-            "the strips stand on the surface or lie in it",
+            "the strips stand on the surface, lie in it, or tilt as the net wants it",
             POSITIONS,
         ),
         Option(
@@ -146,6 +147,10 @@ class LamellaSettings:
     def _check_together(self) -> None:
         if not self.standing and self.layers == 1:
             raise InputError("layers: lying lamellas cannot cross in one layer; take layers 2")
+        if self.position == "tilted" and self.layers == 2:
+            raise InputError(
+                "layers: tilted lamellas lean over each other in two layers; take layers 1"
+            )
         if self.smooth and self.strip == "developable":
             raise InputError(
                 "strip: smooth solids follow rulings square to the axis; take strip twisted"
@@ -169,8 +174,8 @@ class LamellaSettings:
 
     @property
     def standing(self) -> bool:
-        """Whether the strips stand normal to the surface."""
-        return self.position == "standing"
+        """Whether the strips stand on the surface, upright or tilted."""
+        return self.position != "lying"
 
     def levels(self, family: str) -> tuple[float, float]:
         """Levels of the lower and upper edge along the rulings, mm from the axis."""

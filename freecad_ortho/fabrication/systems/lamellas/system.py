@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
@@ -11,12 +12,7 @@ import numpy as np
 from freecad_ortho.fabrication.assembly import judged
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.lamellas.axis import (
-    Lamella,
-    Pattern,
-    lamella_on,
-    pattern_of,
-)
+from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, lamella_on
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
 from freecad_ortho.fabrication.systems.lamellas.border import Border
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
@@ -24,6 +20,7 @@ from freecad_ortho.fabrication.systems.lamellas.crossings import (
     crossings,
     slot_ways,
 )
+from freecad_ortho.fabrication.systems.lamellas.direction import Pattern, pattern_of
 from freecad_ortho.fabrication.systems.lamellas.ends import reaches
 from freecad_ortho.fabrication.systems.lamellas.layers import too_near
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
@@ -104,6 +101,8 @@ class Lamellas(LamellaSettings, System):
             "thickness_mm": self.thickness,
             "position": self.position,
             "layers": self.layers,
+            "tilt_deg": {name: math.degrees(angle) for name, angle in pattern.tilts.items()}
+            or None,
             "pattern": pattern.kind,
             "radius_mm": abs(pattern.radius) if np.isfinite(pattern.radius) else None,
             "developable": sum(not each.twisted for each in lamellas),

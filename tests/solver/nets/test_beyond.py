@@ -1,0 +1,183 @@
+"""Nets that followed the paper: asymptotic at one angle, pseudo-geodesic, with plane lines."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+import pytest
+
+from solver import InputError, QuadMesh, optimise
+from solver.analysis import lines, measures
+from solver.analysis.advisor import advise
+from solver.mesh.combed import Combed
+from solver.nets.options import NetOptions
+from tests.conftest import demo_roof
+from tests.meshes import (
+    constant_ratio,
+    deformed,
+    freeform_roof,
+    grid,
+    noisy,
+    parameters,
+    small_circles,
+)
+
+
+def reached(start: QuadMesh, net: str, **options):
+    outcome = optimise(start, net, options=NetOptions(**options))
+    assert outcome.report.status == "converged", outcome.report.message
+    assert max(spread.max for spread in outcome.report.residuals.values()) <= 1e-10
+    return outcome.mesh, outcome.report
+
+
+def saddle() -> QuadMesh:
+    x, y = parameters(16, 14, 20.0, 17.0)
+    return grid(x, y, 0.03 * x * y + 0.3 * np.sin(0.4 * x))
+
+
+def with_turned_faces(mesh: QuadMesh) -> QuadMesh:
+    """The same mesh, each face but the first written from a corner of its own."""
+    first = np.random.default_rng(3).integers(0, 4, len(mesh.faces))
+    first[0] = 0
+    places = (first[:, None] + np.arange(4)) % 4
+    return QuadMesh(mesh.vertices, np.take_along_axis(mesh.faces, places, axis=1))
+
+
+def around_one_vertex(count: int, size: int = 3) -> QuadMesh:
+    """A bent disk of ``count`` square patches around one vertex."""
+    points, faces, numbers = [], [], {}
+
+    def number(place):
+        key = tuple(np.round(place, 6))
+        if key not in numbers:
+            numbers[key] = len(points)
+            points.append([*place, 0.02 * place[0] ** 2 - 0.03 * place[1] ** 2])
+        return numbers[key]
+
+    for k in range(count):
+        one, two = 2 * np.pi * k / count, 2 * np.pi * (k + 1) / count
+        u, v = np.array([np.cos(one), np.sin(one)]), np.array([np.cos(two), np.sin(two)])
+        at = [[number(i * u + j * v) for j in range(size + 1)] for i in range(size + 1)]
+        for i in range(size):
+            for j in range(size):
+                faces.append([at[i][j], at[i + 1][j], at[i + 1][j + 1], at[i][j + 1]])
+    return QuadMesh(np.array(points), np.array(faces))
+
+
+@pytest.mark.parametrize("ratio", [0.5, 2.0])
+def test_lines_of_a_surface_of_one_curvature_ratio_cross_at_its_angle(ratio):
+    angle = np.degrees(2 * np.arctan(np.sqrt(ratio)))
+    exact = [constant_ratio(n, n, ratio) for n in (15, 29)]
+    off = [measures.uneven_angle(mesh).max() for mesh in exact]
+    assert off[1] < 0.3 * off[0] < 1e-3
+    assert measures.asymptotic(exact[1]).max() < 0.15 * measures.asymptotic(exact[0]).max()
+    mesh, report = reached(noisy(exact[0]), "asymptotic-angle")
+    assert report.details["angle"] == pytest.approx(angle, abs=1.5)
+    a, b, c, d = mesh.vertices[mesh.faces].transpose(1, 0, 2)
+    one, two = b + c - a - d, c + d - a - b
+    sizes = np.linalg.norm(one, axis=1) * np.linalg.norm(two, axis=1)
+    found = np.degrees(np.arccos((one * two).sum(axis=1) / sizes))
+    assert np.ptp(found) < 1e-8 and measures.asymptotic(mesh).max() < 1e-10
+
+
+def test_an_angle_that_is_given_bends_the_saddle_either_way_whatever_corner_faces_begin_at():
+    start = saddle()
+    mesh, report = reached(start, "asymptotic-angle", angle=75.0)
+    assert np.degrees(measures.medial_angles(mesh.vertices[mesh.faces])) == pytest.approx(75.0)
+    assert report.form.off_surface.percent < 5 and report.form.zigzag > 0.85
+    again, _ = reached(with_turned_faces(start), "asymptotic-angle", angle=75.0)
+    assert np.abs(again.vertices - mesh.vertices).max() < 1e-6 * mesh.mean_edge
+    other, _ = reached(start, "asymptotic-angle", angle=105.0)
+    assert np.degrees(measures.medial_angles(other.vertices[other.faces])) == pytest.approx(105.0)
+
+
+def test_families_that_are_exchanged_around_a_vertex_have_no_angle_but_a_right_one():
+    assert [Combed(around_one_vertex(n).connectivity).families for n in (3, 4, 5, 6)] == [
+        *(False, True, False, True)
+    ]
+    assert [Combed(around_one_vertex(n).connectivity).oriented for n in (4, 6, 8)] == [
+        *(True, False, True)
+    ]
+    with pytest.raises(InputError, match="only a right angle is the same for all faces"):
+        optimise(around_one_vertex(5), "asymptotic-angle")
+    with pytest.raises(InputError, match="only a right angle"):
+        optimise(around_one_vertex(3), "orthogonal", options=NetOptions(angle=80.0))
+    with pytest.raises(InputError, match=r"give --tilt-u and --tilt-v of 90 .*or 180"):
+        optimise(around_one_vertex(6), "pseudo-geodesic")
+
+
+def test_directions_are_those_of_a_grid_however_faces_are_written():
+    mesh = with_turned_faces(freeform_roof(6, 5))
+    combed = Combed(mesh.connectivity)
+    moved = mesh.vertices[combed.stars[:, 1:]] - mesh.vertices[combed.stars[:, :1]]
+    along = moved[0, 0, :2] / np.linalg.norm(moved[0, 0, :2])
+    across = np.array([-along[1], along[0]])
+    for k, direction in enumerate((along, across, -along, -across)):
+        assert (moved[:, k, :2] @ direction > 0.5).all()
+    edges = mesh.vertices[mesh.connectivity.edges]
+    signed = combed.edge_signs[:, None] * (edges[:, 1] - edges[:, 0])[:, :2]
+    assert (np.maximum(signed @ along, signed @ across) > 0.5).all()
+
+
+def test_small_circles_of_a_sphere_have_the_tilt_of_their_radius():
+    mesh = small_circles(radius=50.0)
+    for family in (0, 1):
+        tilt = lines.common_tilt(*lines.family_bends(mesh, family))
+        assert np.degrees(tilt) == pytest.approx(40.0, abs=0.1)
+    assert lines.tilt(mesh).max() < 1e-5
+    _, report = reached(deformed(mesh, 0.05), "pseudo-geodesic")
+    assert 35 < report.details["tilt u"] < 50 and 35 < report.details["tilt v"] < 50
+
+
+@functools.cache
+def tilted_roof() -> QuadMesh:
+    mesh, report = reached(freeform_roof(16, 14), "pseudo-geodesic", tilt_u=40.0, tilt_v=140.0)
+    assert report.form.off_surface.percent < 1.0 and report.form.area_ratio > 0.9
+    return mesh
+
+
+def test_lines_bend_at_the_angles_that_are_given_and_the_roof_stays():
+    mesh = tilted_roof()
+    stars = Combed(mesh.connectivity).stars
+    at = mesh.vertices[stars]
+    normal = np.cross(at[:, 1] - at[:, 3], at[:, 2] - at[:, 4])
+    for family, wanted in ((0, 40.0), (1, 140.0)):
+        into, out = at[:, 0] - at[:, 3 + family], at[:, 1 + family] - at[:, 0]
+        into, out = (v / np.linalg.norm(v, axis=1)[:, None] for v in (into, out))
+        bend, along = out - into, into + out
+        left = np.cross(normal, along)
+        upright = np.cross(along, left)
+        left /= np.linalg.norm(left, axis=1)[:, None]
+        upright /= np.linalg.norm(upright, axis=1)[:, None]
+        side, up = (np.einsum("ij,ij->i", bend, each) for each in (left, upright))
+        counted = np.linalg.norm(bend, axis=1) > 1e-3
+        assert counted.mean() > 0.9
+        found = np.degrees(np.arctan2(side, up))[counted] % 180
+        assert found == pytest.approx(wanted, abs=1e-6)
+
+
+def test_a_tilted_net_is_told_from_others():
+    found = advise(tilted_roof())
+    assert found[0].net == "pseudo-geodesic" and found[0].distance < 1e-10
+
+
+@pytest.mark.parametrize(("plane", "allowed"), [("one", 0.3), ("both", 0.4)])
+def test_lines_of_a_roof_lie_in_planes_and_faces_are_flat(plane, allowed):
+    mesh, report = reached(demo_roof(), "planar-lines", plane=plane)
+    assert report.form.off_surface.percent < allowed and report.form.zigzag > 0.9
+    assert measures.planarity(mesh).max() < 1e-10
+    off = [lines.off_plane(mesh, family).max() for family in "uv"]
+    assert min(off) < 1e-10 and (max(off) < 1e-10) == (plane == "both")
+    for line in lines.long_lines(mesh, "uv" if plane == "both" else "uv"[int(np.argmin(off))]):
+        points = mesh.vertices[line.vertices] - mesh.vertices[line.vertices].mean(axis=0)
+        assert np.linalg.svd(points, compute_uv=False)[2] < 1e-9 * mesh.mean_edge
+
+
+def test_bad_options_of_these_nets_are_one_line():
+    with pytest.raises(InputError, match="tilt_u: expected degrees from 0 to 180, got 200"):
+        NetOptions(tilt_u=200.0)
+    with pytest.raises(InputError, match="plane: expected one, u, v or both, got 'w'"):
+        NetOptions(plane="w")
+    with pytest.raises(InputError, match="no line of family u has more than three vertices"):
+        optimise(freeform_roof(3, 3), "planar-lines")
