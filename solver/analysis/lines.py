@@ -11,6 +11,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # Vertices of a line up to this number are always in one plane.
 _PLANE = 3
+# Turns in radians up to which a line is straight.
+_STRAIGHT = 1e-9
 
 
 def bends(mesh: QuadMesh, stars: IntArray, ends: IntArray) -> tuple[FloatArray, FloatArray]:
@@ -39,7 +41,12 @@ def bends(mesh: QuadMesh, stars: IntArray, ends: IntArray) -> tuple[FloatArray, 
 
 
 def common_tilt(turns: FloatArray, angles: FloatArray) -> float:
-    """The tilt in radians, in [0, pi), nearest to those of bends that turn by ``turns`` (n,)."""
+    """The tilt in radians, in [0, pi), nearest to those of bends that turn by ``turns`` (n,).
+
+    Lines that do not bend can have any: strips along them stand upright.
+    """
+    if turns.max(initial=0.0) <= _STRAIGHT:
+        return np.pi / 2
     double = (turns**2) @ np.exp(2j * angles)
     return float(np.angle(double) / 2 % np.pi)
 

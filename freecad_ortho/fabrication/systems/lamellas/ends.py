@@ -39,13 +39,16 @@ def reaches(
         for vertex, direction in zip(path[1:].tolist(), -along, strict=True):
             at_vertex.setdefault(vertex, []).append((number, direction))
     overhang = settings.width / 2 if settings.overhang is None else settings.overhang
+    # The last slot of a tilted one runs towards its end.
+    tilted = settings.position == "tilted" and settings.overhang is None
+    slanted = settings.width / 2 if tilted else 0.0
 
     def reach(number: int, vertex: int, direction: FloatArray) -> float:
         there = at_vertex[vertex]
         others = {other for other, _ in there if other != number}
         families = {lines[other].family for other in others}
         if len(others) <= 1 and (lines[number].family not in families or not families):
-            return overhang
+            return overhang + slanted * _cotangent(axes[vertex], direction)
         axis = axes[vertex]
         level = unit_rows(np.array([each - (each @ axis) * axis for _, each in there]))
         own = next(k for k, (_, each) in enumerate(there) if each is direction)
@@ -65,6 +68,12 @@ def reaches(
         ]
         result.append((reach(number, first, ends[0]), reach(number, last, ends[1])))
     return result
+
+
+def _cotangent(axis: FloatArray, direction: FloatArray) -> float:
+    """Of the angle between two unit vectors, without its sign."""
+    lean = abs(float(axis @ direction))
+    return lean / math.sqrt(max(1 - lean**2, _NARROW))
 
 
 def lengthened(strip: Strip, beyond: tuple[float, float], name: str) -> Strip:

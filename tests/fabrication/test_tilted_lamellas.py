@@ -1,0 +1,88 @@
+"""Lamellas that tilt by the angles of a pseudo-geodesic net: straight, exact, free of clashes."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+import pytest
+
+from freecad_ortho.fabrication import Lamellas, build
+from freecad_ortho.fabrication.clash import check_clashes
+from solver import optimise
+from solver.analysis import lines
+from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
+from solver.nets.options import NetOptions
+from solver.unroll.axes import tilted_axes
+from tests.meshes import deformed, freeform_roof, helicoid, small_circles
+
+
+@functools.cache
+def net() -> QuadMesh:
+    """A piece of a bent ball, 9 m wide, with strips at 40 and 40 degrees."""
+    start = deformed(small_circles(8, 7), 0.03).scaled(9000.0)
+    outcome = optimise(start, "pseudo-geodesic", options=NetOptions(tilt_u=40.0, tilt_v=40.0))
+    assert outcome.report.status == "converged"
+    return outcome.mesh
+
+
+def test_they_unroll_straight_fold_back_and_pass_each_other():
+    mesh = net()
+    structure = build(mesh, [Lamellas(60.0, 3.0, position="tilted")])
+    report = structure.report()["lamellas"]
+    assert report["pattern"] == "straight"
+    assert report["tilt_deg"]["u"] == pytest.approx(40.0, abs=1e-6)
+    assert report["tilt_deg"]["v"] == pytest.approx(40.0, abs=1e-6)
+    inner = 0
+    for lamella in structure.results["lamellas"].geometry:
+        strip = lamella.ribbon.strip
+        assert np.abs(strip.refolded()[:, 0] - strip.points).max() <= 1e-6
+        border = mesh.connectivity.boundary_vertices[list(lamella.vertices)].all()
+        if not border:
+            inner += 1
+            assert lamella.measures.straightness <= 1e-9 * lamella.measures.length
+    assert inner == 11
+    assert not check_clashes(structure.parts).clashes
+
+
+def test_the_line_that_strips_share_is_square_to_how_both_lines_bend():
+    mesh = net()
+    stars = mesh.connectivity.stars
+    axes = tilted_axes(mesh, (np.radians(40.0), np.radians(40.0)))[stars[:, 0]]
+    spokes = mesh.vertices[stars[:, 1:]] - mesh.vertices[stars[:, :1]]
+    spokes /= np.linalg.norm(spokes, axis=2)[:, :, None]
+    for one, other in ((0, 2), (1, 3)):
+        bend = spokes[:, one] + spokes[:, other]
+        assert np.abs(np.einsum("ij,ij->i", bend, axes)).max() < 1e-12
+
+
+def test_upright_ones_are_those_that_stand():
+    mesh = helicoid(9, 7).scaled(2000.0)
+    axes = tilted_axes(mesh, (np.pi / 2, np.pi / 2))
+    inside = mesh.connectivity.stars[:, 0]
+    slant = np.einsum("ij,ij->i", axes[inside], mesh.vertex_normals[inside])
+    assert np.degrees(np.arccos(slant.min())) < 3.0
+    standing, tilted = (
+        build(mesh, [Lamellas(40.0, 3.0, position=position)]).report()["lamellas"]
+        for position in ("standing", "tilted")
+    )
+    assert tilted["length_mm"] == pytest.approx(standing["length_mm"], rel=1e-3)
+    assert tilted["tilt_deg"]["u"] == pytest.approx(90.0, abs=3.0)
+
+
+@pytest.mark.parametrize(
+    ("mesh", "settings", "words"),
+    [
+        (freeform_roof(9, 8), {"pattern": "straight"}, "nearly into the surface|pseudo-geodesic"),
+        (small_circles(6, 6), {"pattern": "arc"}, "unroll straight or free, not to arcs"),
+        (small_circles(6, 6), {"layers": 2}, "take layers 1"),
+        (small_circles(6, 6, 84.0, 5.0, 20.0), {}, "let them lie in layers 2"),
+    ],
+    ids=["no such net", "arc", "layers", "flat"],
+)
+def test_what_cannot_be_is_refused_in_one_line(mesh, settings, words):
+    with pytest.raises(InputError, match=words) as refused:
+        build(mesh.scaled(9000.0), [Lamellas(60.0, 3.0, position="tilted", **settings)])
+    assert "\n" not in str(refused.value)
+    assert lines.tilt(mesh).max() < 0.2
