@@ -110,7 +110,9 @@ class Combed:
         node = 2 * np.searchsorted(key, low * net.vertex_count + high) + (centre > others)
         face = np.full(net.vertex_count, -1, dtype=np.int64)
         face[net.faces.ravel()] = np.repeat(np.arange(len(net.faces)), 4)
-        return np.argmax(self._labels[node] == self._base[face[stars[:, 0]], :1], axis=1)
+        return np.asarray(
+            np.argmax(self._labels[node] == self._base[face[stars[:, 0]], :1], axis=1)
+        )
 
     @cached_property
     def stars(self) -> IntArray:

@@ -81,7 +81,7 @@ NETS = (
         "pseudo-geodesic",
         pseudo_geodesic,
         place=103,
-        title="pseudo-geodesic: tilted strips",
+        title="pseudo-geodesic: tilted",
         condition="lines bend at one angle to the surface, given or free, for each family",
         purpose="lamellas at one angle to the surface that unroll straight",
         gives="Tilted lamellas that unroll straight, one angle a family.",

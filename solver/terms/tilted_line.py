@@ -56,7 +56,7 @@ class TiltedLine:
         """(n, 2) places of the ends among the points of an element."""
         if not self._own:
             return np.tile([5, 6], (len(self.stars), 1))
-        return 1 + np.argmax(self.ends[:, :, None] == self.stars[:, None, 1:], axis=2)
+        return np.asarray(1 + np.argmax(self.ends[:, :, None] == self.stars[:, None, 1:], axis=2))
 
     @cached_property
     def unknowns(self) -> IntArray:

@@ -63,7 +63,7 @@ def tilted_axes(mesh: QuadMesh, tilts: tuple[float, float]) -> FloatArray:
         left = unit_rows(np.cross(normals, tangent))
         upright = np.cross(tangent, left)
         bent.append(math.cos(tilt) * upright + math.sin(tilt) * left)
-    both = np.cross(*bent)
+    both = np.cross(bent[0], bent[1])
     side = np.where(np.einsum("vk,vk->v", both, normals) < 0, -1.0, 1.0)
     size = np.linalg.norm(both, axis=1)
     return np.where((size > _MEET)[:, None], side[:, None] * unit_rows(both), normals)
