@@ -15,6 +15,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along u: 90 stands, 180 lies; 0 is free</source>
+   <translation>Winkel zwischen Fläche und Streifen entlang u: 90 steht, 180 liegt; 0 ist frei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along v: 90 stands, 180 lies; 0 is free</source>
+   <translation>Winkel zwischen Fläche und Streifen entlang v: 90 steht, 180 liegt; 0 ist frei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the two directions; 0 is as the net has it</source>
+   <translation>Winkel zwischen den beiden Richtungen; 0 ist wie das Netz ihn hat</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles of turns about x, then y, then z</source>
    <translation>Winkel der Drehungen um x, dann y, dann z</translation>
   </message>
@@ -590,6 +605,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines that lie in planes of their own</source>
+   <translation>Linien, die in eigenen Ebenen liegen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Last an jeder Ecke, Kraft</translation>
   </message>
@@ -815,11 +835,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Orthogonal nets: angle between the two directions</source>
-   <translation>Orthogonale Netze: Winkel zwischen den beiden Richtungen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Overhang: the strips go this far beyond their last vertex, by default half their width</source>
    <translation>Überstand: so weit gehen die Streifen über ihre letzte Ecke hinaus, ohne Angabe um ihre halbe Breite</translation>
   </message>
@@ -910,8 +925,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Position: the strips stand on the surface or lie in it</source>
-   <translation>Stellung: die Streifen stehen auf der Fläche oder liegen in ihr</translation>
+   <source>Position: the strips stand on the surface, lie in it, or tilt as the net wants it</source>
+   <translation>Lage: die Streifen stehen auf der Fläche, liegen in ihr oder neigen sich, wie das Netz es will</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1613,6 +1628,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along u: 90 stands, 180 lies</source>
+   <translation>Winkel zwischen Fläche und Streifen entlang u: 90 steht, 180 liegt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along v: 90 stands, 180 lies</source>
+   <translation>Winkel zwischen Fläche und Streifen entlang v: 90 steht, 180 liegt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the two directions</source>
+   <translation>Winkel zwischen den beiden Richtungen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles</source>
    <translation>Winkel</translation>
   </message>
@@ -2238,6 +2268,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even angle</source>
+   <translation>Gleicher Winkel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even angle diagonals</source>
+   <translation>Gleicher Winkel der Diagonalen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Even lengths or equal steps of the parameters</source>
    <translation>Gleiche Längen oder gleiche Schritte der Parameter</translation>
   </message>
@@ -2370,6 +2410,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with right angles; torsion-free beams.</source>
    <translation>Ebene Maschen mit rechten Winkeln; torsionsfreie Träger.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat faces, and lines that lie in planes of their own.</source>
+   <translation>Ebene Flächen, und Linien, die in eigenen Ebenen liegen.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2807,6 +2852,11 @@
    <translation>Anheben</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Line planes</source>
+   <translation>Ebenen der Linien</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Lines</source>
    <translation>Linien</translation>
@@ -2820,6 +2870,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that cross at right angles, faces not flat.</source>
    <translation>Linien, die sich rechtwinklig kreuzen, Maschen nicht eben.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines that lie in planes of their own</source>
+   <translation>Linien, die in eigenen Ebenen liegen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3143,11 +3198,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Orthogonal nets: angle between the two directions</source>
-   <translation>Orthogonale Netze: Winkel zwischen den beiden Richtungen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonality</source>
    <translation>Orthogonalität</translation>
   </message>
@@ -3285,6 +3335,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Planarity</source>
    <translation>Ebenheit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Plane lines</source>
+   <translation>Ebene Linien</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3813,6 +3868,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Straight upright lamellas that all cross at one angle.</source>
+   <translation>Gerade, stehende Lamellen, die sich alle unter einem Winkel kreuzen.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Strength</source>
    <translation>Stärke</translation>
   </message>
@@ -3860,6 +3920,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Strip</source>
    <translation>Streifen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along u</source>
+   <translation>Streifen entlang u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along v</source>
+   <translation>Streifen entlang v</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -4053,6 +4123,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt</source>
    <translation>Neigung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilted lamellas that unroll straight, one angle a family.</source>
+   <translation>Geneigte Lamellen, die sich gerade abwickeln, ein Winkel je Schar.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4391,6 +4466,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>along u</source>
+   <translation>entlang u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>along v</source>
+   <translation>entlang v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>aluminium</source>
    <translation>Aluminium</translation>
   </message>
@@ -4436,6 +4521,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>as the net has it</source>
+   <translation>wie das Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as thick as the bolts</source>
    <translation>so dick wie die Schrauben</translation>
   </message>
@@ -4451,8 +4541,18 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>asymptotic-angle</source>
+   <translation>asymptotic-angle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic: minimal</source>
    <translation>asymptotisch: minimal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>asymptotic: one angle</source>
+   <translation>asymptotisch: ein Winkel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5196,8 +5296,18 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>planar-lines</source>
+   <translation>planar-lines</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>planar: flat faces</source>
    <translation>planar: ebene Flächen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plane lines: flat beams</source>
+   <translation>ebene Linien: ebene Träger</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5233,6 +5343,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>principal: flat panels</source>
    <translation>Hauptlinien: ebene Platten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>pseudo-geodesic</source>
+   <translation>pseudo-geodesic</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>pseudo-geodesic: tilted</source>
+   <translation>pseudogeodätisch: geneigt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -5486,6 +5606,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>the family nearer to it</source>
+   <translation>die nähere Schar</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>the flanges are this thick, by default as thick as the plates</source>
    <translation>die Flansche sind so dick, ohne Angabe so dick wie die Bleche</translation>
   </message>
@@ -5636,8 +5761,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>the strips stand on the surface or lie in it</source>
-   <translation>die Streifen stehen auf der Fläche oder liegen in ihr</translation>
+   <source>the strips stand on the surface, lie in it, or tilt as the net wants it</source>
+   <translation>die Streifen stehen auf der Fläche, liegen in ihr oder neigen sich, wie das Netz es will</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5668,6 +5793,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>through-v</source>
    <translation>v durchlaufend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tilted</source>
+   <translation>geneigt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

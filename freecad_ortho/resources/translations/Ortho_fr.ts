@@ -15,6 +15,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along u: 90 stands, 180 lies; 0 is free</source>
+   <translation>Angle entre la surface et les bandes le long de u : 90 debout, 180 couchées ; 0 est libre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along v: 90 stands, 180 lies; 0 is free</source>
+   <translation>Angle entre la surface et les bandes le long de v : 90 debout, 180 couchées ; 0 est libre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the two directions; 0 is as the net has it</source>
+   <translation>Angle entre les deux directions ; 0 est celui du réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles of turns about x, then y, then z</source>
    <translation>Angles des rotations autour de x, puis y, puis z</translation>
   </message>
@@ -590,6 +605,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines that lie in planes of their own</source>
+   <translation>Lignes qui sont chacune dans un plan</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Charge à chaque sommet, force</translation>
   </message>
@@ -815,11 +835,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Orthogonal nets: angle between the two directions</source>
-   <translation>Réseaux orthogonaux : angle entre les deux directions</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Overhang: the strips go this far beyond their last vertex, by default half their width</source>
    <translation>Débord : les bandes dépassent d'autant leur dernier sommet, par défaut de la moitié de leur largeur</translation>
   </message>
@@ -910,8 +925,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Position: the strips stand on the surface or lie in it</source>
-   <translation>Position : les bandes sont debout sur la surface ou couchées dedans</translation>
+   <source>Position: the strips stand on the surface, lie in it, or tilt as the net wants it</source>
+   <translation>Position: les bandes sont debout sur la surface, couchées, ou inclinées comme le veut le réseau</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1613,6 +1628,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along u: 90 stands, 180 lies</source>
+   <translation>Angle entre la surface et les bandes le long de u : 90 debout, 180 couchées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the surface and strips along v: 90 stands, 180 lies</source>
+   <translation>Angle entre la surface et les bandes le long de v : 90 debout, 180 couchées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Angle between the two directions</source>
+   <translation>Angle entre les deux directions</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles</source>
    <translation>Angles</translation>
   </message>
@@ -2238,6 +2268,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even angle</source>
+   <translation>Angle égal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Even angle diagonals</source>
+   <translation>Angle égal des diagonales</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Even lengths or equal steps of the parameters</source>
    <translation>Longueurs égales ou pas égaux des paramètres</translation>
   </message>
@@ -2370,6 +2410,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces with right angles; torsion-free beams.</source>
    <translation>Faces planes à angles droits ; poutres sans torsion.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat faces, and lines that lie in planes of their own.</source>
+   <translation>Faces planes, et lignes qui sont chacune dans un plan.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2807,6 +2852,11 @@
    <translation>Relever</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Line planes</source>
+   <translation>Plans des lignes</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Lines</source>
    <translation>Lignes</translation>
@@ -2820,6 +2870,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that cross at right angles, faces not flat.</source>
    <translation>Lignes qui se croisent à angle droit, faces non planes.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines that lie in planes of their own</source>
+   <translation>Lignes qui sont chacune dans un plan</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3143,11 +3198,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Orthogonal nets: angle between the two directions</source>
-   <translation>Réseaux orthogonaux : angle entre les deux directions</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Orthogonality</source>
    <translation>Orthogonalité</translation>
   </message>
@@ -3285,6 +3335,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Planarity</source>
    <translation>Planéité</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Plane lines</source>
+   <translation>Lignes planes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3813,6 +3868,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Straight upright lamellas that all cross at one angle.</source>
+   <translation>Lamelles droites et debout qui se croisent toutes sous un même angle.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Strength</source>
    <translation>Intensité</translation>
   </message>
@@ -3860,6 +3920,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Strip</source>
    <translation>Bande</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along u</source>
+   <translation>Bandes suivant u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along v</source>
+   <translation>Bandes suivant v</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -4053,6 +4123,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt</source>
    <translation>Inclinaison</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Tilted lamellas that unroll straight, one angle a family.</source>
+   <translation>Lamelles inclinées qui se déroulent droites, un angle par famille.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4391,6 +4466,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>along u</source>
+   <translation>suivant u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>along v</source>
+   <translation>suivant v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>aluminium</source>
    <translation>aluminium</translation>
   </message>
@@ -4436,6 +4521,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>as the net has it</source>
+   <translation>selon le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as thick as the bolts</source>
    <translation>épaisse comme les boulons</translation>
   </message>
@@ -4451,8 +4541,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>asymptotic-angle</source>
+   <translation>asymptotic-angle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic: minimal</source>
    <translation>asymptotique : minimale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>asymptotic: one angle</source>
+   <translation>asymptotique : un angle</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5196,8 +5296,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>planar-lines</source>
+   <translation>planar-lines</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>planar: flat faces</source>
    <translation>plan : faces planes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plane lines: flat beams</source>
+   <translation>lignes planes : arcs plats</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5233,6 +5343,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>principal: flat panels</source>
    <translation>principal : panneaux plans</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>pseudo-geodesic</source>
+   <translation>pseudo-geodesic</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>pseudo-geodesic: tilted</source>
+   <translation>pseudo-géodésique : incliné</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -5486,6 +5606,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>the family nearer to it</source>
+   <translation>la famille la plus proche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>the flanges are this thick, by default as thick as the plates</source>
    <translation>les semelles ont cette épaisseur, par défaut celle des plats</translation>
   </message>
@@ -5636,8 +5761,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>the strips stand on the surface or lie in it</source>
-   <translation>les bandes sont debout sur la surface ou couchées dedans</translation>
+   <source>the strips stand on the surface, lie in it, or tilt as the net wants it</source>
+   <translation>les bandes sont debout sur la surface, couchées, ou inclinées comme le veut le réseau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5668,6 +5793,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>through-v</source>
    <translation>v traversant</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>tilted</source>
+   <translation>inclinées</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
