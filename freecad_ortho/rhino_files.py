@@ -12,11 +12,14 @@ import numpy as np
 from solver.errors import InputError
 from solver.io.obj import ObjData
 from solver.isolated import Isolated, LibraryError
+from solver.mesh.quadmesh import FloatArray
 
 ENDINGS = (".3dm",)
 _UNITS = {"Millimeters": "mm", "Centimeters": "cm", "Meters": "m", "Inches": "in", "Feet": "ft"}
 _NO_UNIT = ("None", "Unset", "CustomUnits")
 _SECONDS = 120.0
+# Points for each span of a curve that is no polyline, and at most so many.
+_STEPS, _MOST = 64, 4096
 
 
 class RhinoReader:
@@ -25,18 +28,20 @@ class RhinoReader:
     def polygons(self, path: str) -> tuple[list[list[float]], list[list[int]], str, int]:
         """Points and corners of the faces of all meshes, the unit, and how many meshes there are.
 
+        Of surfaces by subdivision it is the mesh that controls them.
+
         Raises:
             ValueError: the file cannot be read.
         """
         import rhino3dm
 
-        model: Any = rhino3dm.File3dm.Read(path)
-        if model is None:
-            raise ValueError("no 3DM file, or damaged")
+        model = self._model(path)
         points: list[list[float]] = []
         faces: list[list[int]] = []
         meshes = [each.Geometry for each in model.Objects]
+        cages = [each for each in meshes if isinstance(each, rhino3dm.SubD)]
         meshes = [each for each in meshes if isinstance(each, rhino3dm.Mesh)]
+        meshes += [rhino3dm.Mesh.CreateFromSubDControlNet(cage) for cage in cages]
         for mesh in meshes:
             base = len(points)
             points += [[place.X, place.Y, place.Z] for place in mesh.Vertices.ToPoint3dArray()]
@@ -44,16 +49,79 @@ class RhinoReader:
                 a, b, c, d = mesh.Faces[number]
                 # A triangle has its last corner twice.
                 faces.append([base + corner for corner in ((a, b, c) if c == d else (a, b, c, d))])
-        return points, faces, str(model.Settings.ModelUnitSystem).rpartition(".")[2], len(meshes)
+        return points, faces, _unit_of(model), len(meshes)
+
+    def curves(self, path: str) -> tuple[list[list[list[float]]], str]:
+        """Points along all curves, and the unit.
+
+        Raises:
+            ValueError: the file cannot be read.
+        """
+        import rhino3dm
+
+        model = self._model(path)
+        shapes = [each.Geometry for each in model.Objects]
+        found = []
+        for curve in (each for each in shapes if isinstance(each, rhino3dm.Curve)):
+            corners = curve.TryGetPolyline()
+            if corners is not None:
+                line = [corners[number] for number in range(len(corners))]
+            else:
+                domain = curve.Domain
+                steps = min(_STEPS * max(curve.SpanCount, 1), _MOST)
+                at = np.linspace(domain.T0, domain.T1, steps + 1)
+                line = [curve.PointAt(place) for place in at.tolist()]
+            found.append([[point.X, point.Y, point.Z] for point in line])
+        return found, _unit_of(model)
+
+    def _model(self, path: str) -> Any:
+        import rhino3dm
+
+        model = rhino3dm.File3dm.Read(path)
+        if model is None:
+            raise ValueError("no 3DM file, or damaged")
+        return model
+
+
+def _unit_of(model: Any) -> str:
+    return str(model.Settings.ModelUnitSystem).rpartition(".")[2]
 
 
 def read_3dm(path: str | os.PathLike[str]) -> ObjData:
-    """Read the meshes of a 3DM file, and its unit.
+    """Read the meshes of a 3DM file, with the cages of its surfaces by subdivision, and its unit.
 
     Raises:
         InputError: no such file, the library missing, or no mesh in it.
     """
     name = os.fspath(path)
+    points, faces, unit, count = _read(name, "polygons")
+    if not faces:
+        raise InputError(f"{name}: has no mesh in it; make one of its surfaces (_QuadRemesh)")
+    said = (f"{count} meshes of the file are taken as one",) if count > 1 else ()
+    known = None if unit in _NO_UNIT else _UNITS.get(unit, unit)
+    return ObjData(np.array(points, dtype=np.float64), faces, known, remarks=said)
+
+
+def read_3dm_curves(path: str | os.PathLike[str]) -> tuple[list[FloatArray], str | None]:
+    """Read the curves of a 3DM file as polylines (n, 3), and its unit, None where it names none.
+
+    Raises:
+        InputError: no such file, the library missing, or no curve in it.
+    """
+    name = os.fspath(path)
+    lines, unit = _read(name, "curves")
+    if not lines:
+        raise InputError(f"{name}: has no curve in it; draw one, or give a list of points")
+    known = None if unit in _NO_UNIT else _UNITS.get(unit, unit)
+    return [np.array(line, dtype=np.float64) for line in lines], known
+
+
+def _read(name: str, call: str) -> Any:
+    """What the library finds in a file.
+
+    Raises:
+        InputError: no such file, the library missing, or a file that it cannot read.
+    """
     if not Path(name).is_file():
         raise InputError(f"{name}: no such file; check the path")
     if find_spec("rhino3dm") is None:
@@ -63,12 +131,6 @@ def read_3dm(path: str | os.PathLike[str]) -> ObjData:
         )
     with Isolated(RhinoReader) as library:
         try:
-            found = library.call("polygons", os.path.abspath(name), time_limit=_SECONDS)
+            return library.call(call, os.path.abspath(name), time_limit=_SECONDS)
         except LibraryError as error:
             raise InputError(f"{name}: cannot be read ({error}); export OBJ") from None
-    points, faces, unit, count = found
-    if not faces:
-        raise InputError(f"{name}: has no mesh in it; make one of its surfaces (_QuadRemesh)")
-    said = (f"{count} meshes of the file are taken as one",) if count > 1 else ()
-    known = None if unit in _NO_UNIT else _UNITS.get(unit, unit)
-    return ObjData(np.array(points, dtype=np.float64), faces, known, remarks=said)

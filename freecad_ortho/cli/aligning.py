@@ -10,13 +10,13 @@ from typing import Any
 
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
+from freecad_ortho.curve_files import read_curves
 from freecad_ortho.mesh_files import upright
 from freecad_ortho.sources.aligning import ALIGNED
 from freecad_ortho.sources.source import singular
 from freecad_ortho.surface_files import Found, SurfaceFile
 from solver.align.crosses import Singular
 from solver.io.atomic import write_text
-from solver.io.points import read_points
 
 # Strokes are files here.
 _SETTINGS = tuple(option for option in ALIGNED.options if option.kind != "polylines")
@@ -57,7 +57,7 @@ def add_settings(group: argparse._ActionsContainer) -> None:
         action="append",
         default=[],
         metavar="FILE",
-        help="points of a curve along which the net runs; may be repeated",
+        help="points of a curve along which the net runs, or a 3DM file of curves; may be repeated",
     )
     group.add_argument("--faces", metavar="I,J,K", help="of a STEP file, from 1 (default: all)")
 
@@ -85,7 +85,9 @@ def align(options: argparse.Namespace) -> Found:
     with reporting.Progress(options.verbose) as progress:
         surface = SurfaceFile.read(options.input, options.unit, options.up, numbers)
         told = _told(options, surface.unit)
-        strokes = [upright(read_points(path), options.up) for path in options.stroke]
+        strokes = [
+            line for path in options.stroke for line in read_curves(path, surface.unit, options.up)
+        ]
         found = surface.aligned(**told, strokes=strokes, waiting=_follower(progress))
     for remark in found.net.remarks:
         sys.stderr.write(f"note: {remark}\n")

@@ -11,6 +11,7 @@ from freecad_ortho import api, fabrication
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_OK, kept_whole
+from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import BUILD_UPS, MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
@@ -18,10 +19,8 @@ from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
-from freecad_ortho.mesh_files import upright
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
-from solver.io.points import read_points
 from solver.io.polygons import keeps_border
 from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
@@ -62,8 +61,8 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
         "--trim-along",
         action="append",
         metavar="FILE",
-        help="points of a closed curve along which parts are trimmed, in the net's unit, or a "
-        ".json net that has a border; may be repeated (default: the net's own border)",
+        help="points of a closed curve along which parts are trimmed, in the net's unit, a 3DM "
+        "file of curves, or a .json net that has a border; may be repeated (default: the net's own)",
     )
     trim.add_argument(
         "--untrimmed", action="store_true", help="build all of a net that overhangs its border"
@@ -182,7 +181,7 @@ def _border(options: argparse.Namespace, loaded: api.LoadedMesh) -> list[FloatAr
     lines: list[FloatArray] = []
     for path in options.trim_along:
         if not keeps_border(path):
-            lines.append(upright(read_points(path), options.up))
+            lines += read_curves(path, loaded.unit, options.up)
             continue
         other = api.read_mesh(path, options.unit, options.up)
         if not other.border:

@@ -2,16 +2,21 @@
 
 import sys
 from importlib.util import find_spec
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import trimesh
 
 from freecad_ortho import api, rhino_files
+from freecad_ortho.__main__ import main
+from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.site import Selection
+from solver import read_mesh, write_mesh
 from solver.errors import InputError
+from solver.mesh.quadmesh import QuadMesh
 
 needed = pytest.mark.skipif(
     find_spec("rhino3dm") is None, reason="needs rhino3dm (requirements-exchange.txt)"
@@ -133,3 +138,100 @@ def test_the_missing_library_is_named(tmp_path, monkeypatch):
     monkeypatch.delitem(sys.modules, "rhino3dm", raising=False)
     with pytest.raises(InputError, match=r"needs the package 'rhino3dm'; install it"):
         api.read_mesh(tmp_path / "net.3dm")
+
+
+def curve_file(path, unit):
+    """A polyline, a circle of radius 2 about (5, 0, 1), and a mesh that is no curve."""
+    import rhino3dm
+
+    model = rhino3dm.File3dm()
+    model.Settings.ModelUnitSystem = getattr(rhino3dm.UnitSystem, unit)
+    corners = [rhino3dm.Point3d(*place) for place in ((0, 0, 0), (1, 0, 0), (1, 2, 0.5))]
+    model.Objects.AddCurve(rhino3dm.PolylineCurve(corners))
+    model.Objects.AddCircle(rhino3dm.Circle(rhino3dm.Point3d(5, 0, 1), 2.0))
+    model.Objects.AddMesh(rhino3dm.Mesh())
+    model.Write(str(path), 7)
+    return path
+
+
+@needed
+@pytest.mark.parametrize(("unit", "scale"), [("Meters", 1000.0), ("Inches", 25.4), ("None", 1.0)])
+def test_curves_come_in_the_unit_that_is_wanted(tmp_path, unit, scale):
+    line, ring = read_curves(curve_file(tmp_path / "curves.3dm", unit), "mm")
+    np.testing.assert_allclose(line, scale * np.array([[0, 0, 0], [1, 0, 0], [1, 2, 0.5]]))
+    away = ring - scale * np.array([5, 0, 1])
+    np.testing.assert_allclose(np.linalg.norm(away, axis=1), 2 * scale, rtol=1e-12)
+    np.testing.assert_allclose(ring[0], ring[-1], atol=1e-9 * scale)
+    assert np.abs(away[:, 2]).max() < 1e-9 * scale
+    # As near to the curve as a thousandth of its radius.
+    assert np.linalg.norm(np.diff(ring, axis=0), axis=1).max() < 0.09 * 2 * scale
+
+
+@needed
+def test_a_line_of_the_net_runs_along_a_curve_of_rhino(tmp_path):
+    import rhino3dm
+
+    x, y = np.meshgrid(np.linspace(0, 10, 21), np.linspace(0, 8, 17), indexing="ij")
+    points = np.stack([x, y, 0.004 * x**2 + 0.012 * y**2], axis=-1).reshape(-1, 3)
+    number = np.arange(21 * 17).reshape(21, 17)
+    faces = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1)
+    write_mesh(tmp_path / "surface.obj", QuadMesh(points, faces.reshape(-1, 4)), "m")
+    at = np.linspace(0.5, 9.5, 60)
+    across = 4 + 0.6 * np.sin(0.5 * at)
+    curve = np.stack([at, across, 0.004 * at**2 + 0.012 * across**2], axis=-1)
+    model = rhino3dm.File3dm()
+    model.Settings.ModelUnitSystem = rhino3dm.UnitSystem.Millimeters
+    line = rhino3dm.PolylineCurve([rhino3dm.Point3d(*place) for place in (1000 * curve).tolist()])
+    model.Objects.AddCurve(line)
+    model.Write(str(tmp_path / "stroke.3dm"), 7)
+
+    def turned(*options):
+        """How far edges near the curve are turned from it, degrees, in the mean."""
+        arguments = ["align", str(tmp_path / "surface.obj"), "--edge", "0.7"]
+        out = tmp_path / "net.obj"
+        assert main([*arguments, "-o", str(out), *options]) == 0
+        net = read_mesh(out)
+        ends = net.vertices[net.connectivity.edges]
+        middles = ends.mean(axis=1)
+        away = np.linalg.norm(middles[:, None] - curve[None], axis=2)
+        near = away.min(axis=1) < 0.4
+        along = np.gradient(curve, axis=0)[away[near].argmin(axis=1)]
+        arms = ends[near, 1] - ends[near, 0]
+        cosine = np.abs(np.einsum("ek,ek->e", along, arms))
+        cosine /= np.linalg.norm(along, axis=1) * np.linalg.norm(arms, axis=1)
+        angles = np.degrees(np.arccos(np.clip(cosine, 0, 1)))
+        return float(np.minimum(angles, 90 - angles).mean())
+
+    followed, free = turned("--stroke", str(tmp_path / "stroke.3dm")), turned()
+    assert followed < 0.5 * free, (followed, free)
+
+
+@needed
+def test_files_without_curves_are_refused(tmp_path):
+    rhino_file(tmp_path / "empty.3dm", "Meters")
+    with pytest.raises(InputError, match=r"empty\.3dm: has no curve in it; draw one"):
+        read_curves(tmp_path / "empty.3dm", "mm")
+
+
+@needed
+def test_cages_of_subdivision_are_meshes_too(monkeypatch):
+    """The library makes no such surface, so the file is a stand-in; the rest is the library's."""
+    import rhino3dm
+
+    cage = rhino3dm.Mesh()
+    for place in ((0, 0, 0), (2, 0, 0), (2, 3, 0), (0, 3, 1)):
+        cage.Vertices.Add(*place)
+    cage.Faces.AddFace(0, 1, 2, 3)
+    held = SimpleNamespace(Geometry=rhino3dm.SubD())
+    model = SimpleNamespace(Objects=[held], Settings=rhino3dm.File3dm().Settings)
+    asked = []
+    monkeypatch.setattr(
+        rhino3dm.Mesh,
+        "CreateFromSubDControlNet",
+        staticmethod(lambda subd: asked.append(subd) or cage),
+    )
+    monkeypatch.setattr(rhino_files.RhinoReader, "_model", lambda self, path: model)
+    points, faces, _, count = rhino_files.RhinoReader().polygons("cage.3dm")
+    assert (count, asked) == (1, [held.Geometry])
+    assert faces == [[0, 1, 2, 3]]
+    assert points[2] == [2, 3, 0]
