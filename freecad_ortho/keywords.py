@@ -183,6 +183,7 @@ class NetSettings(PassedSettings, total=False):
     tilt_u: float | None
     tilt_v: float | None
     plane: Literal["one", "u", "v", "both"]
+    web: Literal["aag", "agg", "gga", "ggg"]
     radius: Length | None
     length: Length | None
     per_family: bool

@@ -43,6 +43,7 @@ from tests.meshes import (
     constant_ratio,
     deformed,
     freeform_roof,
+    freeform_saddle,
     hanging_net,
     helicoid,
     noisy,
@@ -168,6 +169,12 @@ VIEWS = {
     ),
     "pseudo-geodesic": View(
         "freeform roof, 60 degrees", freeform_roof, options={"tilt_u": 60.0, "tilt_v": 60.0}
+    ),
+    "web": View(
+        "freeform saddle",
+        freeform_saddle,
+        turn=-55,
+        tilt=40,
     ),
     "planar-lines": View("demo roof, both families", demo_roof, options={"plane": "both"}),
     "cmc": View("cmc1", lambda: paper("cmc1", lambda: noisy(unduloid()))),

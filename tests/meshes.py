@@ -108,6 +108,12 @@ def freeform_roof(rows: int = 26, columns: int = 22, size: float = 20.0) -> Quad
     return grid(x, y, 0.3 * np.sin(0.5 * x + 0.2 * y) - 0.02 * x**2 - 0.015 * y**2)
 
 
+def freeform_saddle(rows: int = 20, columns: int = 18, size: float = 20.0) -> QuadMesh:
+    """A hyperbolic paraboloid over a rectangle with a slow wave in it."""
+    x, y = parameters(rows, columns, size, size * (columns - 1) / (rows - 1))
+    return grid(x, y, 0.03 * x * y + 0.3 * np.sin(0.4 * x))
+
+
 def small_circles(
     rows: int = 13, columns: int = 13, radius: float = 50.0, low: float = 15.0, high: float = 35.0
 ) -> QuadMesh:

@@ -111,3 +111,36 @@ def plane_lines(mesh: QuadMesh) -> FloatArray:
     """(E,) :func:`off_plane` of the family whose lines are nearer to planes of their own."""
     off = [off_plane(mesh, family) for family in "uv"]
     return min(off, key=lambda each: float((each**2).sum()))
+
+
+def web_parts(mesh: QuadMesh, kind: str) -> list[tuple[IntArray, float]]:
+    """What lines a web has, in the way of all that it can have that is nearest to a mesh.
+
+    Args:
+        mesh: to be compared.
+        kind: a letter for two families of lines and one of diagonals: a asymptotic, g geodesic.
+
+    Returns:
+        (S, 2) vertices before and after each star of the ``Combed`` mesh, and the tilt of the
+        strips in radians, for the three families.
+    """
+    combed = Combed(mesh.connectivity)
+    stars, corners = combed.stars, combed.diagonal_stars
+    tilts = [np.pi / 2 if letter == "a" else 0.0 for letter in kind]
+    along = [stars[:, [3 + k, 1 + k]] for k in (0, 1)]
+    across = [corners[:, [3 + k, 1 + k]] for k in (0, 1)]
+    orders = ((0, 1),) if kind[0] == kind[1] else ((0, 1), (1, 0))
+    ways = [[along[i], along[j], diagonal] for i, j in orders for diagonal in across]
+
+    def miss(way: list[IntArray]) -> float:
+        off = [off_tilt(*bends(mesh, stars, e), t) for e, t in zip(way, tilts, strict=True)]
+        return float(np.square(off).sum())
+
+    return list(zip(min(ways, key=miss), tilts, strict=True))
+
+
+def web(mesh: QuadMesh, kind: str = "aag") -> FloatArray:
+    """(S,) largest part of the turns of the three lines of a web that is not as it should be."""
+    stars = Combed(mesh.connectivity).stars
+    off = [off_tilt(*bends(mesh, stars, ends), tilt) for ends, tilt in web_parts(mesh, kind)]
+    return np.asarray(np.max(off, axis=0)) if len(stars) else np.zeros(0)

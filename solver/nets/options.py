@@ -46,6 +46,8 @@ class NetOptions:
         tilt_v: the same along v.
         plane: u, v, both or one: of which families the lines of a net of plane lines lie in
             planes; one for the family that is nearer to that.
+        web: aag, agg, gga or ggg: of a web what the two families of lines and that of diagonals
+            are, asymptotic or geodesic.
         radius: radius of the star spheres in model units, None for free.
         length: edge length of a Chebyshev net in model units, None for free.
         per_family: a Chebyshev net has one length for each family of parameter lines.
@@ -118,6 +120,15 @@ class NetOptions:
             title="Plane lines",
             choices=tuple(_PLANE),
             shown=_PLANE,
+        ),
+    )
+    web: str = field(
+        default="aag",
+        metadata=_offered(
+            "choice",
+            "Lines, lines and diagonals of a web: a asymptotic, g geodesic",
+            title="Web",
+            choices=("aag", "agg", "gga", "ggg"),
         ),
     )
     radius: float | None = field(

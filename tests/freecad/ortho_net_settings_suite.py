@@ -52,6 +52,7 @@ class TestTable(DocumentCase):
             "tilt_u": 60.0,
             "tilt_v": 120.0,
             "plane": "both",
+            "web": "agg",
             "radius": 2000.0,
             "length": 150.0,
             "per_family": True,

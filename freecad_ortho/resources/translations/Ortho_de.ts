@@ -610,6 +610,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
+   <translation>Linien, Linien und Diagonalen eines Gewebes: a asymptotisch, g geodätisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Last an jeder Ecke, Kraft</translation>
   </message>
@@ -2878,6 +2883,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
+   <translation>Linien, Linien und Diagonalen eines Gewebes: a asymptotisch, g geodätisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at a vertex</source>
    <translation>Last je Ecke</translation>
   </message>
@@ -4121,6 +4131,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Three families of straight slats, which brace each other.</source>
+   <translation>Drei Scharen gerader Latten, die einander aussteifen.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt</source>
    <translation>Neigung</translation>
   </message>
@@ -4268,6 +4283,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Web</source>
+   <translation>Gewebe</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structural_panel.py" />
@@ -5883,6 +5903,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>wave</source>
    <translation>Welle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>web</source>
+   <translation>web</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>web: three layers of slats</source>
+   <translation>Gewebe: drei Scharen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -610,6 +610,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
+   <translation>Lignes, lignes et diagonales d'une toile : a asymptotiques, g géodésiques</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at each vertex, force</source>
    <translation>Charge à chaque sommet, force</translation>
   </message>
@@ -2878,6 +2883,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
+   <translation>Lignes, lignes et diagonales d'une toile : a asymptotiques, g géodésiques</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load at a vertex</source>
    <translation>Charge par sommet</translation>
   </message>
@@ -4121,6 +4131,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Three families of straight slats, which brace each other.</source>
+   <translation>Trois familles de lattes droites qui se raidissent.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt</source>
    <translation>Inclinaison</translation>
   </message>
@@ -4268,6 +4283,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Wanted edge length, instead of the sampling</source>
    <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Web</source>
+   <translation>Toile</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structural_panel.py" />
@@ -5883,6 +5903,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>wave</source>
    <translation>onde</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>web</source>
+   <translation>web</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>web: three layers of slats</source>
+   <translation>toile : trois couches</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

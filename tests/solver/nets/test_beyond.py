@@ -17,9 +17,8 @@ from tests.meshes import (
     constant_ratio,
     deformed,
     freeform_roof,
-    grid,
+    freeform_saddle,
     noisy,
-    parameters,
     small_circles,
 )
 
@@ -29,11 +28,6 @@ def reached(start: QuadMesh, net: str, **options):
     assert outcome.report.status == "converged", outcome.report.message
     assert max(spread.max for spread in outcome.report.residuals.values()) <= 1e-10
     return outcome.mesh, outcome.report
-
-
-def saddle() -> QuadMesh:
-    x, y = parameters(16, 14, 20.0, 17.0)
-    return grid(x, y, 0.03 * x * y + 0.3 * np.sin(0.4 * x))
 
 
 def with_turned_faces(mesh: QuadMesh) -> QuadMesh:
@@ -82,7 +76,7 @@ def test_lines_of_a_surface_of_one_curvature_ratio_cross_at_its_angle(ratio):
 
 
 def test_an_angle_that_is_given_bends_the_saddle_either_way_whatever_corner_faces_begin_at():
-    start = saddle()
+    start = freeform_saddle(16, 14)
     mesh, report = reached(start, "asymptotic-angle", angle=75.0)
     assert np.degrees(measures.medial_angles(mesh.vertices[mesh.faces])) == pytest.approx(75.0)
     assert report.form.off_surface.percent < 5 and report.form.zigzag > 0.85
@@ -103,6 +97,8 @@ def test_families_that_are_exchanged_around_a_vertex_have_no_angle_but_a_right_o
         optimise(around_one_vertex(5), "asymptotic-angle")
     with pytest.raises(InputError, match="only a right angle"):
         optimise(around_one_vertex(3), "orthogonal", options=NetOptions(angle=80.0))
+    with pytest.raises(InputError, match="an even number of faces meet"):
+        optimise(around_one_vertex(5), "web")
     with pytest.raises(InputError, match=r"give --tilt-u and --tilt-v of 90 .*or 180"):
         optimise(around_one_vertex(6), "pseudo-geodesic")
 
@@ -172,6 +168,33 @@ def test_lines_of_a_roof_lie_in_planes_and_faces_are_flat(plane, allowed):
     for line in lines.long_lines(mesh, "uv" if plane == "both" else "uv"[int(np.argmin(off))]):
         points = mesh.vertices[line.vertices] - mesh.vertices[line.vertices].mean(axis=0)
         assert np.linalg.svd(points, compute_uv=False)[2] < 1e-9 * mesh.mean_edge
+
+
+@pytest.mark.parametrize("kind", ["aag", "agg", "ggg"])
+def test_three_families_of_a_web_run_straight_on_a_freeform_saddle(kind):
+    start = freeform_saddle(14, 12)
+    mesh, report = reached(start, "web", web=kind)
+    assert report.form.off_surface.percent < 1.5
+    assert report.form.zigzag > report.form.zigzag_start - 0.02
+    assert lines.web(mesh, kind).max() < 1e-10 < 1e-4 < lines.web(start, kind).max()
+    combed = Combed(mesh.connectivity)
+    at, corners = mesh.vertices[combed.stars], mesh.vertices[combed.diagonal_stars]
+    normal = np.cross(at[:, 1] - at[:, 3], at[:, 2] - at[:, 4])
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+
+    def plain(points, k):
+        """Volume of normal, edge before and after: none where a line runs straight on."""
+        into, out = points[:, 0] - points[:, k + 2], points[:, k] - points[:, 0]
+        into, out = (v / np.linalg.norm(v, axis=1)[:, None] for v in (into, out))
+        return np.abs(np.einsum("ij,ij->i", np.cross(into, out), normal)).max()
+
+    straight = [plain(at, k) < 1e-10 for k in (1, 2)] + [
+        any(plain(corners, k) < 1e-10 for k in (1, 2))
+    ]
+    assert sum(straight) == kind.count("g")
+    if kind == "aag":
+        flat = np.einsum("ijk,ik->ij", at[:, 1:] - at[:, :1], normal)
+        assert np.abs(flat).max() < 1e-10 * mesh.mean_edge
 
 
 def test_bad_options_of_these_nets_are_one_line():
