@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from solver.mesh.combed import Combed
@@ -130,9 +132,11 @@ def web_parts(mesh: QuadMesh, kind: str) -> list[tuple[IntArray, float]]:
     along = [stars[:, [3 + k, 1 + k]] for k in (0, 1)]
     across = [corners[:, [3 + k, 1 + k]] for k in (0, 1)]
     orders = ((0, 1),) if kind[0] == kind[1] else ((0, 1), (1, 0))
-    ways = [[along[i], along[j], diagonal] for i, j in orders for diagonal in across]
+    ways: list[list[IntArray]] = [
+        [along[i], along[j], diagonal] for i, j in orders for diagonal in across
+    ]
 
-    def miss(way: list[IntArray]) -> float:
+    def miss(way: Iterable[IntArray]) -> float:
         off = [off_tilt(*bends(mesh, stars, e), t) for e, t in zip(way, tilts, strict=True)]
         return float(np.square(off).sum())
 
