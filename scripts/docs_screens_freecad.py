@@ -134,6 +134,29 @@ def tutorial() -> None:
     close()
 
 
+def standing() -> None:
+    """The tutorial's structural check; what it comes to is said for the page."""
+    from ortho_tutorial import Tutorial
+
+    from freecad_ortho import api
+
+    def seen(name: str) -> None:
+        stand(1.2)
+        look(name)
+        print([check.Verdict for check in story.document.Objects if hasattr(check, "Verdict")])
+
+    story = Tutorial(lambda name: None)
+    story.open_mesh()
+    api.optimise_net(story.net)
+    api.add_beams(story.net)
+    api.add_panels(story.net)
+    story.look = seen
+    story.check_structure(1.5)
+    story.balance_deformed()
+    story.size()
+    close()
+
+
 def near(name: str) -> None:
     """Look at the middle from near."""
     stand(0.3)
@@ -293,7 +316,7 @@ def run() -> None:
     """Take all pictures, then end FreeCAD whatever happens."""
     try:
         FreeCADGui.activateWorkbench("OrthoWorkbench")
-        for part in (tutorial, others, files_and_pages):
+        for part in (tutorial, standing, others, files_and_pages):
             if part.__name__ in os.environ.get("ORTHO_SCREENS", part.__name__):
                 part()
     finally:

@@ -19,7 +19,7 @@ def test_the_demo_roof_is_checked_and_reported(tmp_path, capsys):
     command += ["--supports", "boundary", "--snow", "1.5", "--wind", "0.6@x", "--self-weight"]
     start = time.process_time()
     assert main([*command, "-o", str(folder)]) == 1
-    assert time.process_time() - start < 10
+    assert time.process_time() - start < 5
     said = capsys.readouterr()
     assert said.out.startswith("Does not pass this check: buckling factor 3.")
     assert said.out.count("\n") == 1 and "Panels weigh nothing here" in said.err

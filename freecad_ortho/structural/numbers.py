@@ -12,7 +12,7 @@ from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.combinations import Combination
 from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import Model
-from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
+from freecad_ortho.structural.words import NOT_CHECKED, assumptions, loads, warnings
 
 # Most members in the list of those that are used most.
 _LISTED = 5
@@ -49,6 +49,10 @@ def check_numbers(check: StructuralCheck) -> dict[str, Any]:
         },
         "largest_shear_of_panels_kN_m": check.panel_shear,
         "imbalance": check.balance,
+        "load_cases": [
+            {"name": name, "given": given, "sum_kN": total.tolist()}
+            for name, given, total in loads(check)
+        ],
         "combinations": [
             {
                 "name": one.combination.name,

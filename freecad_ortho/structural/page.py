@@ -11,7 +11,7 @@ from freecad_ortho.fabrication.report.page import STYLE
 from freecad_ortho.fabrication.report.pictures import CORNER, PLAN
 from freecad_ortho.structural.check import Found, StructuralCheck
 from freecad_ortho.structural.pictures import frame_picture
-from freecad_ortho.structural.words import NOT_CHECKED, assumptions, warnings
+from freecad_ortho.structural.words import NOT_CHECKED, assumptions, loads, warnings
 from solver.mesh.quadmesh import FloatArray
 
 _WIDE = ".frames > * { flex: 1 1 26rem; }"
@@ -38,6 +38,7 @@ def check_page(check: StructuralCheck, project: str = "") -> str:
         f'<p class="verdict{bad}">{escape(check.verdict)}</p>',
         _list("Mind", warnings(check)),
         _pictures(check),
+        _loads(check),
         _combinations(check),
         _governing(check),
         _supports(check),
@@ -100,6 +101,15 @@ def _shape(check: StructuralCheck, shape: FloatArray, words: str, unit: str) -> 
     )
     times = f", drawn {drawn:.3g} times as large" if unit else ""
     return _figure(picture, f"{words}{times}")
+
+
+def _loads(check: StructuralCheck) -> str:
+    rows = [
+        (name, given, *(f"{force + 0.0:.1f}" for force in np.round(total, 1).tolist()))
+        for name, given, total in loads(check)
+    ]
+    head = ("case", "given", "sum along x, kN", "along y", "along z, upwards")
+    return "<h2>Loads</h2>" + _table(head, rows)
 
 
 def _combinations(check: StructuralCheck) -> str:

@@ -30,6 +30,10 @@ class Rules(Protocol):
     def words(self) -> str:
         """The rules by name."""
 
+    @property
+    def factor(self) -> float:
+        """Partial factor of sections and of buckling."""
+
     def section(self, forces: FloatArray, permanent: bool) -> FloatArray:
         """(K, M) how far forces (K, M, 6) in sections along members use these up, 1 for wholly."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from freecad_ortho.structural.check import ENOUGH, StructuralCheck
 from freecad_ortho.structural.groups import Group
 from freecad_ortho.words import counted
+from solver.mesh.quadmesh import FloatArray
 
 NOT_CHECKED = (
     "the nodes and their bolts and welds, the supports and what is below them",
@@ -21,12 +22,14 @@ NOT_CHECKED = (
 def assumptions(check: StructuralCheck) -> list[str]:
     """What was taken for granted, a sentence each."""
     model, design = check.model, check.model.design
-    rules = "; ".join(dict.fromkeys(group.rules.words for group in model.groups))
+    by = [f"{one.rules.words} (partial factor {one.rules.factor:g})" for one in model.groups]
+    rules = "; ".join(dict.fromkeys(by))
     words = [
         f"Members are straight between vertices, {model.section_words}, their middle "
         f"{_place(check)}, upright along its axes.",
         *dict.fromkeys(map(_of_material, model.groups)),
-        f"Joints are {_joints(design.joints)}; supports: {design.supports}.",
+        f"Joints are {_joints(design.joints)}; supports: {design.supports}, pinned where nothing "
+        f"else is said, {counted(_held(check), 'node')} in all.",
         f"Sections and members are checked by {rules}; buckling length "
         f"{design.buckling_length:g} times the length.",
         "Loads of faces lie on their edges, each carries the part of the face nearest to it, "
@@ -63,6 +66,28 @@ def _of_material(group: Group) -> str:
         f"{material.name}: E {material.youngs_modulus:g} MPa, G {material.shear_modulus:.0f} MPa, "
         f"strength {material.bending_limit:g} MPa."
     )
+
+
+def _held(check: StructuralCheck) -> int:
+    supports = check.model.supports
+    return int((supports.fixed | (supports.springs > 0)).any(axis=1).sum())
+
+
+def loads(check: StructuralCheck) -> list[tuple[str, str, FloatArray]]:
+    """Load cases: name, what was given, and the sum of the forces along x, y, z, kN."""
+    model, design = check.model, check.model.design
+    given = {
+        "self-weight": f"{model.mass / 1000:.2f} t of members, no nodes",
+        "panels": f"{design.panels:g} kN/m2 of surface",
+        "snow": f"{design.snow:g} kN/m2 of plan",
+        "snow on one half": f"{design.snow:g} kN/m2 of plan, on one half",
+        "point loads": f"{counted(len(design.load), 'force')} on nodes",
+    }
+    usual = "pressure by how far a face looks into the wind, kN/m2"
+    return [
+        (case.name, given.get(case.name, usual), case.loads.total(model.frame) / 1e3)
+        for case in model.cases
+    ]
 
 
 def _place(check: StructuralCheck) -> str:

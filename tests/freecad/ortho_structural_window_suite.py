@@ -6,6 +6,7 @@ import numpy as np
 import ortho_suite_tools as tools
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
+from ortho_tutorial import Tutorial
 
 from freecad_ortho import api, convert
 from freecad_ortho.panels import structural_panel
@@ -143,6 +144,30 @@ class TestPanel(CheckWindowCase):
         answers.ask("write check", check)
         self.assertTrue((folder / "check.html").exists())
         self.assertIn(str(folder), self.said[-1])
+
+
+class TestTutorial(CheckWindowCase):
+    def test_the_steps_of_the_page(self):
+        api.optimise_net(self.net)
+        api.add_beams(self.net)
+        api.add_panels(self.net)
+        story, seen = Tutorial(lambda name: seen.append(name)), []
+        story.check_structure(1.5)
+        check = self.document.StructuralCheck
+        self.assertEqual((check.Snow.Value, check.Wind), (1.5, ["0.6@x"]))
+        self.assertEqual(
+            (check.Members, check.Cladding), (self.document.Beams, self.document.Panels)
+        )
+        self.assertEqual(check.CheckedSection, "plate:20x200 of steel")
+        story.balance_deformed()
+        self.assertTrue(check.SecondOrder)
+        self.assertEqual(check.ViewObject.DrawnShape, "Buckling")
+        story.size("tube:150x100x6.3+tube:200x120x10")
+        self.assertEqual((check.Section, check.Members), ("tube:150x100x6.3", None))
+        self.assertTrue(check.Passed)
+        self.assertEqual(self.errors, [])
+        expected = ["stand-panel", "stand", "stand-buckling", "stand-sized"]
+        self.assertEqual(seen, expected)
 
 
 class TestView(CheckWindowCase):

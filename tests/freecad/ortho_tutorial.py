@@ -16,7 +16,8 @@ from ortho_suite_tools import click, press, vertices, wait
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from freecad_ortho import convert
+from freecad_ortho import answers, convert
+from freecad_ortho.window import dialogs
 
 SURFACE = tools.ROOT / "examples" / "data" / "demo_roof.step"
 ROOF = tools.ROOT / "examples" / "data" / "demo_roof.obj"
@@ -169,6 +170,47 @@ class Tutorial:
         self.look("export")
         with Answers(str(folder)):
             press("Ok")
+
+    def check_structure(self, snow):
+        """Select the net, Structural check, its beams, panels and loads; OK."""
+        self.select(self.net)
+        FreeCADGui.runCommand("Ortho_StructuralCheck")
+        wait()
+        for label, item in (("Members", self.document.Beams), ("Weight of", self.document.Panels)):
+            tools.field(label).setCurrentText(item.Label)
+        tools.field("Snow").setValue(snow)
+        tools.field("Wind").setText("0.6@x")
+        self.look("stand-panel")
+        press("Ok")
+        wait()
+        self.only(self.document.StructuralCheck)
+        self.look("stand")
+
+    def balance_deformed(self):
+        """A double click on the check, the tick at Second order, OK; then its buckling shape."""
+        check = self.document.StructuralCheck
+        check.ViewObject.Proxy.doubleClicked(check.ViewObject)
+        wait()
+        click("Second order")
+        press("Ok")
+        wait()
+        check.ViewObject.Proxy.next_mode()
+        self.look("stand-buckling")
+
+    def size(self, sections="tubes"):
+        """Members of its own, then the lightest of a list, as its menu in the tree offers."""
+        check = self.document.StructuralCheck
+        check.ViewObject.Proxy.doubleClicked(check.ViewObject)
+        wait()
+        tools.field("Members").setCurrentIndex(0)
+        tools.field("Material").setText("S355")
+        press("Ok")
+        wait()
+        with mock.patch.object(dialogs, "ask_sections", lambda lists: (sections, "all")):
+            answers.ask("size check", check)
+        wait()
+        check.ViewObject.ColourBy, check.ViewObject.DrawnShape = "Displacement", "Deflected"
+        self.look("stand-sized")
 
     def open_gridshell(self):
         FreeCADGui.activateWorkbench("OrthoWorkbench")

@@ -140,6 +140,12 @@ def test_files_say_what_was_found(checked, tmp_path):
     assert governing == pytest.approx(expected, abs=1e-4)
     numbers = json.loads((tmp_path / "check.json").read_text(encoding="utf-8"))
     assert numbers["verdict"]["passed"] and numbers["not_checked"]
+    given = {row["name"]: row for row in numbers["load_cases"]}
+    for case in checked.model.cases:
+        total = case.loads.total(checked.model.frame) / 1e3
+        assert given[case.name]["sum_kN"] == pytest.approx(total)
+    assert given["snow"]["given"] == "1.5 kN/m2 of plan"
+    assert "pinned where nothing else is said, 20 nodes" in " ".join(numbers["assumptions"])
     model = json.loads((tmp_path / "model.json").read_text(encoding="utf-8"))
     assert len(model["nodes"]) == 35 and len(model["members"]) == len(rows)
     assert [case["name"] for case in model["load_cases"]] == [
