@@ -79,6 +79,7 @@ def build_surface(
     stands_on: str = "boundary",
     strokes: Sequence[FloatArray] = (),
     singularities: Singular | None = None,
+    symmetry: str = "none",
     unit: str | None = None,
     up: str = "z",
     faces: Sequence[int] = (),
@@ -108,6 +109,7 @@ def build_surface(
         stands_on: ``boundary`` or ``corners``: what carries the shell that a stress net follows.
         strokes: polylines (n, 3) on the surface along which lines of the net run.
         singularities: where the net has irregular vertices; the fewest that it needs by default.
+        symmetry: ``auto`` or ``x``, ``y``, ``z``, ``x,y``: planes in which it is its mirror image.
         unit: of the surface, and of all lengths above; by default what the file says, else mm.
         up: ``z``, or ``y`` for a file of triangles whose y points up.
         faces: numbers of faces of a STEP file, from 1; by default all.
@@ -130,7 +132,7 @@ def build_surface(
     systems_of(system, sizes, materials_of(material, system.split("+"), None))
     Workshop.of(workshop or {})
     lying: dict[str, Any] = {"edge": edge, "ratio": ratio, "border": border, "stands_on": stands_on}
-    lying |= {"strokes": strokes, "singularities": singularities}
+    lying |= {"strokes": strokes, "singularities": singularities, "symmetry": symmetry}
     asked: dict[str, dict[str, Any]] = {
         ALIGN: {"unit": unit, "up": up, "faces": faces} | lying,
         OPTIMISE: {"net": net, "within": within, "options": options},

@@ -33,7 +33,7 @@ _SETTLED = 0.35
 class AlignedPanel(SourcePanel):
     """The fields of a net along curvature; it is made aside, and OK waits for it.
 
-    Its singular vertices are dragged along the surface, and strokes are drawn on it.
+    Its singular vertices are dragged along the surface or added, and strokes are drawn on it.
 
     Attributes:
         aside: makes the net.
@@ -95,12 +95,25 @@ class AlignedPanel(SourcePanel):
         if not self._accepting:
             self.strokes.add_line(tuple(map(tuple, line.tolist())))
 
+    def added(self, place: FloatArray) -> None:
+        """A singular vertex is wanted at a place."""
+        if not self._accepting:
+            self.singular.added(place)
+
+    def _give_adding(self, on: bool) -> None:
+        if on:
+            self.strokes.draw_button.setChecked(False)
+            self.strokes.pick_button.setChecked(False)
+        self.hand.adding = on
+
     def _give_singular(self, rows: Rows | None) -> None:
         self.fields["singularities"].value = rows
         self._show_parts()
 
     def _give_lines(self) -> None:
         self.hand.drawing = self.strokes.draw_button.isChecked()
+        if self.hand.drawing or self.strokes.pick_button.isChecked():
+            self.singular.add_button.setChecked(False)
         self.fields["drawn_strokes"].value = self.strokes.lines
         self._show_parts()
 
@@ -213,7 +226,7 @@ class AlignedPanel(SourcePanel):
         self.strokes = StrokeBox(
             self.inputs.strokes, values["drawn_strokes"], lambda: self._give_lines()
         )
-        self.singular = SingularBox(values["singularities"], self._give_singular)
+        self.singular = SingularBox(values["singularities"], self._give_singular, self._give_adding)
         self.field_box = QtGui.QCheckBox(translate("Ortho", "Show the field"))
         self.field_box.setToolTip(
             translate(

@@ -1,4 +1,4 @@
-"""Row of a form that says where a net has singular vertices, and lets them be found again."""
+"""Rows of a form that say where a net has singular vertices, and add one or have them found."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from collections.abc import Callable
 import FreeCAD
 from PySide import QtGui
 
+from freecad_ortho.panels.fields import NARROW
 from freecad_ortho.sources.source import singular
 from freecad_ortho.window import messages
-from solver.align.crosses import Singular
+from solver.align.crosses import VALENCES, Singular
 from solver.errors import OrthoError
 from solver.mesh.quadmesh import FloatArray
 
@@ -19,17 +20,23 @@ Rows = tuple[tuple[float, ...], ...]
 
 
 class SingularBox:
-    """What singular vertices a net is to have, in words, with a button that has them found.
+    """What singular vertices a net is to have, in words; one is added, or they are found.
 
     Args:
         rows: x, y, z in mm and number of lines; None where they are found.
         changed: called with the rows when these change.
+        adding: called when from now on a press on the surface adds one, or no longer.
 
     Attributes:
         widget: to be put into a form.
     """
 
-    def __init__(self, rows: Rows | None, changed: Callable[[Rows | None], None]) -> None:
+    def __init__(
+        self,
+        rows: Rows | None,
+        changed: Callable[[Rows | None], None],
+        adding: Callable[[bool], None],
+    ) -> None:
         self._rows, self._changed = rows, changed
         self._found: Singular | None = None
         self.widget = QtGui.QWidget()
@@ -44,12 +51,26 @@ class SingularBox:
                 "with 5 lines vanish, and two with 5 become one with 6",
             )
         )
+        self.lines_box = QtGui.QComboBox()
+        self.lines_box.addItems([translate("Ortho", "{} lines").format(k) for k in VALENCES])
+        self.lines_box.setToolTip(translate("Ortho", "How many lines meet in the one to be added"))
+        self.add_button = QtGui.QPushButton(translate("Ortho", "Add"))
+        self.add_button.setCheckable(True)
+        self.add_button.setToolTip(
+            translate("Ortho", "Press the mouse on the surface where there is to be one more")
+        )
+        self.add_button.toggled.connect(adding)
         self.reset_button = QtGui.QPushButton(translate("Ortho", "Reset"))
         self.reset_button.setToolTip(
             translate("Ortho", "Have them found: the fewest that the surface needs")
         )
         self.reset_button.clicked.connect(lambda: self._take(None))
+        row = QtGui.QHBoxLayout()
+        for widget in (self.lines_box, self.add_button):
+            widget.setMinimumWidth(NARROW // 2)
+            row.addWidget(widget)
         column.addWidget(self._words)
+        column.addLayout(row)
         column.addWidget(self.reset_button)
         self._show()
 
@@ -70,8 +91,14 @@ class SingularBox:
         except OrthoError as error:
             messages.show_status(str(error))
             return
-        pairs = zip(moved.places.tolist(), moved.valences.tolist(), strict=True)
-        self._take(tuple((*here, lines) for here, lines in pairs))
+        self._take(_rows(moved))
+
+    def added(self, place: FloatArray) -> None:
+        """One more is wanted at a place, with as many lines as the box says."""
+        there = self.singular
+        before = () if there is None else _rows(there)
+        self.add_button.setChecked(False)
+        self._take((*before, (*place.tolist(), VALENCES[self.lines_box.currentIndex()])))
 
     def _take(self, rows: Rows | None) -> None:
         self._rows = rows
@@ -90,3 +117,8 @@ class SingularBox:
         head = translate("Ortho", "given: {}") if given else translate("Ortho", "automatic: {}")
         self._words.setText(head.format(words))
         self.reset_button.setEnabled(given)
+
+
+def _rows(there: Singular) -> Rows:
+    pairs = zip(there.places.tolist(), there.valences.tolist(), strict=True)
+    return tuple((*place, lines) for place, lines in pairs)

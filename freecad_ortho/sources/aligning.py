@@ -14,6 +14,7 @@ from solver.align.align import BORDERS, Aligned, aligned
 from solver.align.crosses import Singular
 from solver.align.guides import TURNED
 from solver.align.membrane import STANDS_ON
+from solver.align.symmetry import SYMMETRIES
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -45,6 +46,10 @@ OPTIONS = (
            "Where other than four lines meet: auto for the fewest that the surface needs, none, or "
            "a file of rows x y z and 3, 5 or 6 lines",
            absent="auto"),
+    Option("symmetry", "none", "choice",
+           "Planes in which the net is its own mirror image: auto for those that the surface has, "
+           "or those across an axis, through the middle of the surface",
+           SYMMETRIES),
     Option("drawn_strokes", (), "polylines", "Lines drawn on the surface that the net runs along"),
 )  # fmt: skip
 
@@ -58,12 +63,15 @@ def _on_faces(
     border: str,
     stands_on: str,
     singularities: Singular | None,
+    symmetry: str,
     drawn_strokes: Sequence[FloatArray],
     waiting: Callable[[str], object],
     strokes: Sequence[FloatArray] = (),
 ) -> Made:
     lines = (*strokes, *drawn_strokes)
-    made = aligned_on(surfaces, net, edge, ratio, border, lines, singularities, waiting, stands_on)
+    made = aligned_on(
+        *(surfaces, net, edge, ratio, border, lines, singularities, waiting, stands_on, symmetry)
+    )
     remarks = (*_irregular(made), *made.remarks)
     return Made(made.mesh, remarks, made.field, made.singular, made.border)
 
@@ -88,6 +96,7 @@ def aligned_on(
     singularities: Singular | None = None,
     waiting: Callable[[str], object] = lambda stage: None,
     stands_on: str = "boundary",
+    symmetry: str = "none",
 ) -> Aligned:
     """A net along lines of CAD faces that meet smoothly; vertices on the faces themselves.
 
@@ -103,6 +112,7 @@ def aligned_on(
         waiting: called with the name of each stage, some of them several times; what it raises is
             passed on.
         stands_on: ``boundary`` or ``corners``: what carries the shell that a stress net follows.
+        symmetry: planes of symmetry, of :data:`solver.align.symmetry.SYMMETRIES`.
 
     Raises:
         InputError: faces that cannot be sampled, or a surface that has no such net.
@@ -123,6 +133,7 @@ def aligned_on(
         stands_on=stands_on,
         strokes=strokes,
         singularities=singularities,
+        symmetry=symmetry,
         waiting=waiting,
     )
     mesh = _set_onto(made.mesh, surfaces, edge)

@@ -1,4 +1,4 @@
-"""The mouse on a surface: points are dragged along it, lines are drawn on it."""
+"""The mouse on a surface: points are dragged along it or added, lines are drawn on it."""
 
 from __future__ import annotations
 
@@ -29,9 +29,12 @@ class Listener(Protocol):
     def drawn(self, line: FloatArray) -> None:
         """A line (n, 3) was drawn."""
 
+    def added(self, place: FloatArray) -> None:
+        """A point was added at a place (3,)."""
+
 
 class SurfaceHand:
-    """Listens in a 3D view, and shows what is being dragged or drawn.
+    """Listens in a 3D view, and shows what is being dragged, added or drawn.
 
     Args:
         view: the 3D view.
@@ -42,6 +45,7 @@ class SurfaceHand:
     Attributes:
         points: (n, 3) that can be dragged.
         drawing: whether a press begins a line.
+        adding: whether a press beside all points adds one.
     """
 
     def __init__(
@@ -52,7 +56,8 @@ class SurfaceHand:
         stands: FreeCAD.Placement,
     ) -> None:
         self.points: FloatArray = np.zeros((0, 3))
-        self.drawing = False
+        self.drawing = self.adding = False
+        self._new = False
         self._surface, self._listener = surface, listener
         self._held: int | None = None
         self._line: list[FloatArray] | None = None
@@ -70,8 +75,9 @@ class SurfaceHand:
             self._scene.removeChild(self.root)
 
     def release(self) -> None:
-        """Forget what is being dragged or drawn."""
+        """Forget what is being dragged, added or drawn."""
         self._held = self._line = self._place = None
+        self._new = False
         self._show([])
 
     def _build_nodes(self, stands: FreeCAD.Placement) -> None:
@@ -108,19 +114,28 @@ class SurfaceHand:
                 return False
             self._line = [place]
             return True
-        if not len(self.points):
-            return False
-        self._held = screen.vertex_at(pixel, self.points, _NEAR)
+        if len(self.points):
+            self._held = screen.vertex_at(pixel, self.points, _NEAR)
         if self._held is None:
-            return False
+            return self.adding and self._begin(screen.ray(pixel))
         self._offset = screen.pixels(self.points[[self._held]])[0][0] - pixel
         return True
 
+    def _begin(self, ray: Ray) -> bool:
+        """Add a point where the mouse is on the surface."""
+        place = first_hit(ray, self._surface)
+        if place is not None:
+            self._new, self._place = True, place
+            self._show([place])
+        return self._new
+
     def _moved(self, _: Any, node: Any) -> None:
-        if self._held is None and self._line is None:
+        if self._held is None and self._line is None and not self._new:
             return
         screen, pixel = Screen.of_event(node), mouse_of(node)
-        if self._line is not None:
+        if self._new:
+            self._begin(screen.ray(pixel))
+        elif self._line is not None:
             self._go_on(screen.ray(pixel), pixel)
         elif self._place is not None or np.linalg.norm(pixel - self._start) > _STILL:
             ray = screen.ray(pixel + self._offset)
@@ -137,8 +152,10 @@ class SurfaceHand:
             self._show(self._line)
 
     def _up(self, screen: Screen) -> bool:
-        held, line, place = self._held, self._line, self._place
+        held, line, place, new = self._held, self._line, self._place, self._new
         self.release()
+        if new:
+            self._listener.added(place)
         if line is not None and len(line) > 1:
             self._listener.drawn(np.array(line))
         if held is not None and place is not None:
@@ -146,11 +163,11 @@ class SurfaceHand:
             beside = screen.ray(pixel + [_NEAR, 0.0])
             across = np.cross(beside.direction, place - beside.origin)
             self._listener.dropped(held, place, float(np.linalg.norm(across)))
-        return held is not None or line is not None
+        return new or held is not None or line is not None
 
     def _typed(self, _: Any, node: Any) -> None:
         event = node.getEvent()
-        busy = self._held is not None or self._line is not None
+        busy = self._new or self._held is not None or self._line is not None
         pressed = event.getState() == coin.SoButtonEvent.DOWN
         if busy and pressed and event.getKey() == coin.SoKeyboardEvent.ESCAPE:
             self.release()

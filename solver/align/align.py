@@ -25,6 +25,16 @@ from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
 from solver.align.seamless import FIRM, seamless_map
 from solver.align.seams import seams
+from solver.align.symmetry import (
+    Mirror,
+    along_planes,
+    mirrors_of,
+    symmetric_crosses,
+    symmetric_net,
+    symmetric_singular,
+    symmetric_surface,
+    with_images,
+)
 from solver.align.triangle_mesh import TriangleMesh, one_surface
 from solver.align.unfold import unfolded
 from solver.analysis.measures import flipped
@@ -88,6 +98,7 @@ def aligned(
     stands_on: str = "boundary",
     strokes: Sequence[FloatArray] = (),
     singularities: Singular | None = None,
+    symmetry: str = "none",
     waiting: Callable[[str], object] = lambda stage: None,
 ) -> Aligned:
     """Make a net of quads along a surface's lines of curvature, or at 45 degrees to them.
@@ -104,11 +115,13 @@ def aligned(
         strokes: polylines (n, 3) on the surface along which lines of the net run.
         singularities: where the net has vertices with 3, 5 or 6 faces, and nowhere else; the
             fewest that it needs by default.
+        symmetry: planes in which the net is its own mirror image: ``none``, ``auto`` for those of
+            the surface, or those across ``x``, ``y``, ``z`` or ``x,y`` through its middle.
         waiting: called with the name of each stage as it begins; what it raises is passed on.
 
     Raises:
-        InputError: no such net, bad lengths, no single open surface, no such lines, no map, or a
-            stroke or a singularity that is off the surface.
+        InputError: no such net, bad lengths, no single open surface, no such lines, no map, no such
+            symmetry, or a stroke or a singularity that is off the surface.
     """
     if net not in TURNED:
         raise InputError(f"net: expected one of {', '.join(TURNED)}, got {net}")
@@ -124,13 +137,18 @@ def aligned(
     surface = TriangleMesh(grain * np.round(given.points / grain), given.triangles)
     _refuse_size(surface, edge, edge * ratio)
     remarks: list[str] = []
+    mirrors = mirrors_of(surface, symmetry, edge, remarks)
+    if mirrors:
+        given = surface = symmetric_surface(surface, mirrors)
+        singularities = singularities and symmetric_singular(singularities, mirrors, edge)
     loops = openings(surface, edge, remarks)
     smooth, work = prepared(surface, edge, min(edge, edge * ratio), remarks)
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, stands_on, remarks)
     lines = [grain * np.round(np.asarray(stroke) / grain) for stroke in strokes]
+    lines = with_images(lines, mirrors)
     follows = border == "follow"
-    asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities)
+    asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities, mirrors)
     mesh, field = _mapped(asked, waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
     # What was not smoothed is where it was given.
@@ -142,8 +160,8 @@ def aligned(
         mesh,
         irregular,
         tuple(places[loop] for loop in loops if not follows),
-        Crosses.of(work.mesh, field, asked.guide),
-        Singular.of(work.mesh, field, asked.guide),
+        symmetric_crosses(Crosses.of(work.mesh, field, asked.guide), mirrors),
+        symmetric_singular(Singular.of(work.mesh, field, asked.guide), mirrors, edge),
         tuple(remarks),
     )
 
@@ -183,6 +201,7 @@ class _Asked:
     features: Features
     edges: tuple[float, float]
     singular: Wanted | None
+    mirrors: Sequence[Mirror] = ()
 
     @classmethod
     def of(
@@ -193,8 +212,9 @@ class _Asked:
         follows: bool,
         strokes: Sequence[FloatArray],
         singular: Singular | None,
+        mirrors: Sequence[Mirror],
     ) -> _Asked:
-        """Add creases, the border if it is followed, strokes and singular vertices to a guide."""
+        """Add creases, planes, the border if followed, strokes and singular vertices to a guide."""
         mesh, edge = work.mesh, edges[0]
         features = Features.creases(mesh, work.inner, edge)
         bound = np.zeros(len(mesh.points), dtype=bool)
@@ -204,9 +224,11 @@ class _Asked:
             features = features.and_others(rim)
             bound[[side[rim.edges] for side in mesh.ends]] = True
         guide = along_features(mesh, guide, features, edge)
+        if mirrors:
+            features = features.and_others(along_planes(mesh, mirrors, edge))
         guide = with_strokes(mesh, guide, strokes, edge)
         wanted = None if singular is None else Wanted.of(work, singular, edge, bound)
-        return cls(work, guide, features, edges, wanted)
+        return cls(work, guide, features, edges, wanted, mirrors)
 
     def automatic(self, calm: float, step: Callable[[], object]) -> Field:
         """The directions along a part of the guide, singular where they have to be."""
@@ -295,6 +317,11 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
                 where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
                 refusal = f"map: it folds near {_at(where)} ({error}); {_REMEDY}"
                 yield _Attempt(field, close, refusal=refusal)
+                continue
+            try:
+                net = symmetric_net(net, asked.mirrors, edges[0])
+            except InputError as error:
+                yield _Attempt(field, close, refusal=str(error))
                 continue
             yield _Attempt(field, close, net, int(flipped(net).sum()))
 

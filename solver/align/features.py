@@ -33,11 +33,13 @@ class Features:
         edges: (K,) numbers of inner edges of the mesh.
         along: (K, 3) unit vectors: how the line runs there.
         reach: (K,) how far from it, in edges of the net, the net may still be turning to it.
+        across: (K,) whether diagonals of the net may run along it in place of lines.
     """
 
     edges: IntArray
     along: FloatArray
     reach: FloatArray
+    across: BoolArray
 
     @classmethod
     def creases(cls, mesh: TriangleMesh, inner: int, edge: float) -> Features:
@@ -45,7 +47,7 @@ class Features:
         sharp = creased(mesh, edge)
         edges = np.flatnonzero(sharp & (mesh.edges // 3 < inner).all(axis=1))
         start, end = (mesh.points[side[edges]] for side in mesh.ends)
-        return cls(edges, unit_rows(end - start), np.full(len(edges), _BESIDE))
+        return cls(edges, unit_rows(end - start), np.full(len(edges), _BESIDE), _none(edges))
 
     def and_others(self, others: Features) -> Features:
         """Both."""
@@ -53,6 +55,7 @@ class Features:
             np.concatenate([self.edges, others.edges]),
             np.concatenate([self.along, others.along]),
             np.concatenate([self.reach, others.reach]),
+            np.concatenate([self.across, others.across]),
         )
 
     @classmethod
@@ -81,7 +84,11 @@ class Features:
                 row = after[row]
             if loop:
                 along[loop] = _directions(mesh.points[start[loop]], span)
-        return cls(edges, along, np.full(len(edges), _LAST))
+        return cls(edges, along, np.full(len(edges), _LAST), _none(edges))
+
+
+def _none(edges: IntArray) -> BoolArray:
+    return np.zeros(len(edges), dtype=bool)
 
 
 def creased(mesh: TriangleMesh, edge: float) -> BoolArray:

@@ -161,7 +161,7 @@ class _Equations:
         values = coo_array(
             (np.full(len(runs), -1.0), (runs, whole.runs)), shape=(len(runs), whole.count)
         )
-        held = csr_array(hstack([layout.matrix[whole.rows], values]))
+        held = csr_array(hstack([whole.held(layout.matrix), values]))
         self._areas, self._layout, self._held = mesh.areas, layout, held.shape[0]
         matrix = csr_array(vstack([asked, held]))
         reals = 2 * layout.reals

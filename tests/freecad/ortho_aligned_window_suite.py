@@ -299,6 +299,29 @@ class TestByHand(AlignedCase):
         self.assertIn("singularities=()", self.lines[-1])
         self.assertEqual(self.errors, [])
 
+    def test_singular_vertices_are_added(self):
+        box, goal = self.panel.singular, self.on_dome(4000.0, 2500.0)
+        pixel, beside = self.hand.pixels([goal, self.on_dome(9000.0, -5000.0)])
+        box.add_button.click()
+        self.hand.press(beside)
+        self.hand.key(coin.SoKeyboardEvent.ESCAPE)
+        self.hand.release(beside)
+        self.assertIsNone(self.given())
+        box.lines_box.setCurrentIndex(1)
+        self.hand.click(pixel)
+        wait()
+        self.assertFalse(box.add_button.isChecked())
+        self.assertEqual([row[3] for row in self.given()].count(5), 3)
+        self.assertLess(np.linalg.norm(np.array(self.given()[-1][:3]) - goal), 250.0)
+        self.remade()
+        self.assertEqual(self.valences(), [3, 3, 5, 5, 5])
+        # A click adds no more.
+        self.hand.click(beside)
+        wait()
+        self.assertEqual(len(self.given()), 5)
+        press("Cancel")
+        self.assertEqual(self.errors, [])
+
     def test_esc_and_clicks_beside_change_nothing(self):
         place = self.panel.made.singular.places[0]
         start, end = self.hand.pixels([place, self.on_dome(0.0, 0.0)])

@@ -905,6 +905,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Ebenen, in denen das Netz sein eigenes Spiegelbild ist: auto für die der Fläche, oder die quer zu einer Achse durch die Mitte der Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points (radius, height) that are turned about z</source>
    <translation>Punkte (Radius, Höhe), die um z gedreht werden</translation>
   </message>
@@ -1600,6 +1605,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Ein Punkt der Ebene</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Add</source>
+   <translation>Hinzufügen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -2667,6 +2677,11 @@
    <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>How many lines meet in the one to be added</source>
+   <translation>Wie viele Linien sich in der treffen, die dazukommt</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
@@ -3353,6 +3368,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Ebenen, in denen das Netz sein eigenes Spiegelbild ist: auto für die der Fläche, oder die quer zu einer Achse durch die Mitte der Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Point</source>
    <translation>Punkt</translation>
   </message>
@@ -3410,6 +3430,11 @@
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
    <translation>Drücken Sie die Maus auf der Fläche und zeichnen Sie eine Linie, an der das Netz entlangläuft; Esc verwirft sie</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Press the mouse on the surface where there is to be one more</source>
+   <translation>Die Maus auf der Fläche drücken, wo noch eine sein soll</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3970,6 +3995,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Swap</source>
    <translation>Tauschen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Symmetry</source>
+   <translation>Symmetrie</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5920,9 +5950,29 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>verschweißen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>x</source>
+   <translation>x</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>x,y</source>
+   <translation>x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>y</source>
+   <translation>y</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>yes</source>
    <translation>ja</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>z</source>
+   <translation>z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -5973,6 +6023,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>{} is outdated: its source has changed since it was optimised or dragged</source>
    <translation>{} ist veraltet: die Quelle hat sich geändert, seit es optimiert oder gezogen wurde</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>{} lines</source>
+   <translation>{} Linien</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />

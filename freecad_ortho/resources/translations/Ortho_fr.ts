@@ -905,6 +905,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Plans dans lesquels le réseau est sa propre image : auto pour ceux de la surface, ou ceux en travers d'un axe, par le milieu de la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points (radius, height) that are turned about z</source>
    <translation>Points (rayon, hauteur) tournés autour de z</translation>
   </message>
@@ -1600,6 +1605,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A point of the plane</source>
    <translation>Un point du plan</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Add</source>
+   <translation>Ajouter</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -2667,6 +2677,11 @@
    <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>How many lines meet in the one to be added</source>
+   <translation>Combien de lignes se rencontrent dans celui qui est ajouté</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
@@ -3353,6 +3368,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Plans dans lesquels le réseau est sa propre image : auto pour ceux de la surface, ou ceux en travers d'un axe, par le milieu de la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Point</source>
    <translation>Point</translation>
   </message>
@@ -3410,6 +3430,11 @@
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
    <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
    <translation>Pressez la souris sur la surface et dessinez une ligne que le réseau suit ; Échap l'abandonne</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>Press the mouse on the surface where there is to be one more</source>
+   <translation>Appuyer la souris sur la surface là où il doit y en avoir un de plus</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3970,6 +3995,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Swap</source>
    <translation>Permuter</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Symmetry</source>
+   <translation>Symétrie</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5920,9 +5950,29 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>souder</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>x</source>
+   <translation>x</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>x,y</source>
+   <translation>x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>y</source>
+   <translation>y</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>yes</source>
    <translation>oui</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>z</source>
+   <translation>z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -5973,6 +6023,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>{} is outdated: its source has changed since it was optimised or dragged</source>
    <translation>{} est périmé : sa source a changé depuis qu'il a été optimisé ou tiré</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/singular_box.py" />
+   <source>{} lines</source>
+   <translation>{} lignes</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
