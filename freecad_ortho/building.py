@@ -27,12 +27,13 @@ from freecad_ortho.units import millimetres_per
 from freecad_ortho.words import counted
 from solver import Constraints, NetOptions, Outcome, optimise, write_mesh
 from solver.align.crosses import Singular
+from solver.align.symmetry import coordinate_planes
 from solver.analysis.form_check import Finding, check_form
 from solver.errors import InputError
 from solver.io.atomic import no_new_folders_on_failure
 from solver.io.json_mesh import write_json
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets import NETS, net_named
 from solver.report import CONVERGED
 
@@ -153,7 +154,8 @@ def build_surface(
 
     def make_exact() -> None:
         aligned = read_mesh(stages.folder / ALIGNED)
-        near = Constraints(close_to=read.triangles)
+        planes = mirror_planes(aligned.mesh, symmetry)
+        near = Constraints(close_to=read.triangles, symmetry=planes)
         with kept(OPTIMISE) as (staging, entry):
             outcome = optimise(aligned.mesh, net, constraints=near, within=within, options=options)
             keep_outcome_of(aligned, outcome, staging, entry)
@@ -238,6 +240,11 @@ def _built(stages: Stages) -> Built:
         stages.entry(FABRICATE) is not None,
         _report(stages),
     )
+
+
+def mirror_planes(aligned: QuadMesh, symmetry: str | None) -> str:
+    """Letters of the planes through 0 in which a net stays symmetric, where that was asked for."""
+    return "" if symmetry in (None, "none") else coordinate_planes(aligned)
 
 
 def lines_of(net: str) -> str:

@@ -51,7 +51,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         "--net", default="principal", help=f"{', '.join(building.LINES)} (default: principal)"
     )
     aligning.add_settings(parser.add_argument_group("net on the surface"))
-    net_options.add(parser.add_argument_group("exact net"))
+    net_options.add_most(parser.add_argument_group("exact net"))
     fabricating.add_settings(parser)
     fabricating.add_workers(parser)
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
@@ -69,7 +69,7 @@ def run(options: argparse.Namespace) -> int:
     # What no surface is needed for is refused before minutes are spent on one.
     lines = building.lines_of(options.net)
     net_options.refuse_unfit(options)
-    net_options.refuse_unreadable(options)
+    net_options.refuse_unreadable(_with_planes(options, ""))
     fabricating.refuse_unfit(options)
     folder = Path(options.output)
     head = {"surface": Path(options.input).name, "version": __version__}
@@ -104,7 +104,7 @@ def _asked(options: argparse.Namespace, name: str) -> dict[str, Any]:
         given = {key: value for key, value in told.items() if value}
         return given | _settings(options, aligning.add_settings)
     if name == OPTIMISE:
-        return {"net": options.net} | _settings(options, net_options.add)
+        return {"net": options.net} | _settings(options, net_options.add_most)
     return _settings(options, fabricating.add_settings)
 
 
@@ -145,7 +145,9 @@ def _align(options: argparse.Namespace, lines: str, stages: Stages) -> None:
 def _optimise(options: argparse.Namespace, stages: Stages) -> None:
     begin = time.monotonic()
     loaded = api.read_mesh(stages.folder / building.ALIGNED)
-    settings = net_options.settings(options, loaded, _surface(options, loaded.unit))
+    planes = building.mirror_planes(loaded.near, options.symmetry)
+    exact = _with_planes(options, planes)
+    settings = net_options.settings(exact, loaded, _surface(options, loaded.unit))
     with stages.made(OPTIMISE) as (folder, entry):
         outcome = optimising.optimised(options, loaded, settings)
         _pass_on_interrupt(outcome, options.max_steps)
@@ -153,6 +155,11 @@ def _optimise(options: argparse.Namespace, stages: Stages) -> None:
         building.keep_outcome_of(loaded, back, folder, entry)
         entry |= _told(options, OPTIMISE, begin)
     optimising.tell(outcome, str(stages.folder / building.NET), loaded)
+
+
+def _with_planes(options: argparse.Namespace, letters: str) -> argparse.Namespace:
+    """The options of an exact net, which names its mirror planes by letters."""
+    return argparse.Namespace(**{**vars(options), "symmetry": letters})
 
 
 def _surface(options: argparse.Namespace, unit: str) -> net_options.Triangles:

@@ -44,6 +44,12 @@ _CLOSED = 1e-6
 
 def add(parser: argparse._ActionsContainer) -> None:
     """Add the options; lengths are in the unit of the mesh file."""
+    add_most(parser)
+    parser.add_argument("--symmetry", default="", metavar="x,y", help="mirror planes")
+
+
+def add_most(parser: argparse._ActionsContainer) -> None:
+    """Add the options but mirror planes."""
     parser.add_argument(
         "--fix", default="none", metavar="none|corners|boundary|I,J,K", help="what must not move"
     )
@@ -73,7 +79,6 @@ def add(parser: argparse._ActionsContainer) -> None:
         metavar="boundary|z=0|curve:FILE|surface:FILE",
         help="what boundary vertices (all, for a surface) move along; @I,J names others",
     )
-    parser.add_argument("--symmetry", default="", metavar="x,y", help="mirror planes")
 
 
 def add_close_to(parser: argparse._ActionsContainer) -> None:

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from solver.align.crosses import Crosses, Singular
 from solver.align.features import Features
@@ -35,6 +36,8 @@ _ALONG = 1e-3
 _SQUARE = 1e-3
 # Rounds in which a plane settles.
 _ROUNDS = 5
+# In sizes of a net: how far mirror images may be apart by rounding.
+_ROUNDING = 1e-9
 # Points of a surface whose mirror images are looked at, about.
 _SAMPLE = 4000
 
@@ -286,6 +289,17 @@ def _doubled_net(net: QuadMesh, mirror: Mirror, near: float) -> QuadMesh:
     number[new] = len(side) + np.arange(len(new))
     vertices = np.concatenate([net.vertices, mirror.images(net.vertices[new])])
     return QuadMesh(vertices, np.concatenate([faces, number[faces[~both][:, [1, 0, 3, 2]]]]))
+
+
+def coordinate_planes(net: QuadMesh) -> str:
+    """Letters of the coordinate planes in which a net is its own mirror image to rounding."""
+    points, near = net.vertices, _ROUNDING * float(np.ptp(net.vertices, axis=0).max())
+    tree = cKDTree(points)
+    return "".join(
+        word
+        for axis, word in enumerate("xyz")
+        if tree.query(points * np.where(np.arange(3) == axis, -1, 1))[0].max() < near
+    )
 
 
 def symmetric_singular(singular: Singular, mirrors: Sequence[Mirror], edge: float) -> Singular:

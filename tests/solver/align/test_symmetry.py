@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from solver.align.align import aligned
 from solver.align.crosses import Singular
-from solver.align.symmetry import Mirror, mirrors_of, symmetric_surface
+from solver.align.symmetry import Mirror, coordinate_planes, mirrors_of, symmetric_surface
 from solver.align.triangle_mesh import one_surface
 from solver.analysis import measures
 from solver.errors import InputError
@@ -52,6 +52,8 @@ def test_net_field_and_singular_vertices_are_their_mirror_images(on_dome):
     valences = net.connectivity.face_valence[on_dome.irregular]
     assert sorted(valences) == sorted(on_dome.singular.valences) == [3, 3, 5, 5]
     assert misses(net.vertices[on_dome.irregular], X) < ROUNDING
+    assert coordinate_planes(net) == "xy"
+    assert coordinate_planes(net.with_vertices(net.vertices + [1e-3, 0, 0])) == "y"
     assert "the net is symmetric in x = " in on_dome.remarks[0]
     assert " and y = " in on_dome.remarks[0]
 
