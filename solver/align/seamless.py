@@ -42,6 +42,8 @@ GRID = 1 << 20
 _HEAVY = 1e3
 # How far apart u and v are kept, in sizes of the surface, to be numbered for a factorisation.
 _APART = 3.0
+# How firmly a vertex stays where whole lines may say otherwise.
+_LOOSE = 1e-3
 # Exchanges of whole numbers, at most.
 _EXCHANGES = 100
 
@@ -213,10 +215,11 @@ class _Equations:
             size = self._squares.of(np.append(weight, np.zeros(self._held))).diagonal().mean()
             weight = np.append(weight, np.full(self._held, _HEAVY**2 * size))
         normal = self._squares.of(weight)
-        if not self._layout.places and not self._held:
-            # Nothing says where the map lies: the first vertex stays.
+        if not self._layout.places:
+            # Nothing says where the map lies, or whole lines do in one direction only: the first
+            # vertex stays, loosely where these say otherwise.
             shift = np.zeros(normal.shape[0])
-            shift[:2] = normal.diagonal().mean()
+            shift[:2] = normal.diagonal().mean() * (_LOOSE if self._held else 1.0)
             normal.setdiag(normal.diagonal() + shift)
         return self._solver.factor(normal), weight
 
