@@ -62,7 +62,8 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
         action="append",
         metavar="FILE",
         help="points of a closed curve along which parts are trimmed, in the net's unit, a 3DM "
-        "file of curves, or a .json net that has a border; may be repeated (default: the net's own)",
+        "file of curves, or a .json net that has a border; may be repeated (default: the net's "
+        "own)",
     )
     trim.add_argument(
         "--untrimmed", action="store_true", help="build all of a net that overhangs its border"

@@ -36,6 +36,7 @@ def planar_lines(problem: Problem, options: NetOptions) -> Problem:
     counts = [len(line.vertices) for line in chosen]
     vertices = np.concatenate([line.vertices for line in chosen])
     which = np.repeat(np.arange(len(chosen)), counts)
+    problem.details["planes"] = lambda mesh, _: _found(mesh, families)
     return problem.require(
         InPlane(vertices, planes[which]),
         of_mesh(lines.off_plane, families=families),
@@ -79,6 +80,15 @@ def _planes(problem: Problem, families: str) -> FloatArray:
             normal = upright / np.linalg.norm(upright)
         found.append([*normal, normal @ centre])
     return np.ravel(found)
+
+
+def _found(mesh: QuadMesh, families: str) -> list[float]:
+    """Unit normal of each plane and its distance from the origin, one after the other."""
+    found: list[float] = []
+    for line in lines.long_lines(mesh, families):
+        normal, centre = lines.nearest_plane(mesh.vertices[line.vertices])
+        found += [*normal.tolist(), float(normal @ centre)]
+    return found
 
 
 def _edge(mesh: QuadMesh, index: int) -> str:
