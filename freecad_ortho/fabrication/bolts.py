@@ -76,6 +76,11 @@ class Bolt:
         return EDGE * self.hole
 
     @property
+    def play(self) -> float:
+        """By which it may be off the middle of its hole, mm."""
+        return (self.hole - self.diameter) / 2
+
+    @property
     def spacing(self) -> float:
         """Least distance between two: by rule, and for a wrench on one beside the other's head."""
         return max(SPACING * self.hole, self.wrench + self.corners / 2)

@@ -212,11 +212,17 @@ def test_nodes_alone_are_those_of_plates_of_their_sizes(roof):
 def test_the_table_of_the_documents_is_that_of_the_rules():
     text = (ROOT / "docs" / "fabrication.md").read_text(encoding="utf-8")
     rows = [line for line in text.splitlines() if line.startswith("| M")]
+    [said] = [line for line in text.splitlines() if line.startswith("| shims up to, mm |")]
+    shims = said.strip("| ").split(" | ")[1:]
     split = [row.strip("| ").split(" | ") for row in rows]
     written = {name: cells for name, *cells in split if len(cells) == 7}
     strength = {name: cells for name, *cells in split if len(cells) == 3}
     assert list(written) == list(strength) == list(BOLTS)
     for name, bolt in BOLTS.items():
+        sizes = EndPlates(bolt, 2, 60.0, 1.0)
+        # With all shims a thread is left that is as deep as the bolt is thick.
+        assert sizes.length - sizes.wall - bolt.washer - sizes.shims == bolt.diameter
+        assert shims[list(BOLTS).index(name)] == f"{sizes.shims:g}"
         tension, shear, _ = Clamped(bolt, 1, 99.0, 99.0, 99.0, None, MATERIALS["steel"]).row()
         assert [float(cell) for cell in strength[name]] == [AREAS[bolt.diameter], tension, shear]
         numbers = (

@@ -7,6 +7,7 @@ from freecad_ortho import api
 from freecad_ortho.fabrication.bolts import BOLTS, LENGTHS, bolt_of
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.limits import OK
+from freecad_ortho.fabrication.report.adjustment import adjustment
 from freecad_ortho.fabrication.step import read_step, write_step
 from solver.errors import InputError
 from tests.fabrication.test_beam_sections_and_ends import assert_closed
@@ -100,6 +101,16 @@ def test_cover_plates_are_alike_and_listed(joined):
     assert bolts.rows[0][4] == report["bolts"] == 8 * len(joined.results["beams"].parts)
     assert sum(row[1] for row in types.rows) == len(joined.mesh.vertices)
     assert report["different"] == len(types.rows) < len(joined.mesh.vertices)
+
+
+def test_what_joints_give_on_site_is_said(joined, roof):
+    """Holes are 2 mm wider than M16: 1 mm of play each, through both groups of a cover plate."""
+    words = adjustment(joined.report()["nodes"])
+    assert "1 mm shorter at each end" in words and "move by 2 mm along itself" in words
+    bolted = api.fabricate(roof, "beams+nodes", node="bolted").report()["nodes"]
+    words = adjustment(bolted)
+    assert "takes shims of up to 6 mm" in words and "by 1 mm across" in words
+    assert adjustment({"kind": "hub"}) == ""
 
 
 def test_bolts_that_cannot_be_reached_are_said_in_the_verdict(roof):

@@ -17,6 +17,7 @@ import numpy as np
 from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.part import Measures, measure_words
 from freecad_ortho.fabrication.production import Production
+from freecad_ortho.fabrication.report.adjustment import adjustment
 from freecad_ortho.fabrication.report.check_section import check_section
 from freecad_ortho.fabrication.report.lists import (
     clash_causes,
@@ -86,6 +87,7 @@ def report_page(
         _views(production),
         _messages(production.messages),
         "" if check is None else check_section(check, nodes),
+        "" if nodes is None else adjustment(nodes),
         groups_of_parts(production),
         _plots(production),
         equal_parts(production),

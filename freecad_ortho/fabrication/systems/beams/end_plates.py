@@ -99,6 +99,14 @@ class EndPlates:
         return self.length - self.grip
 
     @property
+    def shims(self) -> float:
+        """Between hub and end plate these bolts take so much, mm: the clearance, and more thread.
+
+        A thread as deep as the bolt is thick is left.
+        """
+        return self.clearance + self.thread - self.bolt.thread
+
+    @property
     def way_in(self) -> float:
         """How far from the wall the hub has to be free for a bolt to be put in, mm."""
         return self.bolt.head + self.length
