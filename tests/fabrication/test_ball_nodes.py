@@ -10,6 +10,7 @@ from freecad_ortho.fabrication.ball_body import Ball
 from freecad_ortho.fabrication.bolts import BOLTS
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.step import read_step, write_step
+from freecad_ortho.fabrication.stock import different_tubes
 from freecad_ortho.fabrication.systems.beams.balls import BallJoints
 from solver.errors import InputError
 from tests.fabrication.test_beam_sections_and_ends import assert_closed
@@ -144,6 +145,9 @@ def test_holes_are_listed_as_they_are_drilled(joined):
 
 
 def test_tubes_are_sawn_square(joined):
+    """And they alone from bars: cones and sleeves are turned, and counted with the bolts."""
+    tubes = [part.name for group in different_tubes(joined.parts) for part in group]
+    assert sorted(tubes) == [part.name for part in of_kind(joined, "beam")]
     assert {part.note for part in of_kind(joined, "beam")} == {
         f"{TUBE}; start: square; end: square"
     }

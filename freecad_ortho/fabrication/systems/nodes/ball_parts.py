@@ -41,7 +41,6 @@ class BallMaking:
         self.holes: list[tuple[object, ...]] = []
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
-        self.families, self.lines = site.edge_family, site.lines.edge_line.tolist()
         self.cone, self.sleeve = self._cone(), self._sleeve()
 
     def ball(self, star: Star) -> Part:
@@ -103,7 +102,10 @@ class BallMaking:
         )
 
     def _on_seat(self, vertex: int, place: tuple[int, int], arm: FloatArray) -> tuple[Part, Part]:
-        """Cone and sleeve of a beam, z from the ball to the beam."""
+        """Cone and sleeve of a beam, z from the ball to the beam.
+
+        They are of no line: what is sawn from bars for one are its tubes, these are turned.
+        """
         edge, end = place
         up = self.level * float(self.beams.rise[edge])
         along, upright, right = self.beams.frame[edge]
@@ -125,8 +127,6 @@ class BallMaking:
                 volume=body.volume,
                 material=self.site.material,
                 vertices=(vertex,),
-                family=self.families[edge],
-                line=self.lines[edge],
                 note=words,
             )
             for suffix, kind, body, away, length, width, thickness, words in (
