@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS, Limits, Workshop
 from freecad_ortho.fabrication.workshop import ON_SHEETS
 from freecad_ortho.sources import GROUPS, SOURCES
+from freecad_ortho.structural.design import Design
 from solver.analysis.fields import fields
 from solver.mesh.remesh import OPTIONS as REMESHING
 from solver.nets import NETS
@@ -48,6 +49,9 @@ def words() -> Iterator[tuple[str, str]]:
     yield from ((_PROPERTIES, size.sentence) for size in ON_SHEETS)
     for entry in REMESHING[1:]:
         yield from _option(entry)
+    for option in Design.options:
+        yield from _option(option)
+        yield _PROPERTIES, option.sentence
     for limit in Limits.options:
         yield _PROPERTIES, limit.sentence
     for system in SYSTEMS.values():

@@ -59,6 +59,11 @@
    <translation>Normalkraft jedes Stabs, wo er am stärksten ausgenutzt ist, kN; Zug positiv</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Balance in the deformed, imperfect shape</source>
+   <translation>Gleichgewicht in der verformten, imperfekten Form</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Beams that the parts lie on or join; empty: the net</source>
    <translation>Träger, auf denen die Teile liegen oder die sie verbinden; leer: das Netz</translation>
@@ -107,6 +112,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore: the hubs have a hole of this diameter along their axis</source>
    <translation>Bohrung: die Naben haben ein Loch dieses Durchmessers längs ihrer Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Buckling length of members by their length</source>
+   <translation>Knicklänge der Stäbe, bezogen auf ihre Länge</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -262,6 +272,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Elliptic coordinate in the role of t</source>
    <translation>Elliptische Koordinate in der Rolle von t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
+   <translation>Stabenden: rigid (starr), hinged (gelenkig) oder die Steifigkeit ihrer Federn in kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -455,6 +470,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the middle of sections lies above the net, along its axes</source>
+   <translation>Wie weit die Mitte der Querschnitte über dem Netz liegt, entlang seiner Achsen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Wie weit das Netz über die Fläche reicht</translation>
   </message>
@@ -472,6 +492,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Wie sich zwei Lagen an Kreuzungen um die Bolzen drehen: rigid (starr), hinged (gelenkig) oder die Steifigkeit einer Feder in kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -522,6 +547,11 @@
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Largest displacement that passes</source>
    <translation>Größte zulässige Verschiebung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Größte zulässige Verschiebung als Teil der zweitlängsten Seite der Hülle des Netzes: 200 für 1/200</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -610,6 +640,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
+   <translation>Linien u und v in zwei Lagen, u oben: Abstand der Mitten ihrer Querschnitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
    <translation>Linien, Linien und Diagonalen eines Gewebes: a asymptotisch, g geodätisch</translation>
   </message>
@@ -667,6 +702,11 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Spiegelebenen durch den Ursprung: Buchstaben aus x, y, z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Modes of buckling</source>
+   <translation>Knickformen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -890,6 +930,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pieces of each member for buckling and second order</source>
+   <translation>Teile jedes Stabes für Knicken und zweite Ordnung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pitch</source>
    <translation>Ganghöhe</translation>
   </message>
@@ -962,6 +1007,11 @@
    <location filename="../../../freecad_ortho/objects/structural_check.py" />
    <source>Pressure in kN/m2 and where it blows to, as 0.6@x; a case each</source>
    <translation>Druck in kN/m2 und wohin er weht, wie 0.6@x; je ein Lastfall</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Profil der Stäbe; das von Gruppen dahinter, wie tube:100x60x5,border=tube:120x60x5</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1080,6 +1130,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
+   <translation>Schubsteifigkeit G t der Platten mit dem, was sie hält, kN/mm; bei 0 sind sie nur Last</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Sheet: parts are nested on sheets of this size</source>
    <translation>Tafel: Teile werden auf Tafeln dieser Größe geschachtelt</translation>
   </message>
@@ -1160,6 +1215,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size of the imperfection; 0 is 1/300 of the second longest side of the box</source>
+   <translation>Größe der Imperfektion; 0 ist 1/300 der zweitlängsten Seite der Hülle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers: slivers at the border become part of their neighbours where they can, or are left out</source>
    <translation>Splitter: Splitter am Rand werden, wo es geht, Teil ihrer Nachbarn oder weggelassen</translation>
   </message>
@@ -1167,6 +1227,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth: the solids are smooth instead of faceted</source>
    <translation>Glatt: die Körper sind glatt statt facettiert</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow by the plan, kN/m2</source>
+   <translation>Schnee auf den Grundriss, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow on one half as a case of its own: the half towards a direction</source>
+   <translation>Schnee auf einer Hälfte als eigener Lastfall: die Hälfte in einer Richtung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1379,9 +1449,24 @@
    <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of panels by their surface, kN/m2</source>
+   <translation>Gewicht der Platten nach ihrer Fläche, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of the members is a load</source>
+   <translation>Das Gewicht der Stäbe ist eine Last</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What each part exceeds, 'ok' if nothing</source>
    <translation>Was jedes Teil überschreitet, 'ok' wenn nichts</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Was gehalten ist: boundary (Rand), corners (Netzecken) oder Nummern von Ecken, jeweils mit :pinned (gelenkig), :fixed (eingespannt), :sliding (nur senkrecht gehalten) oder :springs=X/Y/Z (kN/mm), verbunden durch +</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -1412,6 +1497,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>What the colours of the members say</source>
    <translation>Was die Farben der Stäbe sagen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the members are made of</source>
+   <translation>Woraus die Stäbe sind</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -1540,6 +1630,11 @@
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
    <source>, drawn {:g} times</source>
    <translation>, {:g}-fach gezeichnet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1/300 of the second longest side of the box</source>
+   <translation>1/300 der zweitlängsten Seite der Hülle</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1742,6 +1837,11 @@
    <translation>Festschreiben</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Balance in the deformed, imperfect shape</source>
+   <translation>Gleichgewicht in der verformten, imperfekten Form</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Begin a new polyline: click its points on the quadric</source>
    <translation>Einen neuen Linienzug beginnen: seine Punkte auf der Quadrik anklicken</translation>
@@ -1805,6 +1905,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore</source>
    <translation>Bohrung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Buckling length</source>
+   <translation>Knicklänge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Buckling length of members by their length</source>
+   <translation>Knicklänge der Stäbe, bezogen auf ihre Länge</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
@@ -2048,6 +2158,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Crossings</source>
+   <translation>Kreuzungen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Curvature lines of an ellipsoid around its longest axis, closed in u.</source>
    <translation>Krümmungslinien eines Ellipsoids um seine längste Achse, in u geschlossen.</translation>
   </message>
@@ -2090,6 +2205,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Deflected shape</source>
    <translation>Verformte Gestalt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Deflection</source>
+   <translation>Durchbiegung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2183,6 +2303,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Eccentric</source>
+   <translation>Exzentrisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge</source>
    <translation>Kante</translation>
   </message>
@@ -2260,6 +2385,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Ends</source>
    <translation>Enden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
+   <translation>Stabenden: rigid (starr), hinged (gelenkig) oder die Steifigkeit ihrer Federn in kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2668,6 +2798,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the middle of sections lies above the net, along its axes</source>
+   <translation>Wie weit die Mitte der Querschnitte über dem Netz liegt, entlang seiner Achsen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Wie weit das Netz über die Fläche reicht</translation>
   </message>
@@ -2688,6 +2823,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Wie sich zwei Lagen an Kreuzungen um die Bolzen drehen: rigid (starr), hinged (gelenkig) oder die Steifigkeit einer Feder in kNm/rad</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter</source>
    <translation>Nabendurchmesser</translation>
   </message>
@@ -2705,6 +2845,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Image only</source>
    <translation>Nur Bild</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Imperfection</source>
+   <translation>Imperfektion</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
@@ -2773,6 +2918,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Joints</source>
+   <translation>Anschlüsse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>K factor</source>
    <translation>k-Faktor</translation>
   </message>
@@ -2800,6 +2950,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Labels</source>
    <translation>Etiketten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Größte zulässige Verschiebung als Teil der zweitlängsten Seite der Hülle des Netzes: 200 für 1/200</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2895,6 +3050,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that lie in planes of their own</source>
    <translation>Linien, die in eigenen Ebenen liegen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
+   <translation>Linien u und v in zwei Lagen, u oben: Abstand der Mitten ihrer Querschnitte</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3005,6 +3165,16 @@
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Mirror</source>
    <translation>Spiegeln</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Modes</source>
+   <translation>Knickformen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Modes of buckling</source>
+   <translation>Knickformen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3273,8 +3443,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel shear</source>
+   <translation>Schub</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Panel thickness</source>
    <translation>Plattendicke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels</source>
+   <translation>Platten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3340,6 +3520,16 @@
    <location filename="../../../freecad_ortho/commands/display.py" />
    <source>Picture written to {}</source>
    <translation>Bild geschrieben nach {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pieces</source>
+   <translation>Teile</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pieces of each member for buckling and second order</source>
+   <translation>Teile jedes Stabes für Knicken und zweite Ordnung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3460,6 +3650,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Profile of (radius, height) points turned about z, n points along it by interpolation.</source>
    <translation>Profil aus Punkten (Radius, Höhe), um z gedreht, n Punkte längs durch Interpolation.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Profil der Stäbe; das von Gruppen dahinter, wie tube:100x60x5,border=tube:120x60x5</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
@@ -3683,6 +3878,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second order</source>
+   <translation>Zweite Ordnung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Section</source>
    <translation>Querschnitt</translation>
   </message>
@@ -3703,6 +3903,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Self weight</source>
+   <translation>Eigengewicht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi axes</source>
    <translation>Halbachsen</translation>
   </message>
@@ -3720,6 +3925,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Settings of the net</source>
    <translation>Einstellungen des Netzes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
+   <translation>Schubsteifigkeit G t der Platten mit dem, was sie hält, kN/mm; bei 0 sind sie nur Last</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3788,6 +3998,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size of the imperfection</source>
+   <translation>Größe der Imperfektion</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers</source>
    <translation>Splitter</translation>
   </message>
@@ -3800,6 +4015,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth motion</source>
    <translation>Glatte Bewegung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow</source>
+   <translation>Schnee</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow by the plan, kN/m2</source>
+   <translation>Schnee auf den Grundriss, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow on one half as a case of its own: the half towards a direction</source>
+   <translation>Schnee auf einer Hälfte als eigener Lastfall: die Hälfte in einer Richtung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow side</source>
+   <translation>Schneeseite</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -4331,8 +4566,28 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of panels by their surface, kN/m2</source>
+   <translation>Gewicht der Platten nach ihrer Fläche, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of the members is a load</source>
+   <translation>Das Gewicht der Stäbe ist eine Last</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Was gehalten ist: boundary (Rand), corners (Netzecken) oder Nummern von Ecken, jeweils mit :pinned (gelenkig), :fixed (eingespannt), :sliding (nur senkrecht gehalten) oder :springs=X/Y/Z (kN/mm), verbunden durch +</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Was den Abstand hält</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the members are made of</source>
+   <translation>Woraus die Stäbe sind</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5251,6 +5506,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>one layer</source>
+   <translation>eine Lage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>one layer has slots where strips cross, two have bolt holes</source>
    <translation>eine Lage hat Schlitze, wo Streifen sich kreuzen, zwei haben Schraubenlöcher</translation>
   </message>
@@ -5758,6 +6018,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the posts are round tubes of this diameter</source>
    <translation>die Pfosten sind Rundrohre dieses Durchmessers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the profile's own</source>
+   <translation>der des Profils</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -59,6 +59,11 @@
    <translation>Effort normal de chaque barre là où elle travaille le plus, kN ; traction positive</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Balance in the deformed, imperfect shape</source>
+   <translation>Équilibre dans la forme déformée et imparfaite</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Beams that the parts lie on or join; empty: the net</source>
    <translation>Poutres sur lesquelles les pièces reposent ou qu'elles relient ; vide : le réseau</translation>
@@ -107,6 +112,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore: the hubs have a hole of this diameter along their axis</source>
    <translation>Alésage : les moyeux ont un trou de ce diamètre le long de leur axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Buckling length of members by their length</source>
+   <translation>Longueur de flambement des barres, rapportée à leur longueur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -262,6 +272,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Elliptic coordinate in the role of t</source>
    <translation>Coordonnée elliptique dans le rôle de t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
+   <translation>Extrémités des barres : rigid (rigides), hinged (articulées) ou la raideur de leurs ressorts en kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -455,6 +470,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the middle of sections lies above the net, along its axes</source>
+   <translation>De combien le milieu des sections est au-dessus du réseau, le long de ses axes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
   </message>
@@ -472,6 +492,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Comment deux couches tournent autour des boulons là où elles se croisent : rigid (rigide), hinged (articulé) ou la raideur d'un ressort en kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -522,6 +547,11 @@
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Largest displacement that passes</source>
    <translation>Plus grand déplacement admis</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Plus grand déplacement admis, en part du deuxième plus long côté de la boîte du réseau : 200 pour 1/200</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -610,6 +640,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
+   <translation>Lignes u et v en deux couches, u au-dessus : distance entre les milieux de leurs sections</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
    <translation>Lignes, lignes et diagonales d'une toile : a asymptotiques, g géodésiques</translation>
   </message>
@@ -667,6 +702,11 @@
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Plans de symétrie par l'origine : lettres parmi x, y, z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Modes of buckling</source>
+   <translation>Modes de flambement</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -890,6 +930,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pieces of each member for buckling and second order</source>
+   <translation>Morceaux de chaque barre pour le flambement et le second ordre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pitch</source>
    <translation>Pas</translation>
   </message>
@@ -962,6 +1007,11 @@
    <location filename="../../../freecad_ortho/objects/structural_check.py" />
    <source>Pressure in kN/m2 and where it blows to, as 0.6@x; a case each</source>
    <translation>Pression en kN/m2 et où il souffle, comme 0.6@x ; un cas chacun</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Profil des barres ; celui de groupes ensuite, comme tube:100x60x5,border=tube:120x60x5</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1080,6 +1130,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
+   <translation>Raideur de cisaillement G t des panneaux avec ce qui les tient, kN/mm ; à 0 ils ne sont que charge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Sheet: parts are nested on sheets of this size</source>
    <translation>Plaque : les pièces sont imbriquées sur des plaques de cette taille</translation>
   </message>
@@ -1160,6 +1215,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size of the imperfection; 0 is 1/300 of the second longest side of the box</source>
+   <translation>Grandeur de l'imperfection ; 0 est 1/300 du deuxième plus long côté de la boîte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers: slivers at the border become part of their neighbours where they can, or are left out</source>
    <translation>Chutes : les chutes au bord rejoignent leurs voisines si possible, ou sont omises</translation>
   </message>
@@ -1167,6 +1227,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth: the solids are smooth instead of faceted</source>
    <translation>Lisse : les solides sont lisses au lieu de facettés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow by the plan, kN/m2</source>
+   <translation>Neige sur le plan, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow on one half as a case of its own: the half towards a direction</source>
+   <translation>Neige sur une moitié comme cas à part : la moitié vers une direction</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1379,9 +1449,24 @@
    <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of panels by their surface, kN/m2</source>
+   <translation>Poids des panneaux par leur surface, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of the members is a load</source>
+   <translation>Le poids des barres est une charge</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What each part exceeds, 'ok' if nothing</source>
    <translation>Ce que chaque pièce dépasse, 'ok' si rien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Ce qui est tenu : boundary (bord), corners (coins) ou des numéros de sommets, chacun avec :pinned (articulé), :fixed (encastré), :sliding (tenu verticalement seulement) ou :springs=X/Y/Z (kN/mm), reliés par +</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -1412,6 +1497,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>What the colours of the members say</source>
    <translation>Ce que disent les couleurs des barres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the members are made of</source>
+   <translation>De quoi sont les barres</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -1540,6 +1630,11 @@
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
    <source>, drawn {:g} times</source>
    <translation>, dessinés {:g} fois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1/300 of the second longest side of the box</source>
+   <translation>1/300 du deuxième plus long côté de la boîte</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1742,6 +1837,11 @@
    <translation>Figer</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Balance in the deformed, imperfect shape</source>
+   <translation>Équilibre dans la forme déformée et imparfaite</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
    <source>Begin a new polyline: click its points on the quadric</source>
    <translation>Commencer une polyligne : cliquer ses points sur la quadrique</translation>
@@ -1805,6 +1905,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bore</source>
    <translation>Alésage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Buckling length</source>
+   <translation>Flambement</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Buckling length of members by their length</source>
+   <translation>Longueur de flambement des barres, rapportée à leur longueur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
@@ -2048,6 +2158,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Crossings</source>
+   <translation>Croisements</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Curvature lines of an ellipsoid around its longest axis, closed in u.</source>
    <translation>Lignes de courbure d'un ellipsoïde autour de son plus grand axe, fermées en u.</translation>
   </message>
@@ -2090,6 +2205,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Deflected shape</source>
    <translation>Forme déformée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Deflection</source>
+   <translation>Flèche</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2183,6 +2303,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Eccentric</source>
+   <translation>Excentré</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Edge</source>
    <translation>Arête</translation>
   </message>
@@ -2260,6 +2385,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Ends</source>
    <translation>Extrémités</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
+   <translation>Extrémités des barres : rigid (rigides), hinged (articulées) ou la raideur de leurs ressorts en kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2668,6 +2798,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far the middle of sections lies above the net, along its axes</source>
+   <translation>De combien le milieu des sections est au-dessus du réseau, le long de ses axes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the net reaches over the surface</source>
    <translation>Jusqu'où le réseau s'étend sur la surface</translation>
   </message>
@@ -2688,6 +2823,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Comment deux couches tournent autour des boulons là où elles se croisent : rigid (rigide), hinged (articulé) ou la raideur d'un ressort en kNm/rad</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter</source>
    <translation>Diamètre du moyeu</translation>
   </message>
@@ -2705,6 +2845,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Image only</source>
    <translation>Image seule</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Imperfection</source>
+   <translation>Imperfection</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
@@ -2773,6 +2918,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Joints</source>
+   <translation>Assemblages</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>K factor</source>
    <translation>Facteur k</translation>
   </message>
@@ -2800,6 +2950,11 @@
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Labels</source>
    <translation>Étiquettes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Plus grand déplacement admis, en part du deuxième plus long côté de la boîte du réseau : 200 pour 1/200</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2895,6 +3050,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that lie in planes of their own</source>
    <translation>Lignes qui sont chacune dans un plan</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
+   <translation>Lignes u et v en deux couches, u au-dessus : distance entre les milieux de leurs sections</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3005,6 +3165,16 @@
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>Mirror</source>
    <translation>Miroir</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Modes</source>
+   <translation>Modes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Modes of buckling</source>
+   <translation>Modes de flambement</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3273,8 +3443,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panel shear</source>
+   <translation>Cisaillement</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Panel thickness</source>
    <translation>Épaisseur des panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels</source>
+   <translation>Panneaux</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3340,6 +3520,16 @@
    <location filename="../../../freecad_ortho/commands/display.py" />
    <source>Picture written to {}</source>
    <translation>Image écrite dans {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pieces</source>
+   <translation>Morceaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Pieces of each member for buckling and second order</source>
+   <translation>Morceaux de chaque barre pour le flambement et le second ordre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3460,6 +3650,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Profile of (radius, height) points turned about z, n points along it by interpolation.</source>
    <translation>Profil de points (rayon, hauteur) tourné autour de z, n points le long par interpolation.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Profil des barres ; celui de groupes ensuite, comme tube:100x60x5,border=tube:120x60x5</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
@@ -3683,6 +3878,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Second order</source>
+   <translation>Second ordre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Section</source>
    <translation>Section</translation>
   </message>
@@ -3703,6 +3903,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Self weight</source>
+   <translation>Poids propre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Semi axes</source>
    <translation>Demi-axes</translation>
   </message>
@@ -3720,6 +3925,11 @@
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Settings of the net</source>
    <translation>Réglages du réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
+   <translation>Raideur de cisaillement G t des panneaux avec ce qui les tient, kN/mm ; à 0 ils ne sont que charge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3788,6 +3998,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Size of the imperfection</source>
+   <translation>Grandeur de l'imperfection</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers</source>
    <translation>Chutes</translation>
   </message>
@@ -3800,6 +4015,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth motion</source>
    <translation>Mouvement lisse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow</source>
+   <translation>Neige</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow by the plan, kN/m2</source>
+   <translation>Neige sur le plan, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow on one half as a case of its own: the half towards a direction</source>
+   <translation>Neige sur une moitié comme cas à part : la moitié vers une direction</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow side</source>
+   <translation>Côté enneigé</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -4331,8 +4566,28 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of panels by their surface, kN/m2</source>
+   <translation>Poids des panneaux par leur surface, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Weight of the members is a load</source>
+   <translation>Le poids des barres est une charge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Ce qui est tenu : boundary (bord), corners (coins) ou des numéros de sommets, chacun avec :pinned (articulé), :fixed (encastré), :sliding (tenu verticalement seulement) ou :springs=X/Y/Z (kN/mm), reliés par +</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Ce qui garde la distance</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What the members are made of</source>
+   <translation>De quoi sont les barres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5251,6 +5506,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>one layer</source>
+   <translation>une couche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>one layer has slots where strips cross, two have bolt holes</source>
    <translation>une couche a des encoches où les bandes se croisent, deux ont des trous de boulons</translation>
   </message>
@@ -5758,6 +6018,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the posts are round tubes of this diameter</source>
    <translation>les poteaux sont des tubes ronds de ce diamètre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the profile's own</source>
+   <translation>celui du profil</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
