@@ -123,6 +123,9 @@ class WorkshopSettings(TypedDict, total=False):
     site_rotation: float
     paper: Literal["a4", "a3", "a2", "a1", "a0"]
     date: str
+    prices: str
+    stock_lengths: str
+    sheet_sizes: str
 
 
 class DesignSettings(TypedDict, total=False):

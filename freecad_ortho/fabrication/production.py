@@ -168,13 +168,14 @@ class Production:
             return None
         width, height = self.workshop.sheet
         used = sum(sheet.used for sheet in self.sheets)
+        area = sum(sheet.width * sheet.height for sheet in self.sheets)
         return {
             "width_mm": width,
             "height_mm": height,
             "spacing_mm": self.workshop.spacing,
             "count": len(self.sheets),
             "parts": sum(len(sheet.placements) for sheet in self.sheets),
-            "waste": 1 - used / (width * height * max(len(self.sheets), 1)),
+            "waste": 1 - used / (area or width * height),
             "too_large": [part.name for part in self.nesting.too_large],
             "sheets": [
                 {
@@ -182,6 +183,8 @@ class Production:
                     "file": sheet.file_name,
                     "material": sheet.material,
                     "thickness_mm": sheet.thickness,
+                    "width_mm": sheet.width,
+                    "height_mm": sheet.height,
                     "waste": sheet.waste,
                     "parts": [placement.name for placement in sheet.placements],
                 }
@@ -236,7 +239,7 @@ def _stock_report(stock: Stock, workshop: Workshop) -> dict[str, Any]:
     kept = sum(bar.left for bar in bars if bar.usable)
     return {
         "bars": len(bars),
-        "length_mm": bars[0].length if bars else None,
+        "length_mm": max((bar.length for bar in bars), default=None),
         "saw_mm": workshop.saw,
         "trim_mm": workshop.trim,
         "waste": 1 - (cut + kept) / length if bars else None,

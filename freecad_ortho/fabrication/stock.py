@@ -97,6 +97,8 @@ def stock_list(parts: Sequence[Part], workshop: Workshop) -> Stock:
         section = _section(alike)
         for group in _first_fit(alike, length, workshop):
             used, widths = _needed(group, workshop), [_width(part) for part in group]
+            shorter = [each for each in workshop.lengths_in_store if used <= each + _ROUNDING]
+            bar = min([length, *shorter])
             bars.append(
                 Bar(
                     f"S{len(bars) + 1:04d}",
@@ -105,11 +107,11 @@ def stock_list(parts: Sequence[Part], workshop: Workshop) -> Stock:
                     section,
                     (min(widths), max(widths)),
                     group[0].thickness,
-                    length,
+                    bar,
                     tuple(part.name for part in group),
                     sum(part.length for part in group),
                     used,
-                    length - used >= workshop.rest,
+                    bar - used >= workshop.rest,
                 )
             )
     return Stock(tuple(bars), too_long)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ from freecad_ortho.fabrication.drawing_form import PAPERS, DrawingForm
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
 from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.formats import FORMATS, Format, formats_of
+from freecad_ortho.fabrication.prices import Prices, read_prices
 from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
 from solver.errors import InputError
 from solver.option import Option
@@ -52,6 +54,10 @@ class Workshop:
             commas between them; empty for zero.
         site_rotation: by which the model's x axis is turned from east, counter-clockwise, degrees.
         paper: of drawings, "a4" to "a0".
+        prices: name of a file, see ``read_prices``; what it has no price for is filled in by hand.
+        stock_lengths: lengths, mm, with commas between them; each bar is the shortest of these and
+            of ``stock`` on which its parts have room.
+        sheet_sizes: sizes as ``WxH``, with commas between them, likewise.
         date: in the title block of drawings, as it is written there; empty for none, as with a
             clock the same structure would not give the same file.
 
@@ -80,6 +86,9 @@ class Workshop:
     site_rotation: float = 0.0
     paper: str = "a3"
     date: str = ""
+    prices: str = ""
+    stock_lengths: str = ""
+    sheet_sizes: str = ""
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -157,6 +166,20 @@ class Workshop:
         Option("site_rotation", 0.0, "angle", "the model's x axis is turned so far from east"),
         Option("paper", "a3", "choice", "drawings are of this size", tuple(PAPERS)),
         Option("date", "", "text", "drawings have this date in their title block"),
+        Option(
+            *("prices", "", "text", "rows of item, unit and price, for the lists' costs"),
+            written="FILE",
+        ),
+        Option(
+            *("stock_lengths", "", "text"),
+            "bars come in these lengths too, mm; the shortest that will do is taken",
+            written="L,...",
+        ),
+        Option(
+            *("sheet_sizes", "", "text"),
+            "sheets come in these sizes too, mm; the smallest that will do is taken",
+            written="WxH,...",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -177,7 +200,8 @@ class Workshop:
             )
         one_of("nesting", self.nesting, NESTINGS)
         one_of("step", self.step, STEP_FILES)
-        _ = self.dxf_form, self.formats, self.datum, self.drawing_form
+        _ = self.dxf_form, self.formats, self.datum, self.drawing_form, self.price_list
+        _ = self.lengths_in_store, self.sizes_in_store
 
     @property
     def dxf_form(self) -> DxfForm:
@@ -193,6 +217,35 @@ class Workshop:
     def formats(self) -> tuple[Format, ...]:
         """Files for other programs."""
         return formats_of(self.write)
+
+    @property
+    def price_list(self) -> Prices:
+        """What things cost, empty without a file."""
+        return read_prices(self.prices) if self.prices else {}
+
+    @property
+    def lengths_in_store(self) -> tuple[float, ...]:
+        """Lengths of bars besides the longest, mm, the shortest first."""
+        words = [word.strip() for word in self.stock_lengths.split(",") if word.strip()]
+        try:
+            found = sorted({float(word) for word in words})
+        except ValueError:
+            found = [-1.0]
+        if found and not (found[0] > 0 and math.isfinite(found[-1])):
+            raise InputError(
+                "stock lengths: expected mm with commas between them, as 6000,8000, got "
+                f"'{self.stock_lengths[:40]}'"
+            )
+        return tuple(found)
+
+    @property
+    def sizes_in_store(self) -> tuple[tuple[float, float], ...]:
+        """Sizes of sheets besides the one that is nested on, mm, the smallest first."""
+        words = [word for word in self.sheet_sizes.split(",") if word.strip()]
+        found = {sheet_size(word) for word in words}
+        for side in (side for size in found for side in size):
+            positive("sheet sizes", side, "mm")
+        return tuple(sorted(found, key=lambda size: (size[0] * size[1], size)))
 
     @property
     def datum(self) -> Datum:

@@ -256,7 +256,9 @@ def test_lists_in_one_workbook(folders):
     from openpyxl import load_workbook
 
     book = load_workbook(folders / "framed" / "lists.xlsx")
-    assert book.sheetnames == ["mass and cost", "parts", "nodes", "stock", "sheets"]
+    assert book.sheetnames == [
+        *("mass and cost", "cost of stock", "parts", "nodes", "stock", "sheets", "off-cuts"),
+    ]
     for name in ("parts", "nodes", "stock"):
         with (folders / "framed" / f"{name}.csv").open(encoding="utf-8", newline="") as stream:
             expected = list(csv.reader(stream))

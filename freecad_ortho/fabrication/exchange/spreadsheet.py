@@ -1,4 +1,4 @@
-"""XLSX: the lists of parts, nodes, stock and sheets, and masses with prices to be filled in."""
+"""XLSX: lists of parts, nodes, stock, sheets and off-cuts; masses and stock with their prices."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from freecad_ortho.fabrication.exchange.costs import OFF_CUT_COLUMNS, bought, off_cuts
+from freecad_ortho.fabrication.prices import Prices
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.tables import lists
 
@@ -42,8 +44,14 @@ def write_xlsx(
         str(path), {"strings_to_formulas": False, "strings_to_urls": False, "in_memory": True}
     )
     book.set_properties({"title": project, "created": _CREATED})
-    tables = {**lists(production), "sheets": _sheets(production)}
-    _masses(book, production)
+    tables = {
+        **lists(production),
+        "sheets": _sheets(production),
+        "off-cuts": (OFF_CUT_COLUMNS, off_cuts(production)),
+    }
+    prices = production.workshop.price_list
+    _masses(book, production, prices)
+    _stock_costs(book, production, prices)
     for number, (name, (columns, rows)) in enumerate(tables.items()):
         say(number / len(tables))
         _sheet(book, name, columns, rows)
@@ -68,35 +76,81 @@ def _sheets(production: Production) -> tuple[Sequence[str], list[list[object]]]:
     return columns, rows
 
 
-def _masses(book: Workbook, production: Production) -> None:
-    """What there is of each material, and a column for its price."""
-    page = book.add_worksheet("mass and cost")
-    head = book.add_format({"bold": True, "bottom": 1})
-    number, money = (
-        book.add_format({"num_format": "#,##0.0"}),
-        book.add_format({"bg_color": "#fff2cc"}),
-    )
-    total = book.add_format({"bold": True, "top": 1, "num_format": "#,##0.0"})
-    columns = ("material", "parts", "volume m3", "mass kg", "price per kg", "cost")
-    for place, name in enumerate(columns):
-        page.write_string(0, place, name, head)
+def _masses(book: Workbook, production: Production, prices: Prices) -> None:
+    """What there is of each material, its price a kg, and what follows."""
+    page = _Costs(book, "mass and cost", ("material", "parts", "volume m3", "mass kg"), "kg")
     materials: dict[str, dict[str, Any]] = production.structure.report()["materials"]
-    for row, (name, found) in enumerate(materials.items(), start=1):
-        page.write_string(row, 0, name)
-        page.write_number(row, 1, found["parts"])
-        page.write_number(
-            row, 2, found["volume_mm3"] * 1e-9, book.add_format({"num_format": "0.000"})
-        )
-        page.write_number(row, 3, found["mass_kg"], number)
-        page.write_blank(row, 4, None, money)
-        page.write_formula(row, 5, f"=D{row + 1}*E{row + 1}", number, 0)
-    last = len(materials) + 1
-    page.write_string(last, 0, "total", total)
-    mass = sum(found["mass_kg"] for found in materials.values())
-    page.write_formula(last, 3, f"=SUM(D2:D{last})", total, mass)
-    page.write_formula(last, 5, f"=SUM(F2:F{last})", total, 0)
-    page.set_column(0, 0, 30)
-    page.set_column(1, 5, 14)
+    for name, found in materials.items():
+        volume, mass = found["volume_mm3"] * 1e-9, found["mass_kg"]
+        page.row([name, found["parts"], volume, mass], prices.get((name, "kg")))
+    page.total(sum(found["mass_kg"] for found in materials.values()))
+
+
+def _stock_costs(book: Workbook, production: Production, prices: Prices) -> None:
+    """What is bought of bars and sheets, whole ones, its price a metre, m2 or piece."""
+    columns = ("item", "material", "size mm", "pieces", "unit", "amount")
+    page = _Costs(book, "cost of stock", columns, "unit")
+    for each in bought(production):
+        unit, amount = each.unit, each.amount
+        price = prices.get((each.item, unit))
+        if price is None and (each.item, "piece") in prices:
+            unit, amount, price = "piece", each.pieces, prices[each.item, "piece"]
+        page.row([each.item, each.material, each.size, each.pieces, unit, amount], price)
+    page.total(None)
+
+
+class _Costs:
+    """A sheet whose rows end with an amount, its price and the cost that follows from both.
+
+    Args:
+        book: to which it is added.
+        name: of the sheet.
+        columns: before the price, the last one the amount.
+        unit: that the price is for.
+    """
+
+    def __init__(self, book: Workbook, name: str, columns: Sequence[str], unit: str) -> None:
+        self._page, self._row, self._cost = book.add_worksheet(name), 1, 0.0
+        self._letter = chr(ord("A") + len(columns) - 1)
+        self._amount = len(columns) - 1
+        head = book.add_format({"bold": True, "bottom": 1})
+        self._number = book.add_format({"num_format": "#,##0.000"})
+        self._money = book.add_format({"bg_color": "#fff2cc", "num_format": "#,##0.00"})
+        self._bold = book.add_format({"bold": True, "top": 1, "num_format": "#,##0.0"})
+        for place, words in enumerate((*columns, f"price per {unit}", "cost")):
+            self._page.write_string(0, place, words, head)
+        self._page.set_column(0, 0, 30)
+        self._page.set_column(1, len(columns) + 1, 14)
+
+    def row(self, cells: Sequence[Any], price: float | None) -> None:
+        """Write a line; a price that is not known stays to be filled in."""
+        row, after = self._row, self._amount + 1
+        for place, cell in enumerate(cells):
+            if isinstance(cell, str):
+                self._page.write_string(row, place, cell)
+            else:
+                self._page.write_number(
+                    row, place, cell, None if cell == int(cell) else self._number
+                )
+        if price is None:
+            self._page.write_blank(row, after, None, self._money)
+        else:
+            self._page.write_number(row, after, price, self._money)
+        cost = cells[-1] * (price or 0.0)
+        letter = chr(ord(self._letter) + 1)
+        formula = f"={self._letter}{row + 1}*{letter}{row + 1}"
+        self._page.write_formula(row, after + 1, formula, self._number, cost)
+        self._row, self._cost = row + 1, self._cost + cost
+
+    def total(self, amount: float | None) -> None:
+        """Write the sums; of amounts of different units there is none."""
+        self._page.write_string(self._row, 0, "total", self._bold)
+        sums = [(self._amount, amount), (self._amount + 2, self._cost)]
+        for place, value in sums:
+            letter = chr(ord("A") + place)
+            if value is not None and self._row > 1:
+                formula = f"=SUM({letter}2:{letter}{self._row})"
+                self._page.write_formula(self._row, place, formula, self._bold, value)
 
 
 def _sheet(

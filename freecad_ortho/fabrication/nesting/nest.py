@@ -20,6 +20,8 @@ from solver.isolated import LibraryError
 
 # Sheets that still take parts while more are begun: enough for the small ones to fill gaps.
 _OPEN = 12
+# What lies as near to the rim fits, mm.
+_SAME = 1e-6
 Progress = Callable[[float, str], None]
 
 
@@ -91,10 +93,24 @@ def nest(
         placed, failure = _placed(group, workshop, lambda f, words: say(f, f"nesting {words}"))
         for placements in placed:
             name = f"sheet-{len(sheets) + 1:03d}"
-            sheets.append(Sheet(name, *workshop.sheet, thickness, placements, material))
+            size = _smallest(placements, workshop)
+            sheets.append(Sheet(name, *size, thickness, placements, material))
         remarks += [failure] if failure and failure not in remarks else []
     _nothing_lost([item.part.name for item in items], sheets)
     return Nesting(tuple(sheets), tuple(too_large), tuple(remarks))
+
+
+def _smallest(placements: Sequence[Placement], workshop: Workshop) -> tuple[float, float]:
+    """The smallest sheet of the store that what was laid on one fits on, with its clear rim."""
+    assert workshop.sheet is not None
+    far = np.concatenate([each.outline for each in placements]).max(axis=0) + workshop.spacing
+    fits = [
+        size
+        for size in workshop.sizes_in_store
+        if far[0] <= size[0] + _SAME and far[1] <= size[1] + _SAME
+    ]
+    whole = workshop.sheet
+    return min([*fits, whole], key=lambda size: size[0] * size[1])
 
 
 def _alike(items: Sequence[_Item]) -> list[tuple[tuple[str, float], list[_Item]]]:

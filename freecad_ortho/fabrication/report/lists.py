@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.part import Measures, Part, measure_words
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.report.pictures import sheet_picture
 from freecad_ortho.fabrication.report.way import Way
-from freecad_ortho.fabrication.stock import bars_by_section
+from freecad_ortho.fabrication.stock import Bar, bars_by_section
 from freecad_ortho.words import counted, plural
 
 # Rows of a list and pictures of sheets that a page holds; the files hold all of them.
@@ -72,21 +72,23 @@ def sheets(production: Production) -> str:
     """Pictures of the sheets, and what is lost on them."""
     if not production.sheets:
         return ""
-    width, height = production.workshop.sheet or (0.0, 0.0)
     used = sum(sheet.used for sheet in production.sheets)
-    waste = 1 - used / (width * height * len(production.sheets))
+    waste = 1 - used / sum(sheet.width * sheet.height for sheet in production.sheets)
     figures = [
         f"<figure>{sheet_picture(sheet)}<figcaption>{escape(sheet.title)}, "
         f"{counted(len(sheet.placements), 'part')}, waste {100 * sheet.waste:.0f} %"
         "</figcaption></figure>"
         for sheet in production.sheets[:_PICTURES]
     ]
-    stores = Counter((sheet.material, sheet.thickness) for sheet in production.sheets)
-    rows = [(material, f"{thick:g}", count) for (material, thick), count in stores.items()]
+    stores = Counter(
+        (sheet.material, f"{sheet.thickness:g}", f"{sheet.width:g} x {sheet.height:g}")
+        for sheet in production.sheets
+    )
+    rows = [(*store, count) for store, count in stores.items()]
     return (
-        f"<h2>Sheets</h2><p>{counted(len(production.sheets), 'sheet')} of {width:g} x "
-        f"{height:g} mm, waste {100 * waste:.1f} %.</p>"
-        + table(("material", "thickness, mm", "sheets"), rows)
+        f"<h2>Sheets</h2><p>{counted(len(production.sheets), 'sheet')}, waste "
+        f"{100 * waste:.1f} %.</p>"
+        + table(("material", "thickness, mm", "size, mm", "sheets"), rows)
         + f'<div class="row sheets">{"".join(figures)}</div>'
         + _more(len(production.sheets), _PICTURES, "sheet", "sheets/overview.svg")
     )
@@ -104,7 +106,7 @@ def stock(production: Production) -> str:
         rows.append(
             (
                 *(bars[0].section, bars[0].material, f"{low:.1f} to {high:.1f}"),
-                *(f"{len(bars):,}", f"{bars[0].length:,g}"),
+                *(f"{len(bars):,}", _lengths(bars)),
                 f"{sum(len(bar.parts) for bar in bars):,}",
                 *(f"{kept / 1000:,.1f}", f"{100 * (1 - (cut + kept) / length):.1f}"),
             )
@@ -116,6 +118,11 @@ def stock(production: Production) -> str:
         f"lost behind each part; rests from {shop.rest:g} mm on are kept. Bar by bar: stock.csv."
         "</p>" + table((*head, "rests kept, m", "waste, %"), rows)
     )
+
+
+def _lengths(bars: Sequence[Bar]) -> str:
+    """Lengths of bars, the shortest first."""
+    return " and ".join(f"{length:,g}" for length in sorted({bar.length for bar in bars}))
 
 
 def clash_causes(production: Production) -> list[str]:

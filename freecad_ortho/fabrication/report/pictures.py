@@ -67,7 +67,7 @@ def sheet_picture(sheet: Sheet) -> str:
 
 def overview(sheets: Sequence[Sheet]) -> str:
     """Draw all sheets in rows, each with its name, thickness and waste."""
-    width, height = sheets[0].width, sheets[0].height
+    width, height = (max(getattr(sheet, side) for sheet in sheets) for side in ("width", "height"))
     columns = max(1, round(math.sqrt(len(sheets) * height / width * 1.4)))
     text = 0.045 * max(width, height)
     step = np.array([width * 1.06, height + 3 * text])

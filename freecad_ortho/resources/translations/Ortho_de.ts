@@ -3643,6 +3643,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Prices</source>
+   <translation>Preise</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Profile</source>
    <translation>Profil</translation>
   </message>
@@ -3947,6 +3952,11 @@
    <translation>Blech aus den Tangenten einer Leitkurve, durch Erzeugende (v) und Evolventen (u).</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet sizes</source>
+   <translation>Plattengrößen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Sheet width</source>
    <translation>Tafelbreite</translation>
@@ -4115,6 +4125,11 @@
    <location filename="../../../freecad_ortho/documents/structures.py" />
    <source>Stock length</source>
    <translation>Lagerlänge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stock lengths</source>
+   <translation>Lagerlängen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -4883,6 +4898,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bars and strips are this long; longer lamellas are spliced</source>
    <translation>Stäbe und Streifen sind so lang; längere Lamellen werden gestoßen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars come in these lengths too, mm; the shortest that will do is taken</source>
+   <translation>Stäbe gibt es auch in diesen Längen, mm; genommen wird die kürzeste, die reicht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5711,6 +5731,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>rows of item, unit and price, for the lists' costs</source>
+   <translation>Zeilen mit Ware, Einheit und Preis, für die Kosten der Listen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>scherk</source>
    <translation>Scherk</translation>
   </message>
@@ -5728,6 +5753,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>sharp corners</source>
    <translation>scharfe Ecken</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>sheets come in these sizes too, mm; the smallest that will do is taken</source>
+   <translation>Platten gibt es auch in diesen Größen, mm; genommen wird die kleinste, die reicht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -3643,6 +3643,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Prices</source>
+   <translation>Prix</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Profile</source>
    <translation>Profil</translation>
   </message>
@@ -3947,6 +3952,11 @@
    <translation>Feuille des tangentes d'une courbe directrice, par génératrices (v) et développantes (u).</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sheet sizes</source>
+   <translation>Formats de tôle</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Sheet width</source>
    <translation>Largeur de tôle</translation>
@@ -4115,6 +4125,11 @@
    <location filename="../../../freecad_ortho/documents/structures.py" />
    <source>Stock length</source>
    <translation>Longueur de barre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Stock lengths</source>
+   <translation>Longueurs en stock</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -4883,6 +4898,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bars and strips are this long; longer lamellas are spliced</source>
    <translation>barres et bandes ont cette longueur ; les lamelles plus longues sont aboutées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars come in these lengths too, mm; the shortest that will do is taken</source>
+   <translation>les barres existent aussi en ces longueurs, mm ; la plus courte qui suffit est prise</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5711,6 +5731,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>rows of item, unit and price, for the lists' costs</source>
+   <translation>lignes d'article, d'unité et de prix, pour les coûts des listes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>scherk</source>
    <translation>Scherk</translation>
   </message>
@@ -5728,6 +5753,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>sharp corners</source>
    <translation>coins vifs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>sheets come in these sizes too, mm; the smallest that will do is taken</source>
+   <translation>les tôles existent aussi en ces formats, mm ; le plus petit qui suffit est pris</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
