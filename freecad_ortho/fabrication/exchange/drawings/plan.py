@@ -93,7 +93,8 @@ def plan_pages(production: Production, form: DrawingForm) -> list[Page]:
 
         return [Page("PLAN", f"Overview {net.seen}", f"1:{scale}", whole, notes)]
     pieces = _pieces(net, form)
-    notes = (*notes, f"numbers of nodes: PLAN-1 to PLAN-{len(pieces)}")
+    last = f" to PLAN-{len(pieces)}" if len(pieces) > 1 else ""
+    notes = (*notes, f"numbers of nodes: PLAN-1{last}")
 
     def overview(pen: Pen, low: FloatArray, high: FloatArray) -> None:
         view = View(scale, middle, (low + high) / 2)
