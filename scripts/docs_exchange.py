@@ -1,4 +1,4 @@
-"""Pictures of docs/exchange.md: pages of the demo roof's drawings and labels, parts of its IFC file.
+"""Pictures of docs/exchange.md: pages of the demo roof's drawings and labels.
 
 Run with the project's Python:  python scripts/docs_exchange.py
 Needs the packages of requirements-exchange.txt and requirements-dev.txt.
