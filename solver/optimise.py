@@ -12,6 +12,7 @@ import numpy as np
 
 from solver.align.reach import reaching
 from solver.analysis.form import surface_of
+from solver.analysis.kinds import NODES, refuse_unknown_parts
 from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.closest import TriangleSurface
@@ -24,6 +25,7 @@ from solver.nets.settings import Weights
 from solver.nets.supports import supports_of
 from solver.plan import Plan
 from solver.problem import Problem
+from solver.repetition import Repeat
 from solver.report import Outcome, StepRecord
 from solver.run import Optimisation
 from solver.tuning import Tuning
@@ -50,6 +52,10 @@ class Settings(TypedDict, total=False):
     fix: str | Sequence[int]
     supports: str | Sequence[int]
     within: float | None
+    repeat: str
+    kinds: int | None
+    alike: float | None
+    alike_angle: float
     tolerance: float
     max_steps: int
     backend: str | None
@@ -73,7 +79,8 @@ def optimise(
         callback: called after each step; returning True stops.
         settings: ``fairness``, ``closeness``, ``multi``, ``multi_patch``,
             ``evenness``, ``smooth_motion``, ``edge_vectors``, ``isometry``, ``fix``, ``supports``,
-            ``within``, ``tolerance``, ``max_steps``, ``backend``, ``options``, ``constraints``,
+            ``within``, ``repeat``, ``kinds``, ``alike``, ``alike_angle``, ``tolerance``,
+            ``max_steps``, ``backend``, ``options``, ``constraints``,
             ``tuning``, as for :func:`start_optimisation`.
 
     Returns:
@@ -102,6 +109,10 @@ def start_optimisation(
     fix: str | Sequence[int] = "none",
     supports: str | Sequence[int] = "",
     within: float | None = None,
+    repeat: str = "none",
+    kinds: int | None = None,
+    alike: float | None = None,
+    alike_angle: float = 0.5,
     tolerance: float = 1e-10,
     max_steps: int = 1000,
     backend: str | None = None,
@@ -131,6 +142,11 @@ def start_optimisation(
             where nothing is, what the net needs: the boundary of a stress net.
         within: how far from the design surface, or the start where none is given, the result may
             be, in model units: the report says whether it is.
+        repeat: none, panels, edges or nodes, of which few kinds are wanted once the net is reached.
+        kinds: how many there may be; None for as few as can be found.
+        alike: how far a panel or an edge may be from the shape of its kind, in model units; by
+            default a thousandth of the mean edge.
+        alike_angle: how far an edge of a node may be turned from that, in degrees.
         tolerance: largest residual that counts as zero, dimensionless.
         max_steps: largest number of steps, over all attempts.
         backend: ``rslab`` or ``scipy``; by default the fastest installed.
@@ -161,6 +177,7 @@ def start_optimisation(
     weights = replace(
         Weights(), **{key: value for key, value in given.items() if value is not None}
     )
+    wish = _repeated(mesh, repeat, kinds, alike, alike_angle)
     origin = LocalOrigin.of_mesh(mesh)
     mesh = origin.near_mesh(mesh)
     chosen = options or NetOptions()
@@ -169,6 +186,10 @@ def start_optimisation(
         reference = np.asarray(chosen.reference, dtype=np.float64)
         chosen = replace(chosen, reference=LocalOrigin.of(reference).near(reference))
     wanted = (constraints or Constraints()).about(origin)
+    if wish is not None and wanted.handles:
+        raise InputError(
+            "repeat: nets with handles do not look for few kinds of parts; take the handles away"
+        )
     standing = supports_of(mesh, asked, fix, supports)
     fixed = standing.fixed.copy()
     held = _held(asked, bool(standing.standing.any()), wanted)
@@ -214,7 +235,25 @@ def start_optimisation(
         surface=surface,
         within=within,
         nearest=asked.nearest,
+        repeat=wish,
     )
+
+
+def _repeated(
+    mesh: QuadMesh, repeat: str, kinds: int | None, alike: float | None, alike_angle: float
+) -> Repeat | None:
+    """What is wanted of few kinds of parts, if anything is.
+
+    Raises:
+        InputError: no such parts, or what no net can have.
+    """
+    if repeat == "none":
+        return None
+    refuse_unknown_parts(repeat)
+    lengths = mesh.mean_edge / 1000 if alike is None else alike
+    wish = Repeat(repeat, kinds, alike_angle if repeat == NODES else lengths)
+    wish.refuse_impossible(mesh)
+    return wish
 
 
 def refuse_no_end(tolerance: float, max_steps: int) -> None:

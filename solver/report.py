@@ -61,6 +61,33 @@ class Spread:
 
 
 @dataclass(frozen=True)
+class Repeated:
+    """Kinds of parts of a net.
+
+    Attributes:
+        of: panels, edges or nodes.
+        kinds: how many there are.
+        asked: how many there might be, None for as few as can be found.
+        alike: how far a part may be from the shape of its kind, in model units, of nodes in
+            degrees; ``largest_miss`` is how far one is at most.
+        kinds_before: how many there were in the net that was reached before.
+        counts: how many parts there are of each kind.
+        kind: the kind of each face, edge or vertex, from 0; -1 for vertices of no face.
+        is_reached: there are no more kinds than was asked.
+    """
+
+    of: str
+    kinds: int
+    asked: int | None
+    alike: float
+    largest_miss: float
+    kinds_before: int
+    counts: list[int]
+    kind: list[int]
+    is_reached: bool
+
+
+@dataclass(frozen=True)
 class Report:
     """Outcome of an optimisation in numbers; ``as_dict`` is the contract of ``report.json``.
 
@@ -88,6 +115,7 @@ class Report:
             others: ``off_surface`` with ``max``, ``mean`` and ``percent``, ``border``,
             ``area_ratio``, ``height_ratio``, ``zigzag``, ``gap``.
         within: how far from the design surface it may be, in model units, where that was asked.
+        repetition: the kinds of parts, where few of them were asked for.
         mean_edge: of the input, in model units.
         size: lengths of the bounding box along x, y and z, in model units.
         size_start: the same of the input.
@@ -121,6 +149,7 @@ class Report:
     moved: Spread
     form: Form
     within: float | None
+    repetition: Repeated | None
     mean_edge: float
     size: list[float]
     size_start: list[float]
@@ -133,6 +162,11 @@ class Report:
     def is_within(self) -> bool:
         """Whether it is as near to the design surface as was asked, if anything was."""
         return self.within is None or self.form.off_surface.max <= self.within
+
+    @property
+    def is_repeated(self) -> bool:
+        """Whether there are as few kinds of parts as was asked, if anything was."""
+        return self.repetition is None or self.repetition.is_reached
 
     @property
     def flat(self) -> bool:
@@ -151,7 +185,7 @@ class Report:
         """Return plain numbers and strings for JSON, without the history."""
         data = asdict(self)
         del data["history"]
-        data.update(data.pop("form"), is_within=self.is_within)
+        data.update(data.pop("form"), is_within=self.is_within, is_repeated=self.is_repeated)
         return data
 
 

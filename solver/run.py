@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from solver.analysis.form import off_surface
+from solver.analysis.form import off_surface, surface_of
 from solver.analysis.start import Remark
 from solver.best import Best
 from solver.candidate import Candidate, judge
@@ -20,7 +20,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nearest import NearestNet, drawn, missing, nearness, pull_of
 from solver.plan import Attempt, Way, alone
 from solver.problem import Problem
-from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, StepRecord
+from solver.repetition import Repeat, Repetition
+from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Repeated, StepRecord
 from solver.summary import Course, summarise
 
 # The last phase takes as many steps as there were before it, and so many where those were fewer:
@@ -63,6 +64,7 @@ class Optimisation:
         within: how far from it the result may be, in model units. Where it is farther, another last
             phase weighs what is beyond that.
         nearest: of all such nets the one nearest to the surface is what was asked for.
+        repeat: parts of which few kinds are wanted, once the net is reached.
     """
 
     def __init__(
@@ -80,6 +82,7 @@ class Optimisation:
         surface: TriangleSurface | None = None,
         within: float | None = None,
         nearest: bool = False,
+        repeat: Repeat | None = None,
     ) -> None:
         begin = time.perf_counter()
         self.original = original
@@ -94,7 +97,9 @@ class Optimisation:
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
         self._given_up = 0
         self.surface, self.within, self.nearest = surface, within, nearest
-        self._nearest: NearestNet | None = None
+        self._nearest: NearestNet | Repetition | None = None
+        self._repeat = repeat
+        self.repetition: Repeated | None = None
         self._most, self._evenness, self._pressed = 0, _EVENNESS, False
         self._way = self._begin_way()
         attempt = next(self._way)
@@ -105,8 +110,7 @@ class Optimisation:
         elif accept_start:
             start = judge(original, original.start, tolerance)
             if start.valid:
-                self._best.consider(start)
-                self.status = CONVERGED
+                self._end(self._best.consider(start))
 
     def afresh(self, descent: Descent) -> Optimisation:
         """The same from the beginning, with its first attempt under way already.
@@ -128,6 +132,7 @@ class Optimisation:
             self.surface,
             self.within,
             self.nearest,
+            self._repeat,
         )
 
     @property
@@ -181,7 +186,9 @@ class Optimisation:
         """End here; the outcome is the best mesh so far."""
         if self.finished:
             return
-        if self._nearest is not None:
+        if isinstance(self._nearest, Repetition):
+            self._end_repetition(self._nearest)
+        elif self._nearest is not None:
             self._end_nearest(self._nearest, again=False)
         else:
             self._conclude(STOPPED)
@@ -218,6 +225,7 @@ class Optimisation:
             self.surface,
             self.within,
             self._given_up > 0,
+            self.repetition,
         )
         return summarise(course, self._found())
 
@@ -284,8 +292,28 @@ class Optimisation:
         best = self._best.consider(self._judged())
         if status == STALLED and best.valid and not best.gone and self._may_go_nearer:
             self._begin_nearest(best, _EVENNESS)
+        elif best.valid:
+            self._end(best, goes_on=status == STALLED)
         else:
-            self.status = self._verdict(best) if best.valid else status
+            self.status = status
+
+    def _end(self, net: Candidate, goes_on: bool = True) -> None:
+        """End with a net, or go on from it to one with few kinds of parts."""
+        self.status = self._verdict(net)
+        if self.status != CONVERGED or not goes_on or self._repeat is None:
+            return
+        ground = self.surface or surface_of(self.original.mesh)
+        limits = self.tolerance, self.within
+        phase = Repetition(net, self.original, ground, self._repeat, *limits, self.backend)
+        self._nearest, self.status, self.attempts = phase, None, self.attempts + 1
+        if phase.finished or len(self.history) >= self.max_steps:
+            self._end_repetition(phase)
+
+    def _end_repetition(self, repetition: Repetition) -> None:
+        """Keep the net with the fewest kinds of parts."""
+        self._best = Best(self.original.tuning.worth)
+        self._best.consider(repetition.judged())
+        self.repetition, self.status = repetition.report(), CONVERGED
 
     def _verdict(self, net: Candidate) -> str:
         """Whether a net is what was asked for: where that was the nearest, no flatter one is."""
@@ -320,7 +348,7 @@ class Optimisation:
         self._most = min(self.max_steps, done + max(done, least))
         self.attempts += 1
 
-    def _step_nearer(self, nearest: NearestNet) -> StepRecord:
+    def _step_nearer(self, nearest: NearestNet | Repetition) -> StepRecord:
         begin, damping = time.perf_counter(), nearest.damping
         length, solving = nearest.step()
         record = StepRecord(
@@ -335,7 +363,10 @@ class Optimisation:
             solve_seconds=solving,
         )
         self.history.append(record)
-        if nearest.finished or len(self.history) >= self._most:
+        if isinstance(nearest, Repetition):
+            if nearest.finished or len(self.history) >= self.max_steps:
+                self._end_repetition(nearest)
+        elif nearest.finished or len(self.history) >= self._most:
             self._end_nearest(nearest)
         return record
 
@@ -363,7 +394,7 @@ class Optimisation:
             self._pressed = True
             self._begin_nearest(self._found(), self._evenness, self.within)
         else:
-            self.status = self._verdict(self._found())
+            self._end(self._found(), goes_on=again)
 
     def _far(self, net: Candidate) -> float:
         """What the last phase lowers: the largest distance of handles, else from the surface."""

@@ -48,6 +48,8 @@ class Session:
         **settings: Unpack[Settings],
     ) -> None:
         refuse_unknown("session", settings, Settings.__annotations__)
+        # Kinds of parts are looked for when nothing is dragged.
+        settings.pop("repeat", None)
         if not len(handles):
             raise InputError("handles: none given; name the vertices that may be dragged")
         for vertex in handles:

@@ -22,6 +22,7 @@ from solver.report import (
     STALLED,
     STOPPED,
     Outcome,
+    Repeated,
     Report,
     StepRecord,
     with_article,
@@ -52,6 +53,7 @@ class Course:
         surface: the design surface, about the origin.
         within: how far from it the net may be at most, in model units.
         given_up: attempts were given up, as they came nearer too slowly.
+        repetition: kinds of parts, where few were asked for and the net was reached.
     """
 
     original: Problem
@@ -68,6 +70,7 @@ class Course:
     surface: TriangleSurface | None
     within: float | None
     given_up: bool
+    repetition: Repeated | None = None
 
 
 def summarise(run: Course, best: Candidate) -> Outcome:
@@ -101,6 +104,7 @@ def summarise(run: Course, best: Candidate) -> Outcome:
         moved=spread_of(moved),
         form=form,
         within=run.within,
+        repetition=run.repetition,
         mean_edge=start.mean_edge,
         size=_size(best.mesh),
         size_start=_size(start),

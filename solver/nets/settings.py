@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from solver.analysis.kinds import REPEATED
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
@@ -25,6 +26,52 @@ from solver.tuning import Tuning
 
 # Guides that do not fade.
 _LASTING = ("edge_guard", "face_guard")
+
+
+# What may be said of parts that are to repeat; they follow once the net is reached.
+REPETITION = (
+    Option(
+        "repeat",
+        "none",
+        "choice",
+        "Parts of which few kinds are wanted, once the net is reached",
+        choices=("none", *REPEATED),
+        title="Few kinds",
+        brief="parts of which few kinds are wanted: a last phase moves along the nets to one with "
+        "fewer; nodes by the angles between their edges",
+        shown={"none": "not asked for"},
+        stored="RepeatedParts",
+    ),
+    Option(
+        "kinds",
+        None,
+        "count",
+        "How many kinds there may be; 0 is as few as can be found",
+        title="Kinds",
+        brief="how many kinds of them there may be; more than that, and the exit code is 1",
+        absent="as few as can be found",
+        stored="KindsAtMost",
+    ),
+    Option(
+        "alike",
+        None,
+        "length",
+        "How far panels and lengths of edges may be from the shape of their kind",
+        title="Alike within",
+        brief="how far the corners of panels, or lengths of edges, may be from the shape of their "
+        "kind",
+        absent="1/1000 of an edge",
+        stored="AlikeWithin",
+    ),
+    Option(
+        "alike_angle",
+        0.5,
+        "angle",
+        "How far edges of nodes may be turned from the shape of their kind",
+        title="Alike to",
+        brief="how far edges of nodes may be turned from the shape of their kind",
+    ),
+)
 
 
 # What may be said of the guides, and when a run is done; no weight is the one of ``Weights``.
@@ -112,6 +159,7 @@ WEIGHTS: dict[str, Option] = {
             brief="how far the result may be off the surface, or off the start where none is "
             "given; beyond it the exit code is 1",
         ),
+        *REPETITION,
     )
 }
 

@@ -35,6 +35,7 @@ from solver.terms.multi import multi_net
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.planarity import Planarity
 from solver.terms.pull import Pull
+from solver.terms.repetition import SameAngles, SameLengths
 from solver.terms.spherical_star import SphericalStar
 from solver.terms.star_angles import ConicalStar, EqualAngleStar, GeodesicStar
 from solver.terms.tilted_line import TiltedLine
@@ -66,6 +67,10 @@ MIRRORED = grid(lambda i, j: [i - 2, j, 0.3 * (i - 2) ** 2 + 0.1 * j])
 BARREL = surface_of_revolution(ROWS, COLUMNS)
 REST = wavy_grid(ROWS, COLUMNS, shear=0.1)
 ALL = np.arange(COUNT)
+AROUND = (np.arange(4)[:, None] + np.arange(4)) % 4
+LENGTHS, SOME = np.array([[1.0], [1.5]]), np.linspace(0.5, 2.0, 31)
+# Four edges at right angles: chords of neighbours and of opposite ones, all pairs in order.
+CHORDS = np.sqrt(2.0), 2.0, np.sqrt(2.0), np.sqrt(2.0), 2.0, np.sqrt(2.0)
 TWINS = np.array([[4 * i + j, 4 * (4 - i) + j] for i in range(2) for j in range(4)])
 
 
@@ -174,6 +179,22 @@ CASES = {
         grid(lambda i, j: [0.2 * i - 2 + 0.03 * j, 0.2 + 0 * i, 0.3 + 0 * i]),
         [],
         False,
+    ),
+    "same lengths": Case(
+        lambda m: SameLengths(m.connectivity.edges, np.array([[0, 1]]), LENGTHS, SOME), RECTANGLES
+    ),
+    "same panels": Case(
+        lambda m: SameLengths(
+            m.faces,
+            AROUND,
+            np.array([[1.5, 3.25**0.5, 1, 1, 3.25**0.5, 1.5]]),
+            np.linspace(0.5, 2, 12),
+        ),
+        RECTANGLES,
+    ),
+    "same angles": Case(
+        lambda m: SameAngles(m.connectivity.stars, AROUND, np.array([[*CHORDS]]), np.ones(6)),
+        SQUARES,
     ),
     "mirrored": Case(lambda m: Mirrored(TWINS, 0, 0.0), MIRRORED, [], False),
 }
