@@ -205,4 +205,8 @@ class NetSettings(PassedSettings, total=False):
     edge_vectors: float | None
     isometry: float | None
     within: float | str | None
+    repeat: Literal["none", "panels", "edges", "nodes"]
+    kinds: int | None
+    alike: Length | None
+    alike_angle: float
     tolerance: float

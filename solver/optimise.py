@@ -12,7 +12,7 @@ import numpy as np
 
 from solver.align.reach import reaching
 from solver.analysis.form import surface_of
-from solver.analysis.kinds import NODES, refuse_unknown_parts
+from solver.analysis.kinds import ALIKE, ALIKE_DEG, NODES, refuse_unknown_parts
 from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.closest import TriangleSurface
@@ -112,7 +112,7 @@ def start_optimisation(
     repeat: str = "none",
     kinds: int | None = None,
     alike: float | None = None,
-    alike_angle: float = 0.5,
+    alike_angle: float = ALIKE_DEG,
     tolerance: float = 1e-10,
     max_steps: int = 1000,
     backend: str | None = None,
@@ -250,7 +250,7 @@ def _repeated(
     if repeat == "none":
         return None
     refuse_unknown_parts(repeat)
-    lengths = mesh.mean_edge / 1000 if alike is None else alike
+    lengths = ALIKE * mesh.mean_edge if alike is None else alike
     wish = Repeat(repeat, kinds, alike_angle if repeat == NODES else lengths)
     wish.refuse_impossible(mesh)
     return wish

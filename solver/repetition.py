@@ -2,10 +2,11 @@
 
 From a net that was reached, steps along the nets (:mod:`solver.nearest`) lower how far parts are
 from the shapes of their kinds, together with the distance from the design surface and the
-unevenness of the lines. The pull grows from stage to stage; within a stage parts may change their
-kind, and shapes are the means of their parts. What counts is measured on the mesh itself: the
-number of kinds such that every part is within the tolerance of the shape of its kind. Where that is
-more than was asked for, other numbers of groups are tried, and the least that was found is kept.
+unevenness of the lines. The pull grows from stage to stage, and shapes are the means of their
+parts. Kinds are rows of parts first, which leads to surfaces that repeat along their lines and
+costs least of the form; then parts that are alike already, which may change their kind on the way.
+What counts is measured on the mesh itself: the number of kinds such that every part is within the
+tolerance of the shape of its kind.
 
 Source: Eigensatz et al. (2010), Paneling architectural freeform surfaces; Fu et al. (2010), K-set
 tilable surfaces; Singh, Schaefer (2010), Triangle surfaces with discrete equivalence classes.
@@ -22,31 +23,31 @@ import numpy as np
 
 from solver.analysis.form import off_surface
 from solver.analysis.kinds import EDGES, NODES, PANELS, Kinds, kinds_within, spokes
+from solver.analysis.rows import families
 from solver.candidate import Candidate, judge
 from solver.errors import InputError
+from solver.grouping import Groups, groups_of, in_rows, merged, near_ones, stressed, unstressed
 from solver.mesh.closest import TriangleSurface
-from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nearest import NearestNet, Wish, nearness
 from solver.point import Point
 from solver.problem import Problem
 from solver.report import Repeated
-from solver.terms.repetition import SameAngles, SameLengths
 
 # Weights of the pull, one stage each, where that of the distance from the surface is one.
 _STAGES = (1.0, 30.0, 1e3, 3e4)
 # Steps of a stage at most.
 _STEPS = 25
 # Weight of lines that bend evenly: that lengths jump from kind to kind works against it.
-_EVENNESS = 1.0
-# Parts farther from their shape are pulled the more: sums of this power, not of squares.
-_POWER, _LEAST_STRESS = 4, 0.1
-# Rounds in which parts find their first kinds.
-_ROUNDS = 30
+_EVENNESS = 0.3
 # Numbers of groups that are tried in turn, as parts of the number of kinds there was.
 _TRIES = (0.5, 0.25, 0.12)
+# Rows that come out alike become so many groups, as parts of what was asked for.
+_FEWER = (1.0, 0.85)
 # Less of the area, or shorter edges than these parts, and it is another shape.
 _STILL_WHOLE, _STILL_ROOMY = 0.85, 0.4
+# So is what is farther off the surface than this part of its size, where nothing else was said.
+_FAR = 0.02
 # With this residual parts of a kind are equal as far as numbers tell.
 _EQUAL = 1e-11
 
@@ -92,10 +93,11 @@ class Repeat:
 
 @dataclass(frozen=True, eq=False)
 class _Found:
-    """A net on the way, and its kinds."""
+    """A net on the way, its kinds, and how far off the surface it is."""
 
     x: FloatArray
     kinds: Kinds
+    off: float
 
 
 class Repetition:
@@ -133,6 +135,7 @@ class Repetition:
         self.found = self._first = self._counted(net.x)
         self._stages = self._way()
         self._nearest: NearestNet | None = None
+        self._terms: list[Groups] = []
         self._taken = 0
         self.finished = self._enough or not net.problem.free.any() or not self._next()
 
@@ -203,75 +206,71 @@ class Repetition:
         return True
 
     def _way(self) -> Iterator[NearestNet]:
-        """The stages of every number of groups that is tried, each from the net itself."""
-        for number in self._numbers():
-            x, terms = self._net.x, self._groups(number)
+        """The stages of all groups that are tried, each from the net itself."""
+        for x, terms in self._groups():
             for weight in _STAGES:
-                terms = [_stressed(term, x) for term in terms]
+                terms = [stressed(term, x) for term in terms]
                 wishes = [*self._wishes, *(Wish(term, weight) for term in terms)]
                 nearest = NearestNet(self.problem, x, wishes, self._backend)
                 if nearest.finished:
                     break
                 yield nearest
-                x = nearest.exact()
-                terms = [
-                    term
-                    for term in nearest.point.terms
-                    if isinstance(term, SameLengths | SameAngles)
-                ]
-                if self._weigh(x):
-                    return
+                x, terms = nearest.exact(), groups_of(nearest.point.terms)
+                if self._weigh(x, terms):
+                    break
 
-    def _numbers(self) -> Iterator[int]:
-        """Of groups: what was asked for, then some between that and the least that was found."""
-        asked, before = self.asked.kinds, self._first.kinds.number
-        if asked is None:
-            yield from dict.fromkeys(max(1, round(part * before)) for part in _TRIES)
+    def _groups(self) -> Iterator[tuple[FloatArray, list[Groups]]]:
+        """Where to begin and with which groups: rows along either family of lines at first.
+
+        Of both families that which stays nearer to the surface is kept. Where rows are too many,
+        those that have come out alike become one; last come parts that are alike from the first.
+        """
+        mesh, of, asked, x = self.problem.mesh, self.asked.of, self.asked.kinds, self._net.x
+        if families(mesh) > 1:
+            for family in range(families(mesh)):
+                yield x, in_rows(mesh, x, of, family, asked)
+        for part in _FEWER:
+            if asked is not None and not self._enough and self._terms:
+                yield self.found.x, merged(self._terms, round(part * asked), self.found.x)
+        if self._enough:
             return
-        yield asked
-        for _ in range(2):
-            between = round(np.sqrt(asked * self.found.kinds.number))
-            if not asked < between < self.found.kinds.number:
-                return
-            yield between
+        before = self._first.kinds.number
+        numbers = [round(part * before) for part in _TRIES] if asked is None else [asked]
+        for number in dict.fromkeys(max(1, number) for number in numbers):
+            if number < self.found.kinds.number:
+                yield x, near_ones(mesh, x, of, number)
 
-    def _weigh(self, x: FloatArray) -> bool:
-        """Keep a net that has fewer kinds and is as good; return whether they are few enough."""
-        counted = self._counted(x)
-        if counted.kinds.number < self.found.kinds.number and self._sound(x):
-            self.found = counted
-        return self._enough
+    def _weigh(self, x: FloatArray, terms: list[Groups]) -> bool:
+        """Keep a net that is better; return whether its kinds are few enough."""
+        found, best, asked = self._counted(x), self.found, self.asked.kinds
+        enough = asked is not None and found.kinds.number <= asked
+        if enough and self._enough:
+            better = found.off < best.off
+        else:
+            better = found.kinds.number < best.kinds.number
+        if better and self._sound(x):
+            self.found, self._terms = found, terms
+        return enough
 
     def _counted(self, x: FloatArray) -> _Found:
         mesh = self.problem.mesh_at(x)
-        return _Found(x, kinds_within(mesh, self.asked.of, self.asked.alike))
-
-    def _groups(self, number: int) -> list[SameLengths | SameAngles]:
-        """The parts in so many groups as they are at the beginning."""
-        rng = np.random.default_rng(0)
-        blank, x = _blank(self.problem.mesh, self.asked.of), self._net.x
-        whole = sum(len(term.groups) for term in blank)
-        shares = [max(1, round(number * len(term.groups) / whole)) for term in blank]
-        found = []
-        for term, share in zip(blank, shares, strict=True):
-            term = replace(term, shapes=_seeds(term, x, share, rng))
-            for _ in range(_ROUNDS):
-                before, term = term.shapes, term.follow(x)
-                if np.array_equal(before, term.shapes):
-                    break
-            found.append(term)
-        return found
+        off = float(off_surface(mesh, self._surface).max())
+        return _Found(x, kinds_within(mesh, self.asked.of, self.asked.alike), off)
 
     def _equal(self, x: FloatArray) -> FloatArray | None:
         """The same net with parts that are equal to the last digit, where that can be."""
         assert self._nearest is not None
-        terms = [t for t in self.point.terms if isinstance(t, SameLengths | SameAngles)]
         problem = copy.copy(self.problem)
-        problem.constraints = [*self.problem.constraints, *(_even(term) for term in terms)]
-        there = NearestNet(problem, x, [], self._backend).exact()
+        problem.constraints = list(self.problem.constraints)
+        for term in self._terms:
+            placed = unstressed(term.follow(x))
+            shared = problem.scalars(placed.shapes.ravel()).reshape(placed.shapes.shape)
+            problem.constraints.append(replace(placed, shared=shared))
+        begin = np.concatenate([x, problem.start[len(x) :]])
+        there = NearestNet(problem, begin, [], self._backend).exact()
         rest = [np.abs(term.linearise(there).residual).max() for term in problem.constraints]
-        counted = self._counted(there)
-        good = max(rest) <= _EQUAL and counted.kinds.number <= self.found.kinds.number
+        there = there[: len(x)]
+        good = max(rest) <= _EQUAL and self._counted(there).kinds.number <= self.found.kinds.number
         return there if good and self._sound(there) else None
 
     def _judge(self, x: FloatArray) -> Candidate:
@@ -285,58 +284,5 @@ class Repetition:
         if not (found.valid and whole and found.kept >= _STILL_ROOMY) or creased:
             return False
         far = [float(off_surface(net.mesh, self._surface).max()) for net in (before, found)]
-        return self._within is None or far[1] <= max(self._within, far[0])
-
-
-def _blank(mesh: QuadMesh, of: str) -> list[SameLengths | SameAngles]:
-    """The parts, in no groups yet; nodes with different numbers of edges apart."""
-    if of == NODES:
-        found: list[SameLengths | SameAngles] = []
-        for hubs in spokes(mesh):
-            groups = np.column_stack([hubs.vertices, hubs.neighbours])
-            turns = _around(hubs.neighbours.shape[1])
-            some = turns if hubs.closed else turns[:1]
-            found.append(SameAngles(groups, some, np.zeros((1, 1)), np.ones(len(groups))))
-        return found
-    if of == EDGES:
-        edges = mesh.connectivity.edges
-        return [SameLengths(edges, np.array([[0, 1]]), np.zeros((1, 1)), np.ones(len(edges)))]
-    faces = mesh.faces
-    return [SameLengths(faces, _around(4), np.zeros((1, 6)), np.ones(len(faces)))]
-
-
-def _around(count: int) -> IntArray:
-    return (np.arange(count)[:, None] + np.arange(count)) % count
-
-
-def _seeds(
-    term: SameLengths | SameAngles, x: FloatArray, number: int, rng: np.random.Generator
-) -> FloatArray:
-    """Values of so many parts that are far from each other.
-
-    Source: Arthur, Vassilvitskii (2007), k-means++: the advantages of careful seeding.
-    """
-    values = term.values(x)
-    turned, chosen = values[:, term.orders], [int(rng.integers(len(values)))]
-    away = np.full(len(values), np.inf)
-    while len(chosen) < number:
-        last = ((turned - values[chosen[-1]]) ** 2).sum(axis=2).min(axis=1)
-        away = np.minimum(away, last)
-        if away.max() <= 1e-24:
-            break
-        chosen.append(int(rng.choice(len(values), p=away / away.sum())))
-    return np.asarray(values[chosen])
-
-
-def _stressed(term: SameLengths | SameAngles, x: FloatArray) -> SameLengths | SameAngles:
-    """The same with more weight on parts that are far from their shapes."""
-    placed = term.sorted(x)
-    miss = np.abs(placed.values(x) - placed.wanted).max(axis=1)
-    share = np.clip(miss / max(float(miss.max()), 1e-300), _LEAST_STRESS, 1.0)
-    stress = share ** (_POWER / 2 - 1)
-    return replace(placed, stress=stress / np.sqrt((stress**2).mean()))
-
-
-def _even(term: SameLengths | SameAngles) -> SameLengths | SameAngles:
-    """The same without more weight on some."""
-    return replace(term, stress=np.ones(len(term.groups)))
+        size = float(np.linalg.norm(np.ptp(before.mesh.vertices, axis=0)))
+        return far[1] <= max(self._within or _FAR * size, far[0])

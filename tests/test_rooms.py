@@ -32,9 +32,9 @@ LAYERS = (
     "errors", "option", "tuning", "isolated", "mesh", "io", "multinet", "mesh.primitives",
     "offset", "linear", "statics", "frame", "analysis", "align", "terms", "report", "problem",
     "nets", "analysis.start", "candidate", "plan",
-    "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "repetition",
-    "best", "summary", "run", "optimise", "session", "solve", "analysis.advisor", "analysis.check",
-    "analysis.fields", "formfinding", "unroll",
+    "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "grouping",
+    "repetition", "best", "summary", "run", "optimise", "session", "solve", "analysis.advisor",
+    "analysis.check", "analysis.fields", "formfinding", "unroll",
 )  # fmt: skip
 
 IMPORT_ALL = """

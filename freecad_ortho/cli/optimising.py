@@ -13,10 +13,11 @@ from freecad_ortho import api
 from freecad_ortho.cli import net_options, reporting, values
 from freecad_ortho.units import millimetres_per
 from solver import Outcome, StepRecord
+from solver.analysis.kinds import NODES
 from solver.analysis.upright import side_remark
 from solver.io.atomic import write_text
 from solver.nets import nets_with
-from solver.report import CONVERGED, Report
+from solver.report import CONVERGED, Repeated, Report
 
 
 def run(options: argparse.Namespace) -> bool:
@@ -30,12 +31,13 @@ def run(options: argparse.Namespace) -> bool:
     )
     if options.report:
         places = {"origin": loaded.origin.shift.tolist(), "file_origin": wanted.shift.tolist()}
-        report = outcome.report.as_dict() | places
-        write_text(options.report, json.dumps(report, indent=2) + "\n")
+        numbers = outcome.report.as_dict() | places
+        write_text(options.report, json.dumps(numbers, indent=2) + "\n")
     tell(outcome, options.output, loaded)
     if wanted.far:
         sys.stdout.write(f"{values.about(wanted, loaded.unit)}\n")
-    return outcome.report.status == CONVERGED and outcome.report.is_within
+    report = outcome.report
+    return report.status == CONVERGED and report.is_within and report.is_repeated
 
 
 def optimised(
@@ -88,6 +90,8 @@ def tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
     stream.write(_form(report, unit))
     if not report.is_within:
         sys.stderr.write(_beyond(report, unit))
+    if report.repetition is not None:
+        (stream if report.is_repeated else sys.stderr).write(_kinds(report.repetition, unit))
     if report.far:
         sizes = (report.size_start, report.size)
         before, after = (" x ".join(map(_digits, size)) for size in sizes)
@@ -131,6 +135,29 @@ def _beyond(report: Report, unit: str) -> str:
         f"within: {far} mm off the surface at face {off.face}, where {_digits(allowed)} mm are "
         "allowed; try: a start whose lines follow the curvature of the surface, a finer mesh, or "
         f"{_other_wishes(report)}\n"
+    )
+
+
+def _kinds(repeated: Repeated, unit: str) -> str:
+    """How many kinds of parts there are, and what to do where these are too many."""
+    degrees = repeated.of == NODES
+    factor, of = (1.0, "degrees") if degrees else (millimetres_per(unit), "mm")
+    alike, miss = (
+        f"{_digits(value * factor)} {of}" for value in (repeated.alike, repeated.largest_miss)
+    )
+    most = ", ".join(map(str, repeated.counts[:8])) + (", ..." if repeated.kinds > 8 else "")
+    words = (
+        f"{repeated.of}: {repeated.kinds} kinds within {alike}, "
+        f"{repeated.kinds_before} before; of each {most}; the largest miss is "
+        f"{miss}\n"
+    )
+    if repeated.is_reached:
+        return words
+    flag = "--alike-angle" if degrees else "--alike"
+    return (
+        f"{words}kinds: {repeated.kinds} were the fewest that were found where {repeated.asked} "
+        f"are allowed; try: a larger {flag}, more kinds, a larger --within, or --net planar, which "
+        "has more freedom\n"
     )
 
 

@@ -25,7 +25,8 @@ from freecad_ortho.panels.watch import NetWatch, cover, uncover
 from freecad_ortho.resources import icon
 from freecad_ortho.window import context, messages
 from solver import start_optimisation
-from solver.report import CONVERGED, Report
+from solver.analysis.kinds import NODES
+from solver.report import CONVERGED, Repeated, Report
 
 translate = FreeCAD.Qt.translate
 
@@ -345,6 +346,8 @@ def _how_far(report: Report) -> list[str]:
     if report.flat:
         words = translate("Ortho", "The largest gap of a face is {}, of face {}.")
         said.append(words.format(length_words(report.form.gap), report.form.gap_face))
+    if report.repetition is not None:
+        said.append(_kinds(report.repetition))
     if not report.far:
         return said
     before, after = (
@@ -355,3 +358,17 @@ def _how_far(report: Report) -> list[str]:
     )
     most = length_words(report.moved.max * report.mean_edge)
     return [*said, words.format(most, report.moved.max, before, after)]
+
+
+def _kinds(found: Repeated) -> str:
+    """How many kinds of parts there are."""
+    measure = "{:.2g}°".format if found.of == NODES else length_words
+    words = {
+        "panels": translate("Ortho", "{} kinds of panels within {}, {} before."),
+        "edges": translate("Ortho", "{} kinds of edges within {}, {} before."),
+        "nodes": translate("Ortho", "{} kinds of nodes within {}, {} before."),
+    }[found.of]
+    said = words.format(found.kinds, measure(found.alike), found.kinds_before)
+    miss = translate("Ortho", "The largest miss is {}.").format(measure(found.largest_miss))
+    many = "" if found.is_reached else translate("Ortho", "That is more than the {} allowed.")
+    return " ".join(filter(None, [said, miss, many.format(found.asked)]))

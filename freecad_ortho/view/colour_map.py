@@ -13,7 +13,14 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Too slow to follow each step of a moving mesh.
-_SLOW = ("Twist", "Gap to reference", "Force")
+_SLOW = (
+    "Twist",
+    "Gap to reference",
+    "Force",
+    "Kinds of panels",
+    "Kinds of edges",
+    "Kinds of nodes",
+)
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import numpy as np
 from solver.align.reach import carried_to
 from solver.analysis.curvature import gauss_curvature, mean_curvature
 from solver.analysis.forces import edge_forces
+from solver.analysis.kinds import ALIKE, ALIKE_DEG, NODES, PANELS, kinds_within
 from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
@@ -136,6 +137,13 @@ def _twist(mesh: QuadMesh, reference: TriangleSurface | None) -> Field:
     return Field(EDGES, np.degrees(np.arcsin(np.clip(twist, 0, 1))), unit="degrees")
 
 
+def _kinds(mesh: QuadMesh, of: str, place: str) -> Field:
+    """The number of the kind of each part from 1, the most frequent first."""
+    within = ALIKE_DEG if of == NODES else ALIKE * mesh.mean_edge
+    kind = kinds_within(mesh, of, within).kind
+    return Field(place, np.where(kind < 0, np.nan, kind + 1.0))
+
+
 _OTHERS: dict[str, Compute] = {
     "Gauss curvature": lambda mesh, reference: Field(
         VERTICES, gauss_curvature(mesh), dimension=-2, signed=True
@@ -147,5 +155,8 @@ _OTHERS: dict[str, Compute] = {
     "Bending radius": lambda mesh, reference: Field(VERTICES, turning_radii(mesh), dimension=1),
     "Twist": _twist,
     "Gap to reference": _gap,
+    "Kinds of panels": lambda mesh, reference: _kinds(mesh, PANELS, FACES),
+    "Kinds of edges": lambda mesh, reference: _kinds(mesh, "edges", EDGES),
+    "Kinds of nodes": lambda mesh, reference: _kinds(mesh, NODES, VERTICES),
     "Force": lambda mesh, reference: Field(EDGES, edge_forces(mesh), signed=True),
 }

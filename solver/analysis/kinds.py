@@ -20,8 +20,12 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 PANELS, EDGES, NODES = "panels", "edges", "nodes"
 REPEATED = (PANELS, EDGES, NODES)
-# Pairs that are compared at once.
-_PAIRS = 200_000
+# Where nothing else is said: parts of the mean edge, and degrees.
+ALIKE, ALIKE_DEG = 1e-3, 0.5
+# Pairs that are compared at once, and at all.
+_PAIRS, _MOST_PAIRS = 200_000, 3_000_000
+# How far parts (n, k, 3) are from others: (n,).
+Miss = Callable[[FloatArray, FloatArray], FloatArray]
 # Part of a tolerance by which rounding may exceed it.
 _ROUNDING = 1e-9
 
@@ -181,7 +185,7 @@ def _lengths(lengths: FloatArray, within: float) -> Kinds:
     return Kinds(EDGES, _by_frequency(kind), miss)
 
 
-def _measured(of: str) -> Callable[[FloatArray, FloatArray], FloatArray]:
+def _measured(of: str) -> Miss:
     return corner_miss if of == PANELS else spoke_miss
 
 
@@ -213,63 +217,86 @@ def distances(points: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(points[:, i] - points[:, j], axis=2))
 
 
-def _covered(
-    alike: Alike, miss: Callable[[FloatArray, FloatArray], FloatArray], within: float
-) -> tuple[IntArray, FloatArray]:
-    """Number of the kind of each part, and its miss, by a greedy choice of shapes."""
-    count, limit = len(alike.points), within * (1 + _ROUNDING)
-    near = _pairs(alike, miss, limit)
-    kind, far = np.full(count, -1), np.zeros(count)
-    sizes = np.array([len(numbers) for numbers, _ in near])
-    number = 0
+def _covered(alike: Alike, miss: Miss, within: float) -> tuple[IntArray, FloatArray]:
+    """Number of the kind of each part, and its miss, by a greedy choice of shapes.
+
+    The shape that most parts are alike comes first; where there are too many pairs to compare, as
+    of thousands of equal panels, the first part that is left.
+    """
+    search = _Search(alike, miss, within * (1 + _ROUNDING))
+    near, count = search.pairs() if search.few else [], len(alike.points)
+    sizes = np.array([len(numbers) for numbers, _ in near] or [1] * count)
+    kind, far, number = np.full(count, -1), np.zeros(count), 0
     while (kind < 0).any():
         # A free one: the shape of a kind is one of its own parts.
         leader = int(np.argmax(np.where(kind < 0, sizes, -1)))
-        numbers, misses = near[leader]
+        numbers, misses = near[leader] if near else search.around(leader)
         free = kind[numbers] < 0
         kind[numbers[free]], far[numbers[free]] = number, misses[free]
-        for taken in numbers[free]:
+        for taken in numbers[free] if near else ():
             # Misses are mutual, so whoever is near to it counts one fewer.
             sizes[near[taken][0]] -= 1
         number += 1
     return kind, far
 
 
-def _pairs(
-    alike: Alike, miss: Callable[[FloatArray, FloatArray], FloatArray], limit: float
-) -> list[tuple[IntArray, FloatArray]]:
-    """For each part those that it is alike, itself among them, and by how much they miss."""
-    points, turns = alike.points, alike.turns
-    reach = 2 * limit
-    if miss is spoke_miss:
+class _Search:
+    """Finds parts that are alike: by the distances between their points first."""
+
+    def __init__(self, alike: Alike, miss: Miss, limit: float) -> None:
+        self._points, self._turns = alike.points, alike.turns
+        self._miss, self._limit = miss, limit
         # Directions that miss by an angle are so far apart.
-        reach = 2 * 2 * np.sin(0.5 * np.radians(min(limit, 180.0)))
-    tree = cKDTree(distances(points))
-    best: dict[tuple[int, int], float] = {(i, i): 0.0 for i in range(len(points))}
-    for turn in turns:
-        turned = points[:, turn]
-        near = tree.query_ball_point(distances(turned), reach * (1 + 1e-9), p=np.inf)
-        one = np.repeat(np.arange(len(points)), [len(others) for others in near])
-        other = np.concatenate([np.asarray(others, dtype=np.int64) for others in near])
-        keep = one < other
-        one, other = one[keep], other[keep]
-        for begin in range(0, len(one), _PAIRS):
-            some = slice(begin, begin + _PAIRS)
-            far = miss(turned[one[some]], points[other[some]])
-            for i, j, value in zip(
-                one[some][far <= limit], other[some][far <= limit], far[far <= limit], strict=True
-            ):
-                pair = (int(i), int(j))
-                best[pair] = min(best.get(pair, np.inf), float(value))
-    lists: list[list[tuple[int, float]]] = [[] for _ in range(len(points))]
-    for (i, j), value in best.items():
-        lists[i].append((j, value))
-        if i != j:
-            lists[j].append((i, value))
-    return [
-        (np.array([j for j, _ in row], dtype=np.int64), np.array([value for _, value in row]))
-        for row in lists
-    ]
+        chord = 2 * np.sin(0.5 * np.radians(min(limit, 180.0)))
+        self._reach = 2 * (chord if miss is spoke_miss else limit) * (1 + _ROUNDING)
+        self._distances = distances(alike.points)
+        self._tree = cKDTree(self._distances)
+
+    @property
+    def few(self) -> bool:
+        """Whether all pairs can be compared."""
+        return bool(self._tree.count_neighbors(self._tree, self._reach, p=np.inf) <= _MOST_PAIRS)
+
+    def around(self, leader: int) -> tuple[IntArray, FloatArray]:
+        """Parts that are alike one, itself among them, and by how much they miss."""
+        best = np.full(len(self._points), np.inf)
+        for turn in self._turns:
+            turned = self._points[leader][turn][None]
+            near = self._tree.query_ball_point(distances(turned)[0], self._reach, p=np.inf)
+            others = self._points[near]
+            far = self._miss(np.broadcast_to(turned, others.shape), others)
+            best[near] = np.minimum(best[near], far)
+        best[leader] = 0.0
+        numbers = np.flatnonzero(best <= self._limit)
+        return numbers, best[numbers]
+
+    def pairs(self) -> list[tuple[IntArray, FloatArray]]:
+        """For each part what :meth:`around` finds."""
+        count = len(self._points)
+        one, other, far = [np.arange(count)], [np.arange(count)], [np.zeros(count)]
+        for turn in self._turns:
+            turned = self._points[:, turn]
+            near = self._tree.query_ball_point(distances(turned), self._reach, p=np.inf)
+            i = np.repeat(np.arange(count), [len(others) for others in near])
+            j = np.concatenate([np.asarray(others, dtype=np.int64) for others in near])
+            i, j = i[i < j], j[i < j]
+            parts = range(0, len(i), _PAIRS)
+            found = [
+                self._miss(turned[i[k : k + _PAIRS]], self._points[j[k : k + _PAIRS]])
+                for k in parts
+            ]
+            value = np.concatenate([*found, np.zeros(0)])
+            keep = value <= self._limit
+            one += [i[keep], j[keep]]
+            other += [j[keep], i[keep]]
+            far += [value[keep], value[keep]]
+        rows, columns, values = (np.concatenate(parts) for parts in (one, other, far))
+        # Of several turns that fit the one that fits best.
+        order = np.lexsort((values, columns, rows))
+        rows, columns, values = rows[order], columns[order], values[order]
+        first = np.append(True, (np.diff(rows) != 0) | (np.diff(columns) != 0))
+        ends = np.searchsorted(rows[first], np.arange(1, count))
+        return list(zip(np.split(columns[first], ends), np.split(values[first], ends), strict=True))
 
 
 def _by_frequency(kind: IntArray) -> IntArray:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from solver.analysis.kinds import REPEATED
+from solver.analysis.kinds import ALIKE_DEG, REPEATED
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
@@ -39,7 +39,7 @@ REPETITION = (
         title="Few kinds",
         brief="parts of which few kinds are wanted: a last phase moves along the nets to one with "
         "fewer; nodes by the angles between their edges",
-        shown={"none": "not asked for"},
+        shown={"none": "not asked for", **{word: word for word in REPEATED}},
         stored="RepeatedParts",
     ),
     Option(
@@ -65,7 +65,7 @@ REPETITION = (
     ),
     Option(
         "alike_angle",
-        0.5,
+        ALIKE_DEG,
         "angle",
         "How far edges of nodes may be turned from the shape of their kind",
         title="Alike to",

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
@@ -33,6 +34,9 @@ class _Repeated(Elements):
         stress: (n,) factors of the parts' residuals.
         kind: (n,) kind of each part, None where they are still to be sorted.
         turn: (n,) number of the order in which it lies on the shape of its kind.
+        settled: parts keep their kinds, and only shapes follow.
+        shared: (K, p) positions of the shapes' values in the flat vector, where they are unknowns
+            and not means.
     """
 
     groups: IntArray
@@ -41,10 +45,19 @@ class _Repeated(Elements):
     stress: FloatArray
     kind: IntArray | None = None
     turn: IntArray | None = None
+    settled: bool = False
+    shared: IntArray | None = None
 
     @cached_property
     def unknowns(self) -> IntArray:
-        """(n, 3 k) coordinates of the vertices of each part."""
+        """(n, 3 k) coordinates of the vertices of each part, behind them those of its shape."""
+        if self.shared is None:
+            return self.coordinates
+        return np.hstack([self.coordinates, self._owned(self.shared)])
+
+    @cached_property
+    def coordinates(self) -> IntArray:
+        """(n, 3 k) places of the coordinates of each part."""
         return coordinates_of(self.groups)
 
     @cached_property
@@ -59,10 +72,23 @@ class _Repeated(Elements):
     @cached_property
     def wanted(self) -> FloatArray:
         """(n, p) values of each part's shape in the part's own order."""
+        return self._owned(self.shapes)
+
+    def _owned(self, values: NDArray[Any]) -> NDArray[Any]:
+        """What belongs to shapes (K, p), for each part in its own order (n, p)."""
         assert self.kind is not None and self.turn is not None
-        wanted = np.empty((len(self.groups), self.shapes.shape[1]))
-        np.put_along_axis(wanted, self.orders[self.turn], self.shapes[self.kind], axis=1)
-        return wanted
+        owned = np.empty((len(self.groups), values.shape[1]), dtype=values.dtype)
+        np.put_along_axis(owned, self.orders[self.turn], values[self.kind], axis=1)
+        return owned
+
+    def _finished(self, x: FloatArray, values: FloatArray, by: FloatArray) -> Linearisation:
+        """Residuals of values (n, p), and derivatives (n, p, 3 k), those by shapes behind them."""
+        wanted = self.wanted if self.shared is None else x[self._owned(self.shared)]
+        residual = self.stress[:, None] * (values - wanted)
+        if self.shared is None:
+            return Linearisation(residual, by)
+        by_shape = -self.stress[:, None, None] * np.eye(values.shape[1])
+        return Linearisation(residual, np.concatenate([by, by_shape], axis=2))
 
     def values(self, x: FloatArray) -> FloatArray:
         """(n, p) values of each part at ``x``."""
@@ -71,6 +97,8 @@ class _Repeated(Elements):
     def sorted(self: _Term, x: FloatArray) -> _Term:
         """Put every part into the kind that it is nearest to."""
         values = self.values(x)
+        if self.settled or self.shared is not None:
+            return self
         turned = values[:, self.orders]
         # The square of the distance but for that of the part's own values.
         away = (self.shapes**2).sum(axis=1) - 2 * turned @ self.shapes.T
@@ -80,6 +108,8 @@ class _Repeated(Elements):
 
     def follow(self: _Term, x: FloatArray) -> _Term:
         """Sort the parts at the current shape, and make the shapes the means of their parts."""
+        if self.shared is not None:
+            return self
         found = self.sorted(x)
         assert found.kind is not None and found.turn is not None
         turned = np.take_along_axis(found.values(x), found.orders[found.turn], axis=1)
@@ -112,16 +142,15 @@ class SameLengths(_Repeated):
 
     def values(self, x: FloatArray) -> FloatArray:
         """(n, p) distances."""
-        return np.asarray(np.linalg.norm(_between(points_of(x, self.unknowns)), axis=2))
+        return np.asarray(np.linalg.norm(_between(points_of(x, self.coordinates)), axis=2))
 
     def linearise(self, x: FloatArray) -> Linearisation:
         """Return (n, p) and (n, p, 3 k)."""
         term = self._placed(x)
-        between = _between(points_of(x, self.unknowns))
+        between = _between(points_of(x, self.coordinates))
         size = np.maximum(np.linalg.norm(between, axis=2), _SHORT)
-        residual = term.stress[:, None] * (size - term.wanted)
         by = (term.stress[:, None] / size)[:, :, None] * between
-        return Linearisation(residual, _at_pairs(by, self.groups.shape[1]))
+        return term._finished(x, size, _at_pairs(by, self.groups.shape[1]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,17 +178,16 @@ class SameAngles(_Repeated):
         unit, size = self._directions(x)
         between = _between(unit)
         chord = np.maximum(np.linalg.norm(between, axis=2), _SHORT)
-        residual = term.stress[:, None] * (chord - term.wanted)
         by_unit = _at_pairs((term.stress[:, None] / chord)[:, :, None] * between, unit.shape[1])
-        by_unit = by_unit.reshape(*residual.shape, unit.shape[1], 3)
+        by_unit = by_unit.reshape(*chord.shape, unit.shape[1], 3)
         # A direction changes only square to itself.
         along = np.einsum("npki,nki->npk", by_unit, unit)
         by_end = (by_unit - along[..., None] * unit[:, None]) / size[:, None, :, None]
         jacobian = np.concatenate([-by_end.sum(axis=2, keepdims=True), by_end], axis=2)
-        return Linearisation(residual, jacobian.reshape(*residual.shape, -1))
+        return term._finished(x, chord, jacobian.reshape(*chord.shape, -1))
 
     def _directions(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        points = points_of(x, self.unknowns)
+        points = points_of(x, self.coordinates)
         arms = points[:, 1:] - points[:, :1]
         size = np.maximum(np.linalg.norm(arms, axis=2), _SHORT)
         return arms / size[:, :, None], size

@@ -192,6 +192,16 @@ CASES = {
         ),
         RECTANGLES,
     ),
+    "same lengths, free": Case(
+        lambda m: SameLengths(
+            *(m.connectivity.edges, np.array([[0, 1]]), LENGTHS, SOME),
+            kind=(RECTANGLES.edge_lengths > 1.2).astype(int),
+            turn=np.zeros(31, dtype=int),
+            shared=np.array([[3 * COUNT], [3 * COUNT + 1]]),
+        ),
+        RECTANGLES,
+        [1.0, 1.5],
+    ),
     "same angles": Case(
         lambda m: SameAngles(m.connectivity.stars, AROUND, np.array([[*CHORDS]]), np.ones(6)),
         SQUARES,
