@@ -33,6 +33,7 @@ from solver.nearest import NearestNet, Wish, nearness
 from solver.point import Point
 from solver.problem import Problem
 from solver.report import Repeated
+from solver.terms.gliding import OnCurve
 
 # Weights of the pull, one stage each, where that of the distance from the surface is one.
 _STAGES = (1.0, 30.0, 1e3, 3e4)
@@ -44,6 +45,9 @@ _EVENNESS = 0.3
 _TRIES = (0.5, 0.25, 0.12)
 # Rows that come out alike become so many groups, as parts of what was asked for.
 _FEWER = (1.0, 0.85)
+# Weights of the border, without which a net draws back to where the surface is simpler; the second
+# where the first leads to too many kinds.
+_BORDERS = (0.3, 0.01)
 # Less of the area, or shorter edges than these parts, and it is another shape.
 _STILL_WHOLE, _STILL_ROOMY = 0.85, 0.4
 # So is what is farther off the surface than this part of its size, where nothing else was said.
@@ -207,17 +211,29 @@ class Repetition:
 
     def _way(self) -> Iterator[NearestNet]:
         """The stages of all groups that are tried, each from the net itself."""
-        for x, terms in self._groups():
-            for weight in _STAGES:
-                terms = [stressed(term, x) for term in terms]
-                wishes = [*self._wishes, *(Wish(term, weight) for term in terms)]
-                nearest = NearestNet(self.problem, x, wishes, self._backend)
-                if nearest.finished:
-                    break
-                yield nearest
-                x, terms = nearest.exact(), groups_of(nearest.point.terms)
-                if self._weigh(x, terms):
-                    break
+        for border in _BORDERS:
+            wishes = [
+                wish._replace(weight=border) if isinstance(wish.term, OnCurve) else wish
+                for wish in self._wishes
+            ]
+            for x, terms in self._groups():
+                yield from self._staged(wishes, x, terms)
+            if self._enough or self.asked.kinds is None:
+                return
+
+    def _staged(
+        self, wishes: list[Wish], x: FloatArray, terms: list[Groups]
+    ) -> Iterator[NearestNet]:
+        """Pull groups together, more from stage to stage."""
+        for weight in _STAGES:
+            pulls = [Wish(stressed(term, x), weight) for term in terms]
+            nearest = NearestNet(self.problem, x, [*wishes, *pulls], self._backend)
+            if nearest.finished:
+                return
+            yield nearest
+            x, terms = nearest.exact(), groups_of(nearest.point.terms)
+            if self._weigh(x, terms):
+                return
 
     def _groups(self) -> Iterator[tuple[FloatArray, list[Groups]]]:
         """Where to begin and with which groups: rows along either family of lines at first.

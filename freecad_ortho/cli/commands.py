@@ -21,7 +21,8 @@ from freecad_ortho.cli import (
     values,
 )
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
-from freecad_ortho.units import MILLIMETRES
+from freecad_ortho.units import MILLIMETRES, millimetres_per
+from solver.analysis.build_score import build_score
 from solver.errors import OrthoError, cannot_be_written
 from solver.nets import NETS
 
@@ -95,6 +96,12 @@ def _add_optimise(parser: argparse.ArgumentParser) -> None:
 def _add_check(parser: argparse.ArgumentParser) -> None:
     _add_input(parser)
     parser.add_argument("--json", action="store_true", help="numbers for other programs")
+    parser.add_argument(
+        "--build", action="store_true", help="how easily a grid shell on it is built, as freeGrid"
+    )
+    parser.add_argument(
+        "--sections", type=int, default=1, metavar="N", help="cross sections of its beams (1)"
+    )
     parser.set_defaults(run=_check)
 
 
@@ -115,6 +122,9 @@ def _optimise(options: argparse.Namespace) -> int:
 def _check(options: argparse.Namespace) -> int:
     loaded = reporting.load(options)
     result = {"file": options.input, "unit": loaded.unit, **api.check(loaded.mesh)}
+    if options.build:
+        score = build_score(loaded.mesh, millimetres_per(loaded.unit), options.sections)
+        result["build"] = score.as_dict()
     text = json.dumps(result, indent=2) if options.json else reporting.check_table(result)
     sys.stdout.write(text + "\n")
     return EXIT_OK

@@ -81,6 +81,31 @@ def _multi_net_line(found: dict[str, Any] | None) -> str:
     return f"{'multi-net':<16}{found['worst']:>12.3e}{'-':>12}   {place}: {verdict}{more}"
 
 
+def _build_lines(score: dict[str, Any]) -> str:
+    """The measures of buildability, the benchmark's own first."""
+    short, long = score["length_range"]
+    small, large = score["area_range"]
+    rows = (
+        ("planarity of faces", f"{score['planarity']:.4f}", "1 + mean; 1 is flat"),
+        ("joints", f"{score['joints']}", ""),
+        ("kinds of joints", f"{score['joint_kinds']}", "within 0.01 of unit directions"),
+        ("lengths of beams", f"{score['lengths']:.4f}", "1 + deviation / mean; 1 is equal"),
+        ("cross sections", f"{score['sections']}", "as given by --sections"),
+        ("kinds of lengths", f"{score['length_kinds']}", f"in 5 mm; {short:.0f} to {long:.0f} mm"),
+        (
+            "kinds of panels",
+            f"{score['panel_kinds']}",
+            f"within 2.5 mm; {small:.2f} to {large:.2f} m2",
+        ),
+    )
+    return "\n".join(
+        [
+            "buildability",
+            *(f"{name:<20}{value:>10}   {words}".rstrip() for name, value, words in rows),
+        ]
+    )
+
+
 def check_table(result: dict[str, Any]) -> str:
     """Measures of a mesh as a table for people."""
     size = " x ".join(f"{length:.6g}" for length in result["size"])
@@ -115,4 +140,6 @@ def check_table(result: dict[str, Any]) -> str:
         reason = f": {advice['reason']}" if advice["reason"] else ""
         lines.append(f"{title:<24}{advice['beyond']:>22.1e}   {verdict}{reason}")
     lines.append(result["advice"]["recommendation"])
+    if "build" in result:
+        lines.append(_build_lines(result["build"]))
     return "\n".join(lines)
