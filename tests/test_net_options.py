@@ -268,3 +268,31 @@ def test_bad_options_are_one_line_and_write_nothing(
     assert words in text
     assert text.splitlines()[-1].startswith("error:")
     assert not (tmp_path / "out.obj").exists()
+
+
+def test_few_kinds_are_told_and_too_many_end_with_code_1(tmp_path, wave, capsys):
+    told = ["--repeat", "panels", "--kinds", "20", "--alike", "0.01"]
+    mesh, report = optimised(tmp_path, wave, *told)
+    found, said = report["repetition"], capsys.readouterr().out
+    assert found["kinds"] <= 20 and report["is_repeated"] and len(found["kind"]) == 56
+    assert f"panels: {found['kinds']} kinds within 0.01 mm, {found['kinds_before']} before" in said
+    assert measures.planarity(mesh).max() <= 1e-10
+    out = str(tmp_path / "few.obj")
+    many = ["--repeat", "edges", "--kinds", "2", "--alike", "1e-6", "--max-steps", "30"]
+    assert main(["optimise", str(wave), "-o", out, *many]) == 1
+    assert "were the fewest that were found where 2 are allowed; try:" in capsys.readouterr().err
+    for word, value in (("--kinds", "0"), ("--kinds", "57"), ("--alike", "-1")):
+        assert main(["optimise", str(wave), "-o", out, "--repeat", "panels", word, value]) == 2
+        refusal = capsys.readouterr().err.splitlines()[-1]
+        assert refusal.startswith(f"error: {word[2:]}: expected")
+
+
+def test_check_says_how_easily_a_shell_is_built(tmp_path, wave, capsys):
+    assert main(["check", str(wave), "--unit", "m", "--build", "--sections", "2"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"^joints +72$", shown, re.M)
+    assert re.search(r"^cross sections +2 ", shown, re.M)
+    assert main(["check", str(wave), "--unit", "m", "--build", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["build"]["joints"] == 72
+    assert main(["check", str(wave), "--unit", "mm", "--build"]) == 2
+    assert "mind the unit of the mesh" in capsys.readouterr().err

@@ -170,7 +170,7 @@ class OptionField:
         elif kind in _PLAIN:
             part.setValue(float(value))
         elif kind == "count":
-            part.setValue(int(value))
+            part.setValue(int(value or 0))
         elif kind == "choice":
             part.choose(value)
         elif kind == "mesh":

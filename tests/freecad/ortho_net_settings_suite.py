@@ -1,5 +1,7 @@
 """What a net is to become and what holds it: properties, macros, files. Run by FreeCAD."""
 
+import json
+
 import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
@@ -40,6 +42,18 @@ class TestTable(DocumentCase):
             parts = {part for option in entry.options for part in option.parts}
             self.assertEqual(names & parts, set(), entry.name)
 
+    def test_few_kinds_of_panels(self):
+        net = self.imported()
+        with self.assertRaisesRegex(InputError, "kinds: expected 1 to"):
+            api.optimise_net(net, repeat="panels", kinds=100_000)
+        found = api.optimise_net(net, repeat="panels", alike="40 mm", max_steps=40)
+        told = json.loads(net.LastReport)["repetition"]
+        self.assertEqual((told["of"], told["alike"], told["asked"]), ("panels", 40.0, None))
+        self.assertEqual(told["kinds"], found.report.repetition.kinds)
+        self.assertEqual(sum(told["counts"]), len(convert.quad_mesh(net).faces))
+        api.show_net(net, colour_map="Kinds of panels")
+        self.assertEqual(net.ColourMap, "Kinds of panels")
+
     def test_words_go_in_and_come_out(self):
         net, twin = self.imported(), self.imported(name="twin")
         box = self.shape(Part.makeBox(1e4, 1e4, 10))
@@ -71,6 +85,10 @@ class TestTable(DocumentCase):
             "smooth_motion": 0.0,
             "edge_vectors": None,
             "isometry": 10.0,
+            "repeat": "panels",
+            "kinds": 6,
+            "alike": 2.0,
+            "alike_angle": 0.2,
             "tolerance": 1e-9,
             "within": 20.0,
             "fix": ["corners", 8],
