@@ -118,6 +118,7 @@ class WorkshopSettings(TypedDict, total=False):
     dxf_text: Literal["text", "strokes", "none"]
     step: Literal["one", "systems"]
     step_tolerance: Length
+    equal: Length
     write: str
     site_origin: str
     site_rotation: float

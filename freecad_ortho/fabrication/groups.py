@@ -24,11 +24,13 @@ class Groups:
         lengths: for each kind of part, groups of equal length.
         shapes: for each kind of part, groups of equal ones.
         nodes: groups of vertices where edges meet under the same angles.
+        tolerance: within which parts are equal, mm.
     """
 
     lengths: dict[str, list[list[str]]]
     shapes: dict[str, list[list[str]]]
     nodes: list[list[str]]
+    tolerance: float = TOLERANCE_MM
 
     @property
     def equal_to(self) -> dict[str, str]:
@@ -43,7 +45,7 @@ class Groups:
             return {"different": len(groups), "groups": equal}
 
         return {
-            "tolerance_mm": TOLERANCE_MM,
+            "tolerance_mm": self.tolerance,
             "tolerance_deg": TOLERANCE_DEG,
             "lengths": {kind: counted(groups) for kind, groups in self.lengths.items()},
             "shapes": {kind: counted(groups) for kind, groups in self.shapes.items()},
@@ -51,16 +53,19 @@ class Groups:
         }
 
 
-def groups_of(parts: Sequence[Part], nodes: Sequence[Node]) -> Groups:
-    """Group parts and nodes, within 0.5 mm and 0.1 degrees."""
+def groups_of(
+    parts: Sequence[Part], nodes: Sequence[Node], tolerance: float = TOLERANCE_MM
+) -> Groups:
+    """Group parts within a tolerance in mm, and nodes within 0.1 degrees."""
     kinds = {kind: [p for p in parts if p.kind == kind] for kind in _kinds(parts)}
     lengths, shapes = {}, {}
     for kind, some in kinds.items():
         names = [part.name for part in some]
         rows = np.array([[part.length] for part in some])
-        lengths[kind] = _named(names, grouped(rows, TOLERANCE_MM))
-        shapes[kind] = _named(names, equal_groups(some))
-    return Groups(lengths, shapes, _named([node.name for node in nodes], _node_groups(nodes)))
+        lengths[kind] = _named(names, grouped(rows, tolerance))
+        shapes[kind] = _named(names, equal_groups(some, tolerance))
+    joints = _named([node.name for node in nodes], _node_groups(nodes))
+    return Groups(lengths, shapes, joints, tolerance)
 
 
 def _node_groups(nodes: Sequence[Node]) -> list[list[int]]:

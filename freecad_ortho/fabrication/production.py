@@ -226,7 +226,7 @@ def produce(
     places = nesting.places
     bars = stock_list([part for part in parts if part.name not in places], chosen)
     joints = nodes(structure.site, parts)
-    equal = groups_of(parts, joints)
+    equal = groups_of(parts, joints, chosen.equal)
     say(0.6, "clash check")
     clashes = check_clashes(parts, executor, lambda done: say(0.6 + 0.4 * done, "clash check"))
     say(1.0, "clash check")

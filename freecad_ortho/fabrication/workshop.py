@@ -23,6 +23,8 @@ NESTINGS = ("boxes", "outlines")
 STEP_FILES = ("one", "systems")
 # Tubes that differ by more percent are not one section by any standard.
 _WIDEST = 20.0
+# Parts that differ by more are not equal for any workshop, mm.
+_LOOSEST = 20.0
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,7 @@ class Workshop:
         step: solids in "one" file, or in one for each of the "systems".
         step_tolerance: distance within which solids agree that are written once and placed several
             times; 0 writes each by itself.
+        equal: distance within which parts are equal, cut from one drawing, mm.
         write: names of ``formats.FORMATS`` to be written besides, with commas between them.
         site_origin: where the model's origin is on site: east, north and height in metres, with
             commas between them; empty for zero.
@@ -81,6 +84,7 @@ class Workshop:
     dxf_text: str = "text"
     step: str = "one"
     step_tolerance: float = 0.0
+    equal: float = TOLERANCE_MM
     write: str = ""
     site_origin: str = ""
     site_rotation: float = 0.0
@@ -156,6 +160,10 @@ class Workshop:
             absent="none",
         ),
         Option(
+            *("equal", TOLERANCE_MM, "length"),
+            "parts that agree within this are equal: one drawing, with how many are cut from it",
+        ),
+        Option(
             *("write", "", "text", f"files for other programs too: {', '.join(FORMATS)}"),
             written="NAME,...",
         ),
@@ -197,6 +205,10 @@ class Workshop:
         if not 0 <= self.step_tolerance <= TOLERANCE_MM:
             raise InputError(
                 f"step tolerance: expected 0 to {TOLERANCE_MM:g} mm, got {self.step_tolerance}"
+            )
+        if not 0 < self.equal <= _LOOSEST:
+            raise InputError(
+                f"equal: expected more than 0 and up to {_LOOSEST:g} mm, got {self.equal}"
             )
         one_of("nesting", self.nesting, NESTINGS)
         one_of("step", self.step, STEP_FILES)

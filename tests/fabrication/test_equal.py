@@ -13,9 +13,12 @@ from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, FlatPattern, Hole, Mark, Panels, build, write
 from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.equal import TOLERANCE_MM, equal_groups
+from freecad_ortho.fabrication.groups import groups_of
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.nesting.sheet import turned
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.workshop import Workshop
+from solver.errors import InputError
 
 OUTLINE = np.array([[0, 0], [100, 0], [80, 40], [0, 60]], float)
 HOLE = np.array([20.0, 20.0])
@@ -117,3 +120,17 @@ def test_one_answer_in_lists_report_and_printed_joints(roof, tmp_path, sizes):
     kinds = report["families"]["shapes"]
     assert kinds["node"]["different"] == len(printed)
     assert set(kinds) == {"beam", "node", "panel"}
+
+
+def test_how_near_equal_parts_are_is_said_by_the_workshop():
+    parts = [
+        replace(plate(), name="P0"),
+        replace(plate(OUTLINE + [[0, 0], [1, 0], [0, 0], [0, 0]]), name="P1"),
+    ]
+    counts = {within: len(groups_of(parts, (), within).shapes["panel"]) for within in (0.5, 2.0)}
+    assert counts == {0.5: 2, 2.0: 1}
+    assert groups_of(parts, (), 2.0).equal_to == {"P0": "P0", "P1": "P0"}
+    assert groups_of(parts, (), 2.0).report()["tolerance_mm"] == 2.0
+    for wrong in (0.0, -1.0, 50.0):
+        with pytest.raises(InputError, match="equal: expected"):
+            Workshop(equal=wrong)
