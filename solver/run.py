@@ -85,22 +85,20 @@ class Optimisation:
         repeat: Repeat | None = None,
     ) -> None:
         begin = time.perf_counter()
-        self.original = original
-        self._begin_way = way or partial(alone, original)
+        self.original, self._begin_way = original, way or partial(alone, original)
         self.remarks, self.held = tuple(remarks), tuple(held)
         self.origin = origin or LocalOrigin(np.zeros(3))
-        self.tolerance = tolerance
-        self.max_steps = max_steps
+        self.tolerance, self.max_steps = tolerance, max_steps
         self.backend = backend or default_backend(int(original.free.sum()))
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
-        self._given_up = 0
         self.surface, self.within, self.nearest = surface, within, nearest
         self._nearest: NearestNet | Repetition | None = None
         self._repeat = repeat
         self.repetition: Repeated | None = None
-        self._most, self._evenness, self._pressed = 0, _EVENNESS, False
+        self._most, self._given_up = 0, 0
+        self._evenness, self._pressed = _EVENNESS, False
         self._way = self._begin_way()
         attempt = next(self._way)
         self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
