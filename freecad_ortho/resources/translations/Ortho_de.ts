@@ -470,6 +470,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far edges of nodes may be turned from the shape of their kind</source>
+   <translation>Wie weit Kanten von Knoten gegen die Form ihrer Art verdreht sein dürfen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far panels and lengths of edges may be from the shape of their kind; 0 is 1/1000 of an edge</source>
+   <translation>Wie weit Paneele und Kantenlängen von der Form ihrer Art abweichen dürfen; 0 heißt 1/1000 einer Kante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the middle of sections lies above the net, along its axes</source>
    <translation>Wie weit die Mitte der Querschnitte über dem Netz liegt, entlang seiner Achsen</translation>
   </message>
@@ -482,6 +492,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the result may be off the surface, or the start where none is given; 0 is not limited</source>
    <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist; 0 ist unbegrenzt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many kinds there may be; 0 is as few as can be found</source>
+   <translation>Wie viele Arten es geben darf; 0 heißt so wenige, wie zu finden sind</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -917,6 +932,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Part of the sheets that is left over, 0 to 1</source>
    <translation>Teil der Tafeln, der übrig bleibt, 0 bis 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts of which few kinds are wanted, once the net is reached</source>
+   <translation>Teile, von denen es wenige Arten geben soll, sobald das Netz erreicht ist</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1633,6 +1653,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>1/1000 of an edge</source>
+   <translation>1/1000 der Kante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>1/300 of the second longest side of the box</source>
    <translation>1/300 der zweitlängsten Seite der Hülle</translation>
   </message>
@@ -1715,6 +1740,16 @@
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Advanced</source>
    <translation>Erweitert</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Alike to</source>
+   <translation>Winkel auf</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Alike within</source>
+   <translation>Gleich auf</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -2398,6 +2433,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal</source>
+   <translation>Gleich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Equal angles</source>
    <translation>Gleiche Winkel</translation>
   </message>
@@ -2480,6 +2520,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Fairness</source>
    <translation>Glattheit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Few kinds</source>
+   <translation>Wenige Arten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structural_check.py" />
@@ -2798,6 +2843,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far edges of nodes may be turned from the shape of their kind</source>
+   <translation>Wie weit Kanten von Knoten gegen die Form ihrer Art verdreht sein dürfen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far panels and lengths of edges may be from the shape of their kind</source>
+   <translation>Wie weit Paneele und Kantenlängen von der Form ihrer Art abweichen dürfen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the middle of sections lies above the net, along its axes</source>
    <translation>Wie weit die Mitte der Querschnitte über dem Netz liegt, entlang seiner Achsen</translation>
   </message>
@@ -2810,6 +2865,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the result may be off the surface, or the start where none is given</source>
    <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many kinds there may be; 0 is as few as can be found</source>
+   <translation>Wie viele Arten es geben darf; 0 heißt so wenige, wie zu finden sind</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -2945,6 +3005,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Art</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds</source>
+   <translation>Arten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds of edges</source>
+   <translation>Arten von Kanten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds of nodes</source>
+   <translation>Arten von Knoten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds of panels</source>
+   <translation>Arten von Paneelen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -3485,6 +3565,11 @@
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Parts are made along these lines only, numbered such as 0, 3.</source>
    <translation>Teile entstehen nur längs dieser Linien, mit Nummern wie 0, 3.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts of which few kinds are wanted, once the net is reached</source>
+   <translation>Teile, von denen es wenige Arten geben soll, sobald das Netz erreicht ist</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4263,6 +4348,11 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>That is more than the {} allowed.</source>
+   <translation>Das sind mehr als die erlaubten {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>That is more than the {} that were allowed, at face {}.</source>
    <translation>Das ist mehr als die erlaubten {}, an Fläche {}.</translation>
   </message>
@@ -4298,6 +4388,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The largest gap of a face is {}, of face {}.</source>
    <translation>Der größte Spalt einer Fläche ist {}, an Fläche {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The largest miss is {}.</source>
+   <translation>Die größte Abweichung ist {}.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
@@ -4821,6 +4916,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>as few as can be found</source>
+   <translation>so wenige wie möglich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as it starts</source>
    <translation>wie es beginnt</translation>
   </message>
@@ -5133,6 +5233,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>edge</source>
    <translation>Kante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>edges</source>
+   <translation>Kanten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5470,9 +5575,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>längs des Randes entstehen keine Träger</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>nodes</source>
+   <translation>Knoten</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>none</source>
    <translation>keine</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>not asked for</source>
+   <translation>nicht verlangt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5561,6 +5676,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>panels</source>
+   <translation>Paneele</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>panels reach this far under pressure plates</source>
    <translation>so weit reichen Platten unter die Pressleisten</translation>
   </message>
@@ -5603,6 +5723,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>parts may turn on the sheet as its grain says</source>
    <translation>Teile drehen sich auf der Tafel, wie ihre Faserrichtung es erlaubt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts that agree within this are equal: one drawing, with how many are cut from it</source>
+   <translation>Teile, die auf dieses Maß übereinstimmen, sind gleich: eine Zeichnung mit ihrer Anzahl</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6318,6 +6443,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>{} is outdated: its source has changed since it was optimised or dragged</source>
    <translation>{} ist veraltet: die Quelle hat sich geändert, seit es optimiert oder gezogen wurde</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{} kinds of edges within {}, {} before.</source>
+   <translation>{} Arten von Kanten auf {}, vorher {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{} kinds of nodes within {}, {} before.</source>
+   <translation>{} Arten von Knoten auf {}, vorher {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{} kinds of panels within {}, {} before.</source>
+   <translation>{} Arten von Paneelen auf {}, vorher {}.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />

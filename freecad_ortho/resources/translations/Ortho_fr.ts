@@ -470,6 +470,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far edges of nodes may be turned from the shape of their kind</source>
+   <translation>De combien les arêtes d'un nœud peuvent être tournées par rapport à son type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far panels and lengths of edges may be from the shape of their kind; 0 is 1/1000 of an edge</source>
+   <translation>De combien panneaux et longueurs d'arêtes peuvent s'écarter de la forme de leur type ; 0 : 1/1000 d'une arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the middle of sections lies above the net, along its axes</source>
    <translation>De combien le milieu des sections est au-dessus du réseau, le long de ses axes</translation>
   </message>
@@ -482,6 +492,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the result may be off the surface, or the start where none is given; 0 is not limited</source>
    <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée ; 0 : sans limite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many kinds there may be; 0 is as few as can be found</source>
+   <translation>Combien de types il peut y avoir ; 0 : aussi peu que possible</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -917,6 +932,11 @@
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Part of the sheets that is left over, 0 to 1</source>
    <translation>Part des tôles qui reste, 0 à 1</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts of which few kinds are wanted, once the net is reached</source>
+   <translation>Pièces dont peu de types sont voulus, une fois le réseau atteint</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1633,6 +1653,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>1/1000 of an edge</source>
+   <translation>1/1000 d'arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>1/300 of the second longest side of the box</source>
    <translation>1/300 du deuxième plus long côté de la boîte</translation>
   </message>
@@ -1715,6 +1740,16 @@
    <location filename="../../../freecad_ortho/panels/advanced_box.py" />
    <source>Advanced</source>
    <translation>Avancé</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Alike to</source>
+   <translation>Angles à</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Alike within</source>
+   <translation>Égaux à</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -2398,6 +2433,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Equal</source>
+   <translation>Égaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Equal angles</source>
    <translation>Angles égaux</translation>
   </message>
@@ -2480,6 +2520,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Fairness</source>
    <translation>Lissage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Few kinds</source>
+   <translation>Peu de types</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structural_check.py" />
@@ -2798,6 +2843,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far edges of nodes may be turned from the shape of their kind</source>
+   <translation>De combien les arêtes d'un nœud peuvent être tournées par rapport à son type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How far panels and lengths of edges may be from the shape of their kind</source>
+   <translation>De combien panneaux et longueurs d'arêtes peuvent s'écarter de la forme de leur type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the middle of sections lies above the net, along its axes</source>
    <translation>De combien le milieu des sections est au-dessus du réseau, le long de ses axes</translation>
   </message>
@@ -2810,6 +2865,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How far the result may be off the surface, or the start where none is given</source>
    <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>How many kinds there may be; 0 is as few as can be found</source>
+   <translation>Combien de types il peut y avoir ; 0 : aussi peu que possible</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -2945,6 +3005,26 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Kind</source>
    <translation>Type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds</source>
+   <translation>Types</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds of edges</source>
+   <translation>Types d'arêtes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds of nodes</source>
+   <translation>Types de nœuds</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Kinds of panels</source>
+   <translation>Types de panneaux</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
@@ -3485,6 +3565,11 @@
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
    <source>Parts are made along these lines only, numbered such as 0, 3.</source>
    <translation>Des pièces ne sont faites que le long de ces lignes, numérotées par exemple 0, 3.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts of which few kinds are wanted, once the net is reached</source>
+   <translation>Pièces dont peu de types sont voulus, une fois le réseau atteint</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4263,6 +4348,11 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>That is more than the {} allowed.</source>
+   <translation>C'est plus que les {} permis.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>That is more than the {} that were allowed, at face {}.</source>
    <translation>C'est plus que les {} admis, à la face {}.</translation>
   </message>
@@ -4298,6 +4388,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The largest gap of a face is {}, of face {}.</source>
    <translation>Le plus grand écart d'une face est {}, à la face {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>The largest miss is {}.</source>
+   <translation>L'écart le plus grand est {}.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
@@ -4821,6 +4916,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>as few as can be found</source>
+   <translation>aussi peu que possible</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as it starts</source>
    <translation>comme il commence</translation>
   </message>
@@ -5133,6 +5233,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>edge</source>
    <translation>arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>edges</source>
+   <translation>arêtes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5470,9 +5575,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>aucune poutre n'est faite le long du bord</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>nodes</source>
+   <translation>nœuds</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>none</source>
    <translation>aucun</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>not asked for</source>
+   <translation>non demandé</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5561,6 +5676,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>panels</source>
+   <translation>panneaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>panels reach this far under pressure plates</source>
    <translation>prise des panneaux sous les serreurs</translation>
   </message>
@@ -5603,6 +5723,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>parts may turn on the sheet as its grain says</source>
    <translation>les pièces tournent sur la plaque selon le sens du fil</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts that agree within this are equal: one drawing, with how many are cut from it</source>
+   <translation>les pièces qui concordent à cela près sont égales : un dessin, avec leur nombre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6318,6 +6443,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>{} is outdated: its source has changed since it was optimised or dragged</source>
    <translation>{} est périmé : sa source a changé depuis qu'il a été optimisé ou tiré</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{} kinds of edges within {}, {} before.</source>
+   <translation>{} types d'arêtes à {} près, {} avant.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{} kinds of nodes within {}, {} before.</source>
+   <translation>{} types de nœuds à {} près, {} avant.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
+   <source>{} kinds of panels within {}, {} before.</source>
+   <translation>{} types de panneaux à {} près, {} avant.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
