@@ -160,7 +160,7 @@ def _notes(production: Production, node: Node) -> tuple[str, ...]:
         "at "
         + ", ".join(f"{value:.1f}" for value in point.tolist())
         + "; axis "
-        + ", ".join(f"{value:.6f}" for value in axis.tolist())
+        + ", ".join(f"{round(value, 6) + 0.0:.6f}" for value in axis.tolist())
     ]
     for number, other in enumerate(node.neighbours):
         along = [
