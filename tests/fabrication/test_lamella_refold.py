@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import Lamellas, build
+from freecad_ortho.fabrication.systems.lamellas.facets import walked
 from freecad_ortho.fabrication.tables import write_bends
 from freecad_ortho.mesh_files import read_mesh
 from solver.errors import InputError
@@ -116,8 +117,21 @@ def test_marks_at_crossings_are_lines_that_are_seen():
         assert lengths and min(lengths) == pytest.approx(0.3 * 40)
 
 
-def test_bend_lines_that_cross_within_the_width_are_said():
-    """On a net that turns as sharply as this, walking round the pieces found no way back."""
-    net = read_mesh(Path(__file__).parent / "fixtures" / "crossing_bends.json").mesh
+def test_patterns_that_curl_are_folded_whole():
+    """Beyond a right angle: where its bend lines lead on there are other pieces of it."""
+    net = read_mesh(Path(__file__).parent / "fixtures" / "curled_lamellas.json").mesh
+    structure = build(net, [Lamellas(width=70.9)])
+    turns = []
+    for part in structure.parts:
+        steps = np.diff(part.pattern.axis, axis=0)
+        heading = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+        turns.append(np.degrees(np.ptp(heading)))
+        assert part.volume == pytest.approx(part.area * part.thickness, rel=1e-3), part.name
+        solid = part.solid()
+        assert solid.isValid() and solid.Volume() == pytest.approx(part.volume), part.name
+    assert min(turns) < 100 < max(turns)
+
+
+def test_walks_that_do_not_return_are_said():
     with pytest.raises(InputError, match="bend lines cross each other within its width"):
-        build(net, [Lamellas(width=70.9)])
+        walked({0: 1, 1: 2, 2: 1}, [0])

@@ -165,27 +165,18 @@ class _Pieces:
         ends = [number for _, number in sorted(found)]
         onward = [{a: b for loop in longer for a, b in zip(loop, loop[1:] + loop[:1], strict=True)}]
         onward.append(dict(onward[0]))
-        for low, high in zip(ends[::2], ends[1::2], strict=True):
+        chords = list(zip(ends[::2], ends[1::2], strict=True))
+        for low, high in chords:
             onward[0][low], onward[1][high] = high, low
+        # A pattern that curls comes back to where the line leads: only the chords tell its sides.
+        starts = [low for low, _ in chords], [high for _, high in chords]
+        split = [walked(following, start) for following, start in zip(onward, starts, strict=True)]
         points = np.array(self.points)
-        distance = self.ribbon.ahead(station, points)
-        result = []
-        for sign, following in zip((-1, 1), onward, strict=True):
-            loops = []
-            left = {p for loop in longer for p in loop if sign * distance[p] > _ON_LINE}
-            while left:
-                loop = [left.pop()]
-                while (after := following[loop[-1]]) != loop[0]:
-                    if len(loop) > len(following):
-                        raise InputError(
-                            "bent strip: its bend lines cross each other within its width; make "
-                            "the lamella narrower, or optimise the net first"
-                        )
-                    loop.append(after)
-                left -= set(loop)
-                loops.append(loop)
-            result.append(_regions(points, loops))
-        return result[0], result[1]
+        for loop in longer:
+            if not set(loop) & set(ends):
+                behind = any(_inside(points[outer], points[loop[0]]) for outer in split[0])
+                split[0 if behind else 1].append(loop)
+        return _regions(points, split[0]), _regions(points, split[1])
 
     def _with_crossings(self, loop: Loop, station: int) -> tuple[Loop, list[tuple[float, int]]]:
         """The loop with the points where it crosses a ruling, and these with their places on it."""
@@ -220,6 +211,32 @@ class _Pieces:
                     longer.append(len(self.points) - 1)
                     found.append((along(point), len(self.points) - 1))
         return longer, found
+
+
+def walked(following: Mapping[int, int], starts: Sequence[int]) -> list[Loop]:
+    """The loops through these points, each once, that lead from each point to the one after it.
+
+    Raises:
+        InputError: one does not return, as where lines cross that cut it.
+    """
+    loops: list[Loop] = []
+    seen: set[int] = set()
+    for start in starts:
+        if start in seen:
+            continue
+        loop = [start]
+        while (after := following[loop[-1]]) != start:
+            if len(loop) > len(following):
+                raise InputError(
+                    "bent strip: its bend lines cross each other within its width; make "
+                    "the lamella narrower, or optimise the net first"
+                )
+            loop.append(after)
+        seen.update(loop)
+        # Where the line runs along a side of the outline there is nothing between them.
+        if len(loop) > 2:
+            loops.append(loop)
+    return loops
 
 
 def _regions(points: FloatArray, loops: list[Loop]) -> list[Region]:
