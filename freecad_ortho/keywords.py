@@ -116,7 +116,7 @@ class WorkshopSettings(TypedDict, total=False):
     dxf: Literal["blocks", "flat", "parts"]
     dxf_version: Literal["r2010", "r12"]
     dxf_text: Literal["text", "strokes", "none"]
-    step: Literal["one", "systems"]
+    step: Literal["one", "systems", "in-place"]
     step_tolerance: Length
     equal: Length
     write: str

@@ -108,7 +108,9 @@ def write(
         for number, (name, parts) in enumerate(solids.items()):
             say(0.4 + 0.4 * number / len(solids), name)
             tolerance = production.workshop.step_tolerance
-            write_step(staging / name, parts, structure.place, tolerance, production.on_site)
+            in_place = production.workshop.step == "in-place"
+            words = production.on_site
+            write_step(staging / name, parts, structure.place, tolerance, words, in_place)
         if production.named_patterns:
             say(0.8, "flat patterns")
             _write_patterns(staging, production)
@@ -125,7 +127,7 @@ def write(
 
 def _step_files(structure: Structure, workshop: Workshop) -> dict[str, Sequence[Part]]:
     """The parts of each file of solids, by its name."""
-    if workshop.step == "one":
+    if workshop.step != "systems":
         return {_STEP: structure.parts}
     return {
         f"{file_words('structure', system, result.parts[0].material.name)}.step": result.parts

@@ -13,13 +13,15 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.solids import location
 from freecad_ortho.fabrication.step_text import compacted
-from solver.errors import OrthoError
+from solver.errors import InputError, OrthoError
 
 if TYPE_CHECKING:
     import cadquery
@@ -27,6 +29,8 @@ if TYPE_CHECKING:
 ASSEMBLY_NAME = "structure"
 # Of the assembly that puts the structure elsewhere than its own coordinates say.
 SITE_NAME = "site"
+# Distance from the origin, mm, at which numbers have a hundredth of the kernel's tolerance left.
+_FAR = 1e7
 # The same structure gives the same file: no clock, no user name.
 _OCCURRENCE = re.compile(rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+")
 _TIME_STAMP = "2000-01-01T00:00:00"
@@ -38,6 +42,7 @@ def write_step(
     place: Place | None = None,
     shared_within: float = 0.0,
     words: str = "",
+    in_place: bool = False,
 ) -> None:
     """Write the parts as components of one assembly, in their order.
 
@@ -52,18 +57,24 @@ def write_step(
         place: where the structure stands.
         shared_within: distance within which they do, mm; 0 gives each part a product of its own.
         words: description in the file's head.
+        in_place: without an assembly: each part is a product whose coordinates are those of the
+            structure. Programs that look for each component among all products open it sooner.
 
     Raises:
+        InputError: parts in place farther from the origin than the kernel can tell them apart.
         OrthoError: the kernel could not translate the solids.
         OSError: the file cannot be written.
     """
     document = _document()
-    _fill(document, parts, place or Place(), shared_within)
+    if in_place:
+        _fill_in_place(document, parts, place or Place())
+    else:
+        _fill(document, parts, place or Place(), shared_within)
     path.write_bytes(_step_bytes(document, words))
 
 
 def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
-    """Return name and shape of each component of the assembly in a STEP file, mm.
+    """Return name and shape of each component of the assembly in a STEP file, or product, mm.
 
     Raises:
         OrthoError: the file cannot be read back.
@@ -73,7 +84,7 @@ def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
     from OCP.STEPCAFControl import STEPCAFControl_Reader
     from OCP.TDF import TDF_LabelSequence
     from OCP.TopLoc import TopLoc_Location
-    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
     document = _document()
     reader = STEPCAFControl_Reader()
@@ -87,7 +98,11 @@ def read_step(path: Path) -> list[tuple[str, cadquery.Shape]]:
     XCAFDoc_DocumentTool.ShapeTool_s(document.Main()).GetFreeShapes(roots)
     result = []
     for index in range(1, roots.Length() + 1):
-        result += _components(roots.Value(index), TopLoc_Location())
+        root = roots.Value(index)
+        if XCAFDoc_ShapeTool.IsAssembly_s(root):
+            result += _components(root, TopLoc_Location())
+        else:
+            result.append((_name_of(root), XCAFDoc_ShapeTool.GetShape_s(root)))
     return [(name, cadquery.Shape.cast(shape)) for name, shape in result]
 
 
@@ -146,6 +161,30 @@ def _fill(document: Any, parts: Sequence[Part], place: Place, shared_within: flo
         TDataStd_Name.Set_s(site, TCollection_ExtendedString(SITE_NAME))
         component = shapes.AddComponent(site, assembly, location(place.origin, place.rotation.T))
         TDataStd_Name.Set_s(component, TCollection_ExtendedString(ASSEMBLY_NAME))
+    shapes.UpdateAssemblies()
+
+
+def _fill_in_place(document: Any, parts: Sequence[Part], place: Place) -> None:
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
+    from OCP.TCollection import TCollection_ExtendedString
+    from OCP.TDataStd import TDataStd_Name
+    from OCP.TopLoc import TopLoc_Location
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    if (away := float(np.abs(place.origin).max())) > _FAR:
+        raise InputError(
+            f"step: in-place solids would stand {away / 1e6:,.0f} km from the origin, where the "
+            "CAD kernel cannot tell their corners apart; take step one, or a local origin"
+        )
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    shapes.SetAutoNaming_s(False)
+    structure = location(place.origin, place.rotation.T)
+    for part in parts:
+        stands = structure.Multiplied(location(part.origin, part.frame)).Transformation()
+        solid = part.solid().wrapped.Located(TopLoc_Location())
+        product = shapes.AddShape(BRepBuilderAPI_Transform(solid, stands, True).Shape(), False)
+        TDataStd_Name.Set_s(product, TCollection_ExtendedString(part.name))
+        _paint(document, product, part)
     shapes.UpdateAssemblies()
 
 

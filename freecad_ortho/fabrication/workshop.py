@@ -20,7 +20,7 @@ from solver.option import Option
 
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
-STEP_FILES = ("one", "systems")
+STEP_FILES = ("one", "systems", "in-place")
 # Tubes that differ by more percent are not one section by any standard.
 _WIDEST = 20.0
 # Parts that differ by more are not equal for any workshop, mm.
@@ -48,7 +48,8 @@ class Workshop:
         dxf: drawings with "blocks", "flat" without, or one file for each of the different "parts".
         dxf_version: "r2010", or "r12" for old readers.
         dxf_text: names and marks as "text", as single "strokes", or "none".
-        step: solids in "one" file, or in one for each of the "systems".
+        step: solids in "one" file, or in one for each of the "systems"; "in-place" ones in one file
+            without places, each where it is built in.
         step_tolerance: distance within which solids agree that are written once and placed several
             times; 0 writes each by itself.
         equal: distance within which parts are equal, cut from one drawing, mm.
@@ -149,9 +150,15 @@ class Workshop:
             shown={"text": "as text", "strokes": "as single strokes", "none": "not at all"},
         ),
         Option(
-            *("step", "one", "choice", "solids share a file or have one a system", STEP_FILES),
+            *("step", "one", "choice"),
+            "solids share a file, have one a system, or lie in one without places",
+            STEP_FILES,
             title="STEP files",
-            shown={"one": "one for all parts", "systems": "one for each system"},
+            shown={
+                "one": "one for all parts",
+                "systems": "one for each system",
+                "in-place": "one, in place",
+            },
         ),
         Option(
             *("step_tolerance", 0.0, "length"),
@@ -212,6 +219,11 @@ class Workshop:
             )
         one_of("nesting", self.nesting, NESTINGS)
         one_of("step", self.step, STEP_FILES)
+        if self.step == "in-place" and self.step_tolerance > 0:
+            raise InputError(
+                "step: solids that are in-place share no product; leave the step tolerance out, or "
+                "take step one"
+            )
         _ = self.dxf_form, self.formats, self.datum, self.drawing_form, self.price_list
         _ = self.lengths_in_store, self.sizes_in_store
 

@@ -13,6 +13,7 @@ from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern
+from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.site import Selection
 from freecad_ortho.fabrication.step import read_step, write_step
 from freecad_ortho.fabrication.step_text import compacted
@@ -113,6 +114,28 @@ def test_mirror_images_share_no_product(tmp_path):
         read_step(tmp_path / "three.step"), [one, turned, mirrored], strict=True
     ):
         assert cKDTree(corners(solid)).query(part.points)[0].max() < 1e-6
+
+
+def test_parts_in_place_have_the_coordinates_of_the_structure_and_no_places(roof, tmp_path):
+    """Whoever looks each component up among all products, as FreeCAD does, has nothing to look."""
+    some = Selection(lines=(2, 3))
+    parts = build(roof, [Beams(200, 12), Lamellas(40, 3)], selection=some).parts
+    turned = Place(np.array([[0, -1.0, 0], [1, 0, 0], [0, 0, 1]]), np.array([1e4, 0, 5.0]))
+    for place in (Place(), turned):
+        write_step(tmp_path / "roof.step", parts, place, in_place=True)
+        text = (tmp_path / "roof.step").read_bytes()
+        assert text.count(b"=PRODUCT(") == len(parts)
+        assert b"NEXT_ASSEMBLY" not in text and b"ITEM_DEFINED_TRANSFORMATION" not in text
+        for (name, solid), part in zip(read_step(tmp_path / "roof.step"), parts, strict=True):
+            assert name == part.name and solid.wrapped.Location().IsIdentity()
+            stands = place.points(part.points)
+            assert cKDTree(stands).query(corners(solid))[0].max() <= 1e-6
+            assert solid.isValid() and solid.Volume() == pytest.approx(part.volume, rel=1e-6)
+    with pytest.raises(InputError, match=r"stand 500 km from the origin.*local origin"):
+        far = Place(origin=np.array([5e8, 0, 0]))
+        write_step(tmp_path / "far.step", parts, far, in_place=True)
+    with pytest.raises(InputError, match="in-place share no product; leave the step tolerance out"):
+        Workshop(step="in-place", step_tolerance=0.001)
 
 
 def test_a_tolerance_beyond_that_of_lists_is_refused():

@@ -5656,6 +5656,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>one, in place</source>
+   <translation>eine, am Ort</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>one-sheeted hyperboloid</source>
    <translation>einschaliges Hyperboloid</translation>
   </message>
@@ -5926,8 +5931,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>solids share a file or have one a system</source>
-   <translation>Körper teilen eine Datei oder haben eine je System</translation>
+   <source>solids share a file, have one a system, or lie in one without places</source>
+   <translation>Körper teilen sich eine Datei, haben eine je System oder liegen ohne Platzierungen in einer</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -5656,6 +5656,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>one, in place</source>
+   <translation>un, en place</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>one-sheeted hyperboloid</source>
    <translation>hyperboloïde à une nappe</translation>
   </message>
@@ -5926,8 +5931,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>solids share a file or have one a system</source>
-   <translation>les solides partagent un fichier ou en ont un par système</translation>
+   <source>solids share a file, have one a system, or lie in one without places</source>
+   <translation>les solides partagent un fichier, en ont un par système, ou sont dans un seul sans placements</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
