@@ -14,6 +14,7 @@ from solver.errors import InputError
 from solver.mesh.grid import grid_mesh
 from tests.fabrication.test_lamellas import check_solids
 from tests.fabrication.test_patches import LENGTH, RADIUS, TURN, cone, cylinder
+from tests.meshes import grid
 
 CHORD = 2 * RADIUS * math.sin(TURN / 20)
 
@@ -106,6 +107,26 @@ def test_rows_are_cut_at_their_bends(tmp_path, thickness):
     assert any("7 rows cut along lines of the net into 21 parts" in w for w in report["messages"])
     assert not check_clashes(structure.parts).clashes
     check_solids(structure)
+
+
+def test_a_face_that_fits_no_sheet_is_the_only_one_that_does_not(tmp_path):
+    """Faces 0.5 m long and one of 3 m among them: the others are cut to sheets all the same."""
+    x, y = np.meshgrid([0.0, 500, 1000, 4000, 4500, 5000, 5500], [0.0, 400], indexing="ij")
+    net = grid(x, y, 0 * x)
+    for family in "uv":
+        if len(build(net, [BentPanels(3)], selection=Selection(family)).parts) == 1:
+            break
+    panels = BentPanels(3, sheet=(1200, 600), spacing=10)
+    structure = build(net, [panels], selection=Selection(family))
+    assert [part.vertices for part in structure.parts] == [
+        tuple(range(6)),
+        tuple(range(4, 8)),
+        tuple(range(6, 12)),
+        tuple(range(10, 14)),
+    ]
+    write(structure, tmp_path, workshop=Workshop(sheet=(1200, 600)))
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert report["sheets"]["too_large"] == [structure.parts[1].name]
 
 
 def rows(family):

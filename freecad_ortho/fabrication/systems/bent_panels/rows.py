@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -75,9 +76,25 @@ class Row:
         for number in range(1, count):
             nearest = int(np.abs(ends - ends[-1] * number / count).argmin())
             places.append(min(max(nearest, places[-1] + 1), faces - count + number))
+        return self._cut([*places, faces])
+
+    def filled(self, fits: Callable[[Row], bool]) -> list[Row]:
+        """Cut it into pieces that fit, each as long as can be; a face that does not stands alone.
+
+        Args:
+            fits: whether a piece does.
+        """
+        places = [0]
+        for end in range(2, len(self.faces) + 1):
+            if end - places[-1] > 1 and not fits(self._part(places[-1], end)):
+                places.append(end - 1)
+        return self._cut([*places, len(self.faces)])
+
+    def _cut(self, places: list[int]) -> list[Row]:
+        """Its pieces between these numbers of faces."""
         return [
             self._part(start, end, f"{self.name}-{number}")
-            for number, (start, end) in enumerate(pairwise([*places, faces]), start=1)
+            for number, (start, end) in enumerate(pairwise(places), start=1)
         ]
 
 

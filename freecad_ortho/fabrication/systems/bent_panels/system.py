@@ -168,17 +168,23 @@ class BentPanels(System):
         return cuts, left_out
 
     def _plates(self, site: Site, row: Row, insets: FloatArray) -> list[Plate]:
-        """The plate of a row, or those of as few pieces as fit a sheet; whole where none do."""
+        """The plate of a row, or those of as few pieces as fit a sheet; whole if no face does."""
         room, whole = self._room, [plate_of(site.mesh, row, self.thickness, self.gap, insets)]
+
+        def plate(piece: Row) -> Plate:
+            return plate_of(site.mesh, piece, self.thickness, self.gap, insets)
+
         plates, count = whole, 1
-        while room is not None and not all(room.holds(plate.outline) for plate in plates):
+        while room is not None and not all(room.holds(one.outline) for one in plates):
             count += 1
             if count > len(row.faces):
-                return whole
+                # Single faces by now: those that fit no sheet stay alone, the others need not.
+                if not any(room.holds(one.outline) for one in plates):
+                    return whole
+                held = row.filled(lambda piece: room.holds(plate(piece).outline))
+                return [plate(piece) for piece in held]
             pieces = row.divided(whole[0].ribbon.strip.lengths, count)
-            plates = [
-                plate_of(site.mesh, piece, self.thickness, self.gap, insets) for piece in pieces
-            ]
+            plates = [plate(piece) for piece in pieces]
         return plates
 
     def _gaps(self, site: Site, made: BoolArray) -> FloatArray:
