@@ -112,15 +112,17 @@ def _with_arms(frame: Frame, lengths: FloatArray) -> Stiffness:
     youngs, shear = float(of.youngs.max()), float(of.shear.max())
     by = _STIFF * lengths / usual
     bent = max(float((of.youngs * of.about_y).max()), float((of.youngs * of.about_z).max()))
+    stretched = float((of.youngs * of.area).max())
     arms = Stiffness(
-        area=by * float((of.youngs * of.area).max()) / youngs,
+        area=by * stretched / youngs,
         about_y=by * bent / youngs,
         about_z=by * bent / youngs,
         torsion=by * bent / shear,
         youngs=np.full(len(lengths), youngs),
         shear=np.full(len(lengths), shear),
-        shear_area_y=np.full(len(lengths), np.inf),
-        shear_area_z=np.full(len(lengths), np.inf),
+        # Short arms would be far stiffer across than along without it, which costs digits.
+        shear_area_y=by * stretched / shear,
+        shear_area_z=by * stretched / shear,
     )
     parts = (np.concatenate([getattr(of, one.name), getattr(arms, one.name)]) for one in fields(of))
     return Stiffness(*parts)

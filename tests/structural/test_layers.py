@@ -11,7 +11,7 @@ from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.model import model_of
 from freecad_ortho.structural.words import assumptions
 from solver.errors import InputError
-from solver.frame.response import response
+from solver.frame.response import imbalance, response
 from solver.frame.system import System
 from solver.mesh.primitives import primitive
 
@@ -104,6 +104,14 @@ def test_layers_are_where_they_are_said_to_be(dome):
         assert one.loads.total(model.frame) == pytest.approx(
             two.loads.total(on_net.frame), rel=0.03
         )
+
+
+def test_layers_that_nearly_touch_are_in_balance_too(dome):
+    settings = {"section": "plate:12x120", "snow": 1.0, "layers": 0.1, "crossings": "hinged"}
+    model = model_of(dome, Design.of(settings))
+    loads = model.cases[1].loads
+    found = response(System(model.frame, model.supports), loads)
+    assert imbalance(model.frame, loads, found.reactions) < 1e-9
 
 
 @pytest.fixture(scope="module")
