@@ -23,7 +23,7 @@ REPEATED = (PANELS, EDGES, NODES)
 # Where nothing else is said: parts of the mean edge, and degrees.
 ALIKE, ALIKE_DEG = 1e-3, 0.5
 # Pairs that are compared at once, and at all.
-_PAIRS, _MOST_PAIRS = 200_000, 3_000_000
+_PAIRS, _MOST_PAIRS = 100_000, 400_000
 # How far parts (n, k, 3) are from others: (n,).
 Miss = Callable[[FloatArray, FloatArray], FloatArray]
 # Part of a tolerance by which rounding may exceed it.

@@ -7,6 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from solver import QuadMesh
+from solver.analysis import kinds
 from solver.analysis.kinds import REPEATED, corner_miss, kinds_within, spokes
 from solver.errors import InputError
 from tests.conftest import grid_faces, surface_of_revolution, wavy_grid
@@ -45,6 +46,14 @@ def test_a_surface_of_revolution_repeats_along_its_parallels(of, number):
     found = kinds_within(surface_of_revolution(), of, 1e-6)
     assert found.number == number
     assert found.counts.sum() == {"panels": 48, "edges": 110, "nodes": 63}[of]
+
+
+def test_many_equal_panels_are_not_compared_in_pairs(monkeypatch):
+    mesh = surface_of_revolution()
+    before = [kinds_within(mesh, of, 1e-6).counts.tolist() for of in REPEATED]
+    monkeypatch.setattr(kinds, "_MOST_PAIRS", 0)
+    monkeypatch.setattr(kinds._Search, "pairs", None)
+    assert [kinds_within(mesh, of, 1e-6).counts.tolist() for of in REPEATED] == before
 
 
 def test_a_panel_may_be_turned_and_not_flipped_over():
