@@ -2,6 +2,7 @@
 
 usage: python scripts/docs_align.py                     print the table
        python scripts/docs_align.py --write             write it into the page
+       python scripts/docs_align.py --follow [--write]  the table of nets that follow the border
        python scripts/docs_align.py --picture FILE.png  draw the nets
        python scripts/docs_align.py --random 40         try random surfaces
 
@@ -31,6 +32,7 @@ from examples.drawing import Panel, draw  # noqa: E402
 from solver import (  # noqa: E402
     Constraints,
     InputError,
+    NetOptions,
     QuadMesh,
     optimise,
     read_mesh,
@@ -43,10 +45,14 @@ from solver.analysis import form, measures  # noqa: E402
 from solver.mesh.closest import TriangleSurface  # noqa: E402
 from solver.mesh.grid import grid_mesh  # noqa: E402
 from solver.mesh.quadmesh import FloatArray  # noqa: E402
+from solver.nets.constraints import BoundaryGlide  # noqa: E402
 from tests.design_surfaces import random_surface  # noqa: E402
 
 PAGE = ROOT / "docs" / "sources.md"
 BEGIN, END = "<!-- align -->\n", "<!-- /align -->"
+FOLLOW_BEGIN, FOLLOW_END = "<!-- follow -->\n", "<!-- /follow -->"
+# What faces may be off flat where a net keeps its border, m.
+FLAT = 0.01
 EDGE = "1.1"
 HEADS = (
     "surface",
@@ -159,6 +165,38 @@ def table() -> str:
     return "\n".join(lines) + "\n"
 
 
+def follow_row(name: str) -> str:
+    """What an exact net and a planar one with a gap make of a net that follows its border."""
+    surface = TriangleSurface.from_quads(sheet(name, (121, 73)))
+    made = aligned(surface.vertices, surface.triangles, edge=float(EDGE), border="follow").mesh
+    near = (surface.vertices, surface.triangles)
+    cells: list[object] = [name, len(made.faces)]
+    for net, constraints, options in (
+        ("principal", Constraints(close_to=near), None),
+        (
+            "planar",
+            Constraints(close_to=near, glide=(BoundaryGlide(),)),
+            NetOptions(flatness=FLAT),
+        ),
+    ):
+        outcome = optimise(made, net, constraints=constraints, options=options)
+        found = outcome.report.form
+        cells += ["yes" if outcome.report.status == "converged" else "no"]
+        lengths = (found.border, found.off_surface.max, found.gap)
+        cells += [f"{1000 * length:.0f} mm" for length in lengths]
+        cells += [f"{found.area_ratio:.3f}"]
+    return "| " + " | ".join(str(cell) for cell in cells) + " |"
+
+
+def follow_table() -> str:
+    """All surfaces."""
+    heads = "reached", "off the border", "off the surface", "largest gap", "area"
+    exact, planar = ([f"{net}: {head}" for head in heads] for net in ("principal", "planar"))
+    lines = ["| " + " | ".join(["surface", "faces", *exact, *planar]) + " |"]
+    lines += ["| --- |" + " ---: |" * 11, *map(follow_row, SURFACES)]
+    return "\n".join(lines) + "\n"
+
+
 class Attempt(NamedTuple):
     """What became of one random surface.
 
@@ -230,6 +268,7 @@ def main() -> None:
     """Read the command line and make the table, or the picture."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--follow", action="store_true", help="nets that follow the border")
     parser.add_argument("--picture", metavar="FILE.png")
     parser.add_argument("--random", metavar="N", type=int)
     given = parser.parse_args()
@@ -240,13 +279,14 @@ def main() -> None:
     if given.picture:
         picture(given.picture)
         return
-    made = table()
+    made = follow_table() if given.follow else table()
     if not given.write:
         print(made)
         return
+    begin, end = (FOLLOW_BEGIN, FOLLOW_END) if given.follow else (BEGIN, END)
     page = PAGE.read_text(encoding="utf-8")
-    before, rest = page.split(BEGIN)
-    PAGE.write_text(before + BEGIN + made + END + rest.split(END, 1)[1], encoding="utf-8")
+    before, rest = page.split(begin)
+    PAGE.write_text(before + begin + made + end + rest.split(end, 1)[1], encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -18,8 +18,14 @@ from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
 from solver.align.features import Features
 from solver.align.field import Field, Guide, smooth_field
-from solver.align.given import Wanted, given_field, simpler
-from solver.align.guides import TURNED, along_features, net_guide, with_strokes
+from solver.align.given import Wanted, given_field
+from solver.align.guides import (
+    TURNED,
+    along_features,
+    net_guide,
+    say_border,
+    with_strokes,
+)
 from solver.align.membrane import STANDS_ON
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
@@ -148,6 +154,8 @@ def aligned(
     lines = [grain * np.round(np.asarray(stroke) / grain) for stroke in strokes]
     lines = with_images(lines, mirrors)
     follows = border == "follow"
+    if follows and net in ("principal", "developable"):
+        say_border(work.mesh, guide, edge, remarks)
     asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities, mirrors)
     mesh, field = _mapped(asked, waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
@@ -234,19 +242,12 @@ class _Asked:
         """The directions along a part of the guide, singular where they have to be."""
         return smooth_field(self.work.mesh, self.guide.calmed(calm), self.edges[0], step)
 
-    def field(self, calm: float, automatic: Field, plain: bool) -> Field:
-        """The directions, singular where they are asked to be, or in few and separate places.
-
-        Raises:
-            InputError: triangles that are too coarse for that.
-        """
-        mesh, edge = self.work.mesh, self.edges[0]
-        if self.singular is not None:
-            quarters = self.singular.quarters(automatic)
-        elif plain:
-            quarters = simpler(mesh, automatic.quarters, self.work.inner, edge)
-        else:
+    def field(self, calm: float, automatic: Field) -> Field:
+        """The directions, singular where they are asked to be."""
+        if self.singular is None:
             return automatic
+        quarters = self.singular.quarters(automatic)
+        mesh, edge = self.work.mesh, self.edges[0]
         return given_field(mesh, self.guide, calm, edge, automatic, quarters)
 
     def misfit(self, automatic: Field) -> str:
@@ -288,30 +289,17 @@ def _mapped(
     return best.mesh, best.field
 
 
-def _fields(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[tuple[Field, bool, str]]:
-    """Fields that follow the guide less and less, whether it is the first, and what is wrong."""
-    # The last are for surfaces whose singular vertices are too near to each other for a net.
-    bound = asked.singular is not None or asked.work.covered == asked.work.inner
-    for simple in (False,) if bound else (False, True):
-        for calm in _CALM:
-            waiting("directions")
-            field = asked.automatic(calm, lambda: waiting("directions"))
-            wrong = asked.misfit(field)
-            if not wrong:
-                try:
-                    field = asked.field(calm, field, simple)
-                except InputError as error:
-                    wrong = str(error)
-            yield field, calm == _CALM[0] and not simple, wrong
-
-
 def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Attempt]:
     """Nets that follow the guide less and less."""
     work, mesh, edges = asked.work, asked.work.mesh, asked.edges
-    for field, first, wrong in _fields(asked, waiting):
-        if wrong:
-            yield _Attempt(field, False, refusal=wrong)
+    for calm in _CALM:
+        waiting("directions")
+        field = asked.automatic(calm, lambda: waiting("directions"))
+        misfit = asked.misfit(field)
+        if misfit:
+            yield _Attempt(field, False, refusal=misfit)
             continue
+        field = asked.field(calm, field)
         cut = cut_open(mesh, field)
         layout = seams(mesh, cut, field.quarters != 0)
         for firm in FIRM:
@@ -324,7 +312,7 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
             )
             waiting("quads")
             found = quads(mesh, cut, made, work.covered)
-            close = first and firm == FIRM[0]
+            close = (calm, firm) == (_CALM[0], FIRM[0])
             crossing = _crossing(found)
             if crossing is not None:
                 refusal = f"map: lines run into each other near {_at(crossing)}; {_REMEDY}"

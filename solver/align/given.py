@@ -105,30 +105,6 @@ class Wanted:
         return np.where(self.own, self.given, automatic.quarters)
 
 
-def simpler(mesh: TriangleMesh, quarters: IntArray, inner: int, edge: float) -> IntArray:
-    """(V,) quarter turns without those beyond the border, those nearer than an edge as one.
-
-    Args:
-        mesh: the surface, with its apron.
-        quarters: (V,) turns of a field of whose singular vertices no net was made.
-        inner: how many of the triangles are the surface's own.
-        edge: wanted edge length.
-    """
-    own = np.zeros(len(mesh.points), dtype=bool)
-    own[mesh.triangles[:inner]] = True
-    singular = np.flatnonzero(own & (quarters != 0))
-    free = own & ~mesh.on_rim & (np.bincount(mesh.triangles.ravel()) >= _AROUND)
-    pairs = cKDTree(mesh.points[singular]).query_pairs(edge, output_type="ndarray")
-    label = components(len(singular), *pairs.T)
-    found = np.zeros_like(quarters)
-    for group in range(int(label.max(initial=-1)) + 1):
-        members = singular[label == group]
-        middle = mesh.points[members].mean(axis=0)
-        at = members if len(members) == 1 else _nearest(mesh, free, middle[None])
-        np.add.at(found, at, quarters[members].sum())
-    return found
-
-
 def _nearest(mesh: TriangleMesh, free: BoolArray, places: FloatArray) -> IntArray:
     """The vertices, of those that are free (V,), nearest to places."""
     numbers = np.flatnonzero(free)

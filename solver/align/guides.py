@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from solver.align.features import Features
-from solver.align.field import Guide, curvature_guide
+from solver.align.field import QUARTER, Guide, curvature_guide
 from solver.align.jets import face_tensors
 from solver.align.membrane import membrane_forces
 from solver.align.triangle_mesh import TriangleMesh
@@ -37,6 +37,8 @@ _MOSTLY = 0.8
 _STROKE, _WIDE, _TURN, _OFF = 30.0, 0.6, 8.0, 1.0
 # In edges, how wide a feature line is.
 _BESIDE = 0.4
+# Degrees to the lines of curvature from which on no exact net keeps a border.
+_ASKEW = 2.0
 # Places that a stroke is looked at, for each edge of the net.
 _PLACES = 6
 
@@ -138,6 +140,41 @@ def along_features(mesh: TriangleMesh, guide: Guide, features: Features, edge: f
     places = (start + part * (end - start)).reshape(-1, 3)
     along, reach = np.tile(features.along, (count, 1)), np.tile(features.reach, count)
     return _run_along(mesh, guide, places, along, (_BESIDE * edge, reach * edge))
+
+
+def say_border(mesh: TriangleMesh, guide: Guide, edge: float, remarks: list[str]) -> None:
+    """Say that no exact net keeps a border that is no line of curvature.
+
+    Args:
+        mesh: the surface, with its apron.
+        guide: the directions of curvature.
+        edge: wanted edge length.
+        remarks: gets the sentence.
+    """
+    turned = turned_from_border(mesh, guide, Features.border(mesh, guide.inner, edge))
+    if turned > _ASKEW:
+        remarks.append(
+            f"the border runs at {turned:.0f} degrees to the lines of curvature on average: an "
+            "exact principal net leaves it; a planar one with some millimetres of flatness, which "
+            "glides along its boundary, keeps it"
+        )
+
+
+def turned_from_border(mesh: TriangleMesh, guide: Guide, rim: Features) -> float:
+    """Mean angle between a border and the nearest of the guide's directions, 0 to 45 degrees.
+
+    Args:
+        mesh: the surface, with its apron.
+        guide: directions, by how certain they are.
+        rim: edges of the border.
+    """
+    start, end = (mesh.points[side[rim.edges]] for side in mesh.ends)
+    inner = (mesh.edges[rim.edges] // 3).min(axis=1)
+    first, second = ((rim.along * mesh.axes[inner, k]).sum(axis=1) for k in (0, 1))
+    turned = np.arctan2(second, first) - guide.angles[inner]
+    turned -= QUARTER * np.round(turned / QUARTER)
+    weight = guide.certainty[inner] * np.linalg.norm(end - start, axis=1)
+    return float(np.degrees((weight * np.abs(turned)).sum() / max(weight.sum(), 1e-300)))
 
 
 def _run_along(

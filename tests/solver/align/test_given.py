@@ -9,8 +9,6 @@ import pytest
 
 from solver.align.align import aligned
 from solver.align.crosses import Singular
-from solver.align.given import simpler
-from solver.align.triangle_mesh import TriangleMesh
 from solver.analysis.measures import flipped, orthogonality
 from solver.errors import InputError
 from tests.design_surfaces import dome, plane, saddle, triangles, without
@@ -153,23 +151,3 @@ def test_moved_onto_another_they_are_joined_or_left_apart():
         there.moved(3, there.places[0], 1.0)
     with pytest.raises(InputError, match="would make a vertex with 7"):
         on_dome((0, 0, 6), (3, 0, 5)).moved(0, on_dome((3, 0, 5)).places[0], 1.0)
-
-
-def test_turns_beyond_the_border_are_left_out_and_near_ones_joined():
-    points, faces = triangles(plane, 25, 17)
-    mesh, quarters = TriangleMesh(points, faces), np.zeros(len(points), dtype=int)
-    # What lies left of x = 9 is the surface itself.
-    order = np.argsort(points[faces][:, :, 0].mean(axis=1) > 9, kind="stable")
-    mesh = TriangleMesh(points, faces[order])
-    inner = int((points[faces][:, :, 0].mean(axis=1) < 9).sum())
-
-    def at(x, y):
-        return int(np.linalg.norm(points[:, :2] - [x, y], axis=1).argmin())
-
-    for place, turn in (((2, 2), 1), ((2, 2.5), -1), ((5, 3), -1), ((5, 4), -1), ((11, 4), 1)):
-        quarters[at(*place)] = turn
-    quarters[at(7, 6)] = 1
-    found = simpler(mesh, quarters, inner, 1.2)
-    assert sorted(found[found != 0]) == [-2, 1]
-    assert found[at(7, 6)] == 1
-    np.testing.assert_allclose(points[found == -2][0, :2], [5, 3.5], atol=0.3)
