@@ -296,8 +296,8 @@ class Repetition:
         """Whether a net with fewer kinds of parts is still what was drawn."""
         before, found = self._net, self._judge(x)
         whole = found.area_ratio >= _STILL_WHOLE * before.area_ratio
-        creased = found.creased and not before.creased
-        if not (found.valid and whole and found.kept >= _STILL_ROOMY) or creased:
+        rough = (found.creased and not before.creased) or (found.uneven and not before.uneven)
+        if not (found.valid and whole and found.kept >= _STILL_ROOMY) or rough:
             return False
         far = [float(off_surface(net.mesh, self._surface).max()) for net in (before, found)]
         size = float(np.linalg.norm(np.ptp(before.mesh.vertices, axis=0)))

@@ -78,6 +78,8 @@ def test_as_few_as_can_be_found_and_too_few():
     report = optimise(start, repeat="panels", kinds=2, alike=1e-7, max_steps=30).report
     assert report.status == "converged"
     assert not report.is_repeated and report.repetition.kinds > 2
+    # Nothing is worth lines that zigzag.
+    assert report.form.zigzag >= min(0.85, report.form.zigzag_start) - 0.05
 
 
 def test_rows_are_what_lies_along_lines():
