@@ -25,6 +25,13 @@ from freecad_ortho.documents.nets import (
     set_net,
 )
 from freecad_ortho.documents.pictures import save_picture
+from freecad_ortho.documents.sheet_systems import (
+    add_bent_panels,
+    add_lamellas,
+    add_louvres,
+    add_panels,
+    add_patches,
+)
 from freecad_ortho.documents.sources import (
     add_elliptic_net,
     add_multi_net,
@@ -50,17 +57,7 @@ from freecad_ortho.documents.structures import (
     export_fabrication,
     update_structures,
 )
-from freecad_ortho.documents.systems import (
-    add_beams,
-    add_bent_panels,
-    add_edge_beam,
-    add_feet,
-    add_lamellas,
-    add_louvres,
-    add_nodes,
-    add_panels,
-    add_patches,
-)
+from freecad_ortho.documents.systems import add_beams, add_edge_beam, add_feet, add_nodes
 
 if FreeCAD.GuiUp:
     # What is made in the window asks for its view.

@@ -9,8 +9,9 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho.documents.nets import import_net, optimise_net
+from freecad_ortho.documents.sheet_systems import add_panels
 from freecad_ortho.documents.structures import add_structure
-from freecad_ortho.documents.systems import add_beams, add_panels
+from freecad_ortho.documents.systems import add_beams
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.packages import HOME
 from solver import QuadMesh
