@@ -57,6 +57,7 @@ class NormalEquations:
     def matrix(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
         """(nnz,) lower triangle of the sum of ``weight * J^T J``."""
         data = np.zeros(len(self.sparsity.indices))
+        part = np.empty_like(data)
         for group in self._groups:
             used = tuple(k for k in group.members if weights[k] > 0)
             moving = tuple(k for k in used if not self.terms[k].linear)
@@ -66,7 +67,8 @@ class NormalEquations:
                 data += self._scattered(group, jacobian)
             for k in used:
                 if self.terms[k].linear:
-                    data += weights[k] * self._constant_part(group, k, linearisations[k].jacobian)
+                    constant = self._constant_part(group, k, linearisations[k].jacobian)
+                    data += np.multiply(constant, weights[k], out=part)
         return data
 
     def gradient(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:

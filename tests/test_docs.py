@@ -92,7 +92,15 @@ def test_every_option_is_named(capsys):
 
 
 def test_options_that_are_named_exist(capsys):
-    known = {"--mesh", "--surface", "--help", "--write", "--quick", "--check"}  # of the scripts
+    known = {
+        "--mesh",
+        "--surface",
+        "--help",
+        "--write",
+        "--quick",
+        "--check",
+        "--follow",
+    }  # of the scripts
     for command in every_command(capsys):
         known |= options_of(command, capsys)
     for path in DOCUMENTS:

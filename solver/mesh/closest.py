@@ -19,6 +19,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # Pairs of point and box that are looked at together; bounds the memory, about 100 bytes each.
 _PAIRS = 1_000_000
+# Triangles beside a point that are looked at before the tree is climbed.
+_NEIGHBOURS = 8
 # A triangle flatter than this counts as its three sides only.
 _FLAT = 1e-12
 # Nearer than this part of the size of what is hit, a direction from point to foot is rounding.
@@ -181,7 +183,14 @@ class _BoxTree:
         middles = corners.mean(axis=1)
         self.sizes = np.linalg.norm(upper - lower, axis=1)
         self._middles = cKDTree(middles)
+        self._spans = np.stack([lower, upper], axis=1)
         count = len(corners)
+        # How far each reaches from its middle, with rounding to spare.
+        arms = np.linalg.norm(corners - middles[:, None], axis=2).max(axis=1)
+        self._radii = arms + 1e-9 * (arms + np.abs(corners).max(initial=0.0))
+        self._widest = self._radii.max()
+        # Numbers of neighbours: of a list, a query gives a row to each point even of one.
+        self._neighbours = list(range(1, 1 + min(_NEIGHBOURS, count)))
         depth = int(np.ceil(np.log2(count))) if count > 1 else 0
         order = np.concatenate([np.arange(count), np.full(2**depth - count, -1)])
         for level in range(depth):
@@ -196,27 +205,50 @@ class _BoxTree:
 
     def nearest(self, points: FloatArray, corners: FloatArray) -> _Hit:
         """Return what is nearest to each of the (N, 3) points; ties go to the smaller number."""
-        count = len(points)
-        result = _Hit(np.zeros(count, dtype=np.int64), np.zeros(count, dtype=np.int64), 0 * points)
-        guess = self._middles.query(points)[1]
-        bound = _closest_on_triangles(points, corners[guess])[2]
-        for index, item in self._candidates(points, bound):
+        away, beside = self._middles.query(points, k=self._neighbours)
+        guess = beside[:, 0].copy()
+        feet, feature, bound = _closest_on_triangles(points, corners[guess])
+        result = _Hit(guess, feature, feet)
+        # What is as near counts too.
+        reach = bound * (1 + 1e-9) + 1e-300
+        for index, item in self._candidates(points, reach, away, beside):
             near, kind, distance = _closest_on_triangles(points[index], corners[item])
-            order = np.lexsort((item, distance, index))
-            first = order[np.diff(index[order], prepend=-1) > 0]
+            first = _first_of_nearest(index, item, distance)
+            place, square = index[first], distance[first]
+            tie = (square == bound[place]) & (item[first] < result.item[place])
+            first = first[(square < bound[place]) | tie]
             place = index[first]
             result.item[place], result.feature[place] = item[first], kind[first]
             result.feet[place] = near[first]
         return result
 
     def _candidates(
-        self, points: FloatArray, square: FloatArray
+        self, points: FloatArray, reach: FloatArray, away: FloatArray, beside: IntArray
     ) -> Iterator[tuple[IntArray, IntArray]]:
-        """Yield pairs (point, triangle) whose box is no further than the point's bound."""
-        # The triangle that gave the bound must not be lost to rounding.
-        reach = square * (1 + 1e-9) + 1e-300
+        """Yield pairs (point, triangle) with all that are no further than the square of a reach.
+
+        Where the triangles ``beside`` a point, whose middles are so far ``away``, must be all of
+        these, the tree is not climbed.
+        """
+        limit = np.sqrt(reach)
+        settled = np.full(len(points), beside.shape[1] == len(self._radii))
+        settled |= away[:, -1] - self._widest > limit
+        close = (away - self._radii[beside] <= limit[:, None]) & settled[:, None]
+        # The first of them is known.
+        close[:, 0] = False
+        index, item = np.nonzero(close)[0], beside[close]
+        lower, upper = self._spans[item, 0], self._spans[item, 1]
+        gap = np.maximum(np.maximum(lower - points[index], points[index] - upper), 0.0)
+        near = np.einsum("ij,ij->i", gap, gap) <= reach[index]
+        yield index[near], item[near]
+        yield from self._in_boxes(points, reach, np.flatnonzero(~settled))
+
+    def _in_boxes(
+        self, points: FloatArray, reach: FloatArray, asked: IntArray
+    ) -> Iterator[tuple[IntArray, IntArray]]:
+        """Yield pairs (point, triangle) whose box is no further than the square of a reach."""
         block = 20_000
-        waiting = [np.arange(k, min(k + block, len(points))) for k in range(0, len(points), block)]
+        waiting = [asked[k : k + block] for k in range(0, len(asked), block)]
         while waiting:
             chosen = waiting.pop()
             index, box = chosen, np.zeros(len(chosen), dtype=np.int64)
@@ -234,6 +266,18 @@ class _BoxTree:
                     break
             else:
                 yield index, self._order[box]
+
+
+def _first_of_nearest(index: IntArray, item: IntArray, distance: FloatArray) -> IntArray:
+    """Of each number in the rising ``index`` the place of the least distance, then least item."""
+    begins = np.flatnonzero(np.diff(index, prepend=-1))
+    if not len(begins):
+        return begins
+    least = np.minimum.reduceat(distance, begins)
+    counts = np.diff(begins, append=len(index))
+    near = np.flatnonzero(distance == np.repeat(least, counts))
+    near = near[np.lexsort((item[near], index[near]))]
+    return near[np.diff(index[near], prepend=-1) > 0]
 
 
 def _halve(groups: IntArray, middles: FloatArray) -> IntArray:
@@ -256,6 +300,18 @@ def _closest_on_triangles(
 
     The foot is on the best of the three sides, unless the foot on the plane lies inside.
     """
+    inside, feet = _feet_inside(points, corners)
+    feature = np.full(len(points), _FACE)
+    best = _squares(points - feet)
+    beside = np.flatnonzero(~inside)
+    feet[beside], feature[beside], best[beside] = _closest_on_sides(points[beside], corners[beside])
+    return feet, feature, best
+
+
+def _closest_on_sides(
+    points: FloatArray, corners: FloatArray
+) -> tuple[FloatArray, IntArray, FloatArray]:
+    """The same of the three sides alone."""
     feet = np.empty_like(points)
     feature = np.empty(len(points), dtype=np.int64)
     best = np.full(len(points), np.inf)
@@ -273,9 +329,6 @@ def _closest_on_triangles(
         kind = np.where(t <= 0, 3 + k, np.where(t >= 1, 3 + (k + 1) % 3, k))
         better = square < best
         feet[better], feature[better], best[better] = near[better], kind[better], square[better]
-    inside, foot = _feet_inside(points, corners)
-    feet[inside], feature[inside] = foot[inside], _FACE
-    best[inside] = _squares(points - foot)[inside]
     return feet, feature, best
 
 

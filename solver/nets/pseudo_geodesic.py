@@ -40,35 +40,37 @@ def pseudo_geodesic(problem: Problem, options: NetOptions) -> Problem:
             "way, so that strips would lean to both sides; give --tilt-u and --tilt-v of 90 "
             "(upright) or 180 (lying), or a mesh without irregular vertices inside"
         )
-    for family, tilt in enumerate(given):
-        _require_tilt(problem, combed, family, tilt)
+    _require_tilts(problem, combed, given)
     return problem
 
 
-def _require_tilt(problem: Problem, combed: Combed, family: int, degrees: float | None) -> None:
-    """Require one tilt of the lines of a family, given in degrees or free."""
-    ends = combed.stars[:, [3 + family, 1 + family]]
-    name = f"tilt {'uv'[family]}"
-    if degrees is not None:
-        wanted = math.radians(degrees)
-        problem.require(
-            TiltedLine(combed.stars, ends, tilt=wanted, name=name),
-            lambda mesh, _: _off(mesh, family, wanted),
-        )
-        return
-    start = lines.common_tilt(*lines.family_bends(problem.mesh, family))
-    shared = problem.scalar(start)
-    number = shared - 3 * len(problem.mesh.vertices)
-    problem.details[name] = partial(_found, number)
-    problem.require(
-        TiltedLine(combed.stars, ends, shared=shared, name=name),
-        lambda mesh, scalars: _off(mesh, family, float(scalars[number])),
-    )
+def _require_tilts(
+    problem: Problem, combed: Combed, given: tuple[float | None, float | None]
+) -> None:
+    """Require one tilt of the lines of each family, given in degrees or free."""
+    ends = np.stack([combed.stars[:, [3, 1]], combed.stars[:, [4, 2]]], axis=1)
+    tilts = [0.0, 0.0]
+    shared: list[int | None] = [None, None]
+    for family, degrees in enumerate(given):
+        if degrees is not None:
+            tilts[family] = math.radians(degrees)
+            continue
+        start = lines.common_tilt(*lines.family_bends(problem.mesh, family))
+        shared[family] = place = problem.scalar(start)
+        number = place - 3 * len(problem.mesh.vertices)
+        problem.details[f"tilt {'uv'[family]}"] = partial(_found, number)
 
+    def off(mesh: QuadMesh, scalars: FloatArray) -> FloatArray:
+        """(S,) part of the turns of the lines that is not at the tilt of their family, radians."""
+        begin = 3 * len(mesh.vertices)
+        now = [
+            tilt if number is None else float(scalars[number - begin])
+            for tilt, number in zip(tilts, shared, strict=True)
+        ]
+        each = [lines.off_tilt(*lines.family_bends(mesh, k), now[k]) for k in (0, 1)]
+        return np.maximum(*each)
 
-def _off(mesh: QuadMesh, family: int, tilt: float) -> FloatArray:
-    """(S,) part of the turns of the lines of a family that is not at a tilt in radians."""
-    return lines.off_tilt(*lines.family_bends(mesh, family), tilt)
+    problem.require(TiltedLine(combed.stars, ends, tuple(tilts), tuple(shared)), off)
 
 
 def _found(number: int, mesh: QuadMesh, scalars: FloatArray) -> float:

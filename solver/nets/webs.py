@@ -34,7 +34,7 @@ def web(problem: Problem, options: NetOptions) -> Problem:
     parts = lines.web_parts(problem.mesh, options.web)
     for family, letter, (ends, tilt) in zip(_FAMILIES, options.web, parts, strict=True):
         problem.require(
-            TiltedLine(combed.stars, ends, tilt, name=f"{family} {_WORDS[letter]}"),
+            TiltedLine(combed.stars, ends, (tilt,), name=f"{family} {_WORDS[letter]}"),
             partial(_off, combed.stars, ends, tilt),
         )
     return problem

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -27,13 +28,13 @@ class TiltedLine:
     ``tilt`` to the surface: 0 for geodesics, a right angle for asymptotic lines. The sign of a
     tilt is that of the line's direction. Where a line does not bend r vanishes whatever the tilt.
 
-    One row a star.
+    One row a line of a star.
 
     Args:
         stars: (n, 5) centre and four neighbours in cyclic order, of which n is made.
-        ends: (n, 2) the vertices before and after on the line.
-        tilt: in radians.
-        shared: position of one unknown tilt in the flat vector, in place of ``tilt``.
+        ends: (n, L, 2) the vertices before and after on each line, or (n, 2) of one line.
+        tilts: of the lines, in radians.
+        shared: of the lines whose tilt is free its position in the flat vector, None of others.
 
     Source: Wunderlich (1950), Pseudogeodaetische Linien auf Zylinderflaechen; Wang et al. (2023),
     Rectifying strip patterns. The form of the equation is this project's own.
@@ -41,74 +42,114 @@ class TiltedLine:
 
     stars: IntArray
     ends: IntArray
-    tilt: float = 0.0
-    shared: int | None = None
+    tilts: tuple[float, ...] = (0.0,)
+    shared: tuple[int | None, ...] = (None,)
     name: str = "tilt"
     linear: bool = False
 
     @cached_property
+    def _lines(self) -> IntArray:
+        return self.ends.reshape(len(self.stars), len(self.tilts), 2)
+
+    @cached_property
     def _own(self) -> bool:
-        """Whether the line runs through neighbours of the star."""
-        return bool((self.ends[:, :, None] == self.stars[:, None, 1:]).any(axis=2).all())
+        """Whether the lines run through neighbours of the star."""
+        ends = self.ends.reshape(len(self.stars), -1)
+        return bool((ends[:, :, None] == self.stars[:, None, 1:]).any(axis=2).all())
 
     @cached_property
     def _places(self) -> IntArray:
-        """(n, 2) places of the ends among the points of an element."""
+        """(n, L, 2) places of the ends among the points of an element."""
         if not self._own:
-            return np.tile([5, 6], (len(self.stars), 1))
-        return np.asarray(1 + np.argmax(self.ends[:, :, None] == self.stars[:, None, 1:], axis=2))
+            beside = 5 + np.arange(2 * len(self.tilts)).reshape(-1, 2)
+            return np.tile(beside, (len(self.stars), 1, 1))
+        same = self._lines[:, :, :, None] == self.stars[:, None, None, 1:]
+        return np.asarray(1 + np.argmax(same, axis=3))
+
+    @cached_property
+    def _columns(self) -> list[tuple[Any, Any]]:
+        """Where the points before and after stand: places of a line that are all alike at once."""
+        found: list[tuple[Any, Any]] = []
+        for before, after in self._places.transpose(1, 2, 0):
+            if (before == before[:1]).all() and (after == after[:1]).all() and len(before):
+                found.append(((slice(None), int(before[0])), (slice(None), int(after[0]))))
+            else:
+                rows = np.arange(len(before))
+                found.append(((rows, before), (rows, after)))
+        return found
 
     @cached_property
     def unknowns(self) -> IntArray:
-        """(n, 15) coordinates, (n, 21) of a line beside the star's; a shared tilt last."""
-        points = self.stars if self._own else np.hstack([self.stars, self.ends])
-        coordinates = coordinates_of(points)
-        if self.shared is None:
-            return coordinates
-        shared = np.full((len(self.stars), 1), self.shared, dtype=np.int64)
-        return np.hstack([coordinates, shared])
+        """(n, k) coordinates of the star, and of lines beside it; shared tilts last."""
+        ends = self.ends.reshape(len(self.stars), -1)
+        points = self.stars if self._own else np.hstack([self.stars, ends])
+        free = [number for number in self.shared if number is not None]
+        tilts = np.tile(np.array(free, dtype=np.int64), (len(self.stars), 1))
+        return np.hstack([coordinates_of(points), tilts])
 
     @property
     def size(self) -> Size:
-        """A normal and a binormal a star; their eight definitions and the angle."""
-        return Size(6 * len(self.stars), 9 * len(self.stars))
+        """A normal a star and a binormal a line; their definitions and the angles."""
+        lines = len(self.tilts)
+        return Size((3 + 3 * lines) * len(self.stars), (4 + 5 * lines) * len(self.stars))
 
     def linearise(self, x: FloatArray) -> Linearisation:
-        """Return (n, 1) and (n, 1, k), k as ``unknowns``."""
-        count = 5 if self._own else 7
+        """Return (n, L) and (n, L, k), k as ``unknowns``."""
+        free = sum(number is not None for number in self.shared)
+        count = (self.unknowns.shape[1] - free) // 3
         v = points_of(x, self.unknowns[:, : 3 * count])
-        rows = np.arange(len(v))
-        before, after = self._places.T
-        tilt = self.tilt if self.shared is None else float(x[self.shared])
-        sine, cosine = np.sin(tilt), np.cos(tilt)
-        e, length_e = unit_and_length(v[:, 0] - v[rows, before])
-        f, length_f = unit_and_length(v[rows, after] - v[:, 0])
         a, b = v[:, 1] - v[:, 3], v[:, 2] - v[:, 4]
-        n, size = unit_and_length(np.cross(a, b))
-        s, both = unit_and_length(e + f)
-        k, w = f - e, 2 * np.cross(e, f) / both[:, None]
-        q = sine * k - cosine * w
-        residual, upright = _dot(n, q), _dot(n, w)
+        n, size = unit_and_length(_cross(a, b))
+        residual = np.empty((len(v), len(self.tilts)))
+        jacobian = np.zeros((len(v), len(self.tilts), 3 * count + free))
+        column = 3 * count
+        for line, number in enumerate(self.shared):
+            tilt = self.tilts[line] if number is None else float(x[number])
+            # A view: what is added to it is in the Jacobian.
+            by_points = jacobian[:, line, : 3 * count].reshape(len(v), count, 3)
+            residual[:, line], p, by_tilt = _bend(v, self._columns[line], n, tilt, by_points)
+            p = p / size[:, None]
+            by_a, by_b = _cross(b, p), _cross(p, a)
+            by_points[:, 1] += by_a
+            by_points[:, 3] -= by_a
+            by_points[:, 2] += by_b
+            by_points[:, 4] -= by_b
+            if number is not None:
+                jacobian[:, line, column] = by_tilt
+                column += 1
+        return Linearisation(residual, jacobian)
 
-        drift = cosine * (upright / both)[:, None] * s
-        by_f = sine * n - 2 * cosine * np.cross(n, e) / both[:, None] + drift
-        by_e = -sine * n - 2 * cosine * np.cross(f, n) / both[:, None] + drift
-        by_after = (by_f - _dot(by_f, f)[:, None] * f) / length_f[:, None]
-        by_before = -(by_e - _dot(by_e, e)[:, None] * e) / length_e[:, None]
-        p = (q - residual[:, None] * n) / size[:, None]
-        by_a, by_b = np.cross(b, p), np.cross(p, a)
 
-        jacobian = np.zeros((len(v), count, 3))
-        jacobian[:, 1], jacobian[:, 3] = by_a, -by_a
-        jacobian[:, 2], jacobian[:, 4] = by_b, -by_b
-        jacobian[rows, before] += by_before
-        jacobian[rows, after] += by_after
-        jacobian[:, 0] -= by_before + by_after
-        flat = jacobian.reshape(len(v), 1, 3 * count)
-        if self.shared is not None:
-            by_tilt = _dot(n, cosine * k + sine * w)
-            flat = np.concatenate([flat, by_tilt[:, None, None]], axis=2)
-        return Linearisation(residual[:, None], flat)
+def _bend(
+    v: FloatArray, places: tuple[Any, Any], n: FloatArray, tilt: float, jacobian: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """One line: (n,) residuals, (n, 3) their derivatives by the normal and (n,) by the tilt.
+
+    Those by the points are added to a jacobian (n, points, 3).
+    """
+    before, after = places
+    sine, cosine = np.sin(tilt), np.cos(tilt)
+    e, length_e = unit_and_length(v[:, 0] - v[before])
+    f, length_f = unit_and_length(v[after] - v[:, 0])
+    s, both = unit_and_length(e + f)
+    k, w = f - e, 2 * _cross(e, f) / both[:, None]
+    q = sine * k - cosine * w
+    residual, upright = _dot(n, q), _dot(n, w)
+    drift = cosine * (upright / both)[:, None] * s
+    by_f = sine * n - 2 * cosine * _cross(n, e) / both[:, None] + drift
+    by_e = -sine * n - 2 * cosine * _cross(f, n) / both[:, None] + drift
+    by_after = (by_f - _dot(by_f, f)[:, None] * f) / length_f[:, None]
+    by_before = -(by_e - _dot(by_e, e)[:, None] * e) / length_e[:, None]
+    jacobian[before] += by_before
+    jacobian[after] += by_after
+    jacobian[:, 0] -= by_before + by_after
+    return residual, q - residual[:, None] * n, _dot(n, cosine * k + sine * w)
+
+
+def _cross(one: FloatArray, two: FloatArray) -> FloatArray:
+    """Cross products of rows; numpy's own takes twice as long for so few of them."""
+    (a, b, c), (u, v, w) = one.T, two.T
+    return np.stack([b * w - c * v, c * u - a * w, a * v - b * u], axis=1)
 
 
 def _dot(one: FloatArray, two: FloatArray) -> FloatArray:

@@ -69,7 +69,7 @@ def test_solids_in_a_file_for_each_system_and_back(dodecahedron, tmp_path):
     for result, file in zip(structure.results.values(), systems, strict=True):
         read = [part for part, _ in read_step(tmp_path / file)]
         assert read == [part.name for part in result.parts]
-    with pytest.raises(InputError, match="step: expected one or systems, got 'parts'"):
+    with pytest.raises(InputError, match="step: expected one, systems or in-place, got 'parts'"):
         Workshop(step="parts")
 
 

@@ -131,16 +131,28 @@ CASES = {
         lambda m: MedialAngle(m.faces, shared=3 * COUNT), RHOMBI, [np.pi / 3]
     ),
     "tilt": Case(
-        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.stars[:, [1, 3]], np.pi / 2),
+        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.stars[:, [1, 3]], (np.pi / 2,)),
         HELICOID,
     ),
     "tilt, free": Case(
-        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.stars[:, [4, 2]], shared=60),
+        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.stars[:, [4, 2]], shared=(60,)),
+        HELICOID,
+        [np.pi / 2],
+    ),
+    "tilts of both lines, one free": Case(
+        lambda m: TiltedLine(
+            m.connectivity.stars,
+            np.stack([m.connectivity.stars[:, [1, 3]], m.connectivity.stars[:, [4, 2]]], axis=1),
+            (np.pi / 2, 0.0),
+            (None, 60),
+        ),
         HELICOID,
         [np.pi / 2],
     ),
     "tilt of a diagonal": Case(
-        lambda m: TiltedLine(m.connectivity.stars, m.connectivity.diagonal_stars[:, [1, 3]], 0.7),
+        lambda m: TiltedLine(
+            m.connectivity.stars, m.connectivity.diagonal_stars[:, [1, 3]], (0.7,)
+        ),
         STRAIGHT,
     ),
     "in plane": Case(
