@@ -75,7 +75,8 @@ class TestEarlierVersions(unittest.TestCase):
                 states = [item.State for item in document.Objects]
                 self.assertEqual(states, [["Up-to-date"]] * 3)
                 # Axes come of equations with weights of 1 and 1e10: what processors round otherwise
-                # (AVX-512 or not) moved volumes by 4e-8. Up to 0.2.0 the first edge and face were 1.
+                # (AVX-512 or not) moved volumes by 4e-8.
+                # Up to 0.2.0 the first edge and face were 1.
                 self.assertHolds(
                     document, held, 1e-6, lambda name: f"{name[0]}{int(name[1:]) - 1:04d}"
                 )
