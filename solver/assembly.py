@@ -53,11 +53,13 @@ class NormalEquations:
             for group, unknowns in zip(members, stencils, strict=True)
         ]
         self._constant: dict[int, FloatArray] = {}
+        # Kept: memory that is new costs more than what is written into it.
+        self._entries = np.empty(len(self.sparsity.indices))
+        self._products = np.empty(max((len(group.scatter) for group in self._groups), default=0))
 
     def matrix(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
         """(nnz,) lower triangle of the sum of ``weight * J^T J``."""
         data = np.zeros(len(self.sparsity.indices))
-        part = np.empty_like(data)
         for group in self._groups:
             used = tuple(k for k in group.members if weights[k] > 0)
             moving = tuple(k for k in used if not self.terms[k].linear)
@@ -68,7 +70,7 @@ class NormalEquations:
             for k in used:
                 if self.terms[k].linear:
                     constant = self._constant_part(group, k, linearisations[k].jacobian)
-                    data += np.multiply(constant, weights[k], out=part)
+                    data += np.multiply(constant, weights[k], out=self._entries)
         return data
 
     def gradient(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
@@ -92,7 +94,8 @@ class NormalEquations:
 
     def _scattered(self, group: _Group, jacobian: FloatArray) -> FloatArray:
         count, _, width = jacobian.shape
-        blocks = np.empty((width * (width + 1) // 2, count))
+        pairs = width * (width + 1) // 2
+        blocks = self._products[: pairs * count].reshape(pairs, count)
         for begin in range(0, count, _CHUNK):
             chunk = slice(begin, begin + _CHUNK)
             columns = np.ascontiguousarray(jacobian[chunk].transpose(1, 2, 0))

