@@ -27,7 +27,8 @@ _OPTIONS = {option.name: option for option in Workshop.options}
 # What counts for parts on sheets only, and what is asked besides.
 _SHEETS = tuple(option.name for option in ON_SHEETS if option.name != "kerf")
 _BARS = ("stock", "saw", "trim", "rest", "section_tolerance")
-_FILES = ("dxf", "dxf_version", "dxf_text", "step", "step_tolerance")
+_FILES = ("dxf", "dxf_version", "dxf_text", "step", "step_tolerance", "equal")
+_COSTS = ("stock_lengths", "sheet_sizes", "prices")
 _PAPER = ("paper", "date")
 _SITE = ("site_origin", "site_rotation")
 
@@ -164,7 +165,7 @@ class ExportPanel(_WorkshopPanel):
         self.fields["stock"].value = self._given
         self._ask(*_FILES)
         self._add_formats()
-        self._ask(*_PAPER, *_SITE)
+        self._ask(*_PAPER, *_COSTS, *_SITE)
         self.workers = NumberField(translate("Ortho", "Workers"), preferences.workers(), whole=True)
         self.workers.widget.setToolTip(translate("Ortho", "So many processes share the work."))
         self.rows.addRow(translate("Ortho", "Workers"), self.workers.widget)
@@ -220,7 +221,7 @@ class ExportPanel(_WorkshopPanel):
         stock = self.fields["stock"].value or 0.0
         if stock or self._given:
             settings["stock"] = stock
-        asked = (*_BARS[1:], *_FILES, *_PAPER, *_SITE)
+        asked = (*_BARS[1:], *_FILES, *_PAPER, *_COSTS, *_SITE)
         chosen: dict[str, Any] = {name: self.fields[name].value for name in asked}
         chosen["write"] = ",".join(name for name, box in self.formats.items() if box.isChecked())
         settings |= {name: value for name, value in chosen.items() if value != self._usual[name]}
