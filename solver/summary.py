@@ -15,6 +15,7 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh
 from solver.mesh.seams import seams
+from solver.nets import NETS
 from solver.problem import Problem
 from solver.report import (
     COLLAPSED,
@@ -152,6 +153,9 @@ def _remedies(run: Course, best: Candidate) -> list[str]:
         remedies.insert(0, f"more than {run.max_steps} steps")
     if run.status == COLLAPSED and not remedies:
         remedies.append("a border that is fixed or glides, or a surface to stay close to")
+        net = NETS.get(run.original.net)
+        if net is not None and net.shape in ("minimal", "saddle"):
+            remedies.append("a saddle: where a surface bulges it has no such lines")
     if run.status == STALLED and run.given_up:
         remedies.append(
             "a net that asks for less, or a start nearer to it (it is rigid but for bending, and "

@@ -213,6 +213,7 @@ def test_shape_that_was_given_up_is_told_in_numbers():
     report = optimise(dome, "asymptotic").report
     assert report.status == "collapsed" and report.far
     assert "as a plane only" in report.message and "fixed or glides" in report.message
+    assert "where a surface bulges it has no such lines" in report.message
     assert report.size_start[2] == np.ptp(dome.vertices[:, 2])
     assert report.size[2] < 0.5 * report.size_start[2]
     assert report.mean_edge == dome.mean_edge
