@@ -5722,7 +5722,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>parts may turn</source>
-   <translation>les pièces peuvent tourner</translation>
+   <translation>rotation libre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
