@@ -127,6 +127,7 @@ class WorkshopSettings(TypedDict, total=False):
     prices: str
     stock_lengths: str
     sheet_sizes: str
+    label_sheet: str
 
 
 class DesignSettings(TypedDict, total=False):

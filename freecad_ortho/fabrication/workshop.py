@@ -13,6 +13,7 @@ from freecad_ortho.fabrication.drawing_form import PAPERS, DrawingForm
 from freecad_ortho.fabrication.dxf_form import LAYOUTS, TEXTS, VERSIONS, DxfForm
 from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.formats import FORMATS, Format, formats_of
+from freecad_ortho.fabrication.label_form import LabelForm, label_form
 from freecad_ortho.fabrication.prices import Prices, read_prices
 from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
 from solver.errors import InputError
@@ -64,6 +65,7 @@ class Workshop:
         sheet_sizes: sizes as ``WxH``, with commas between them, likewise.
         date: in the title block of drawings, as it is written there; empty for none, as with a
             clock the same structure would not give the same file.
+        label_sheet: a name or a description of ``label_form``.
 
     Raises:
         InputError: a size that cannot be used, an unknown word.
@@ -94,6 +96,7 @@ class Workshop:
     prices: str = ""
     stock_lengths: str = ""
     sheet_sizes: str = ""
+    label_sheet: str = "3x8"
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -195,6 +198,11 @@ class Workshop:
             "sheets come in these sizes too, mm; the smallest that will do is taken",
             written="WxH,...",
         ),
+        Option(
+            *("label_sheet", "3x8", "text"),
+            "labels are printed on this sheet: columns x rows, a4 or letter-3x10",
+            written="COLSxROWS",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -225,7 +233,7 @@ class Workshop:
                 "take step one"
             )
         _ = self.dxf_form, self.formats, self.datum, self.drawing_form, self.price_list
-        _ = self.lengths_in_store, self.sizes_in_store
+        _ = self.lengths_in_store, self.sizes_in_store, self.label_form
 
     @property
     def dxf_form(self) -> DxfForm:
@@ -236,6 +244,11 @@ class Workshop:
     def drawing_form(self) -> DrawingForm:
         """How drawings for the office are made."""
         return DrawingForm(self.paper, self.date)
+
+    @property
+    def label_form(self) -> LabelForm:
+        """How many labels a page has, and where."""
+        return label_form(self.label_sheet)
 
     @property
     def formats(self) -> tuple[Format, ...]:

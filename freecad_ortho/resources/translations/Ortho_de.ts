@@ -3027,6 +3027,11 @@
    <translation>Arten von Paneelen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Label sheet</source>
+   <translation>Etikettenbogen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Labels</source>
    <translation>Etiketten</translation>
@@ -5463,6 +5468,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>joints of structural silicone are this wide</source>
    <translation>so breit sind Fugen aus tragendem Silikon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>labels are printed on this sheet: columns x rows, a4 or letter-3x10</source>
+   <translation>Etiketten werden auf diesen Bogen gedruckt: Spalten x Reihen, A4 oder letter-3x10</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -3027,6 +3027,11 @@
    <translation>Types de panneaux</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Label sheet</source>
+   <translation>Planche d'étiquettes</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Labels</source>
    <translation>Étiquettes</translation>
@@ -5463,6 +5468,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>joints of structural silicone are this wide</source>
    <translation>largeur des joints de silicone structurel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>labels are printed on this sheet: columns x rows, a4 or letter-3x10</source>
+   <translation>les étiquettes sont imprimées sur cette planche : colonnes x rangées, A4 ou letter-3x10</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
