@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
-from solver.align.reach import reaching
+from solver.align.reach import beyond, reaching
 from solver.analysis.form import surface_of
 from solver.analysis.kinds import ALIKE, ALIKE_DEG, NODES, refuse_unknown_parts
 from solver.analysis.start import coarse_faces, start_remarks
@@ -197,8 +197,10 @@ def start_optimisation(
     wanted = settled(mesh, fixed, wanted)
     if asked.stays and wanted.close_to is None and not wanted.handles:
         drawn = surface_of(mesh)
-        wanted = replace(wanted, close_to=(drawn.vertices, drawn.triangles))
-    if wanted.close_to is not None:
+        turned = any(getattr(chosen, name) is not None for name in asked.turning)
+        carried = beyond if turned else reaching
+        wanted = replace(wanted, close_to=carried(mesh, drawn.vertices, drawn.triangles))
+    elif wanted.close_to is not None:
         wanted = replace(wanted, close_to=reaching(mesh, *wanted.close_to))
     wanted = replace(wanted, glide=(*wanted.glide, *standing.glides(mesh, wanted)))
     surface = _surface(asked, mesh, wanted)

@@ -20,6 +20,8 @@ from solver.mesh.triangles import sound_triangles
 _HARDLY, _ELSEWHERE, _SPARE = 0.02, 3.0, 1.0
 # A vertex that is off along the normal by more than this part of its distance is off the surface.
 _ALONG = 0.5
+# Room for lines that have to curve, as part of the diagonal of a net.
+_ROOM = 0.12
 
 
 def reaching(
@@ -41,6 +43,27 @@ def reaching(
     """
     found = carried_to(mesh, TriangleSurface(points, triangles))
     return (points, triangles) if found is None else (found.vertices, found.triangles)
+
+
+def beyond(mesh: QuadMesh, points: FloatArray, triangles: IntArray) -> tuple[FloatArray, IntArray]:
+    """Carry a surface on beyond its border, by a part of the size of a net whose lines leave it.
+
+    Lines that have to curve in a surface do not keep to its border: held there, they zigzag.
+
+    Args:
+        mesh: the net.
+        points: (V, 3) of the surface.
+        triangles: (T, 3).
+
+    Returns:
+        points and triangles; those that were given where the surface is not one open sheet.
+    """
+    surface = _sheet(TriangleSurface(points, triangles))
+    if surface is None:
+        return points, triangles
+    size = float(np.linalg.norm(np.ptp(mesh.vertices[mesh.connectivity.referenced], axis=0)))
+    found = _carried_on(surface, max(_ROOM * size, mesh.mean_edge), mesh.mean_edge)
+    return found.vertices, found.triangles
 
 
 # What a surface is as one sheet: asked for as often as a net is drawn while it is dragged.
@@ -79,6 +102,11 @@ def carried_to(mesh: QuadMesh, ground: TriangleSurface) -> TriangleSurface | Non
     if not overhang.any() or far[overhang].max() > _ELSEWHERE * edge:
         return None
     width = float(far[overhang].max()) + _SPARE * edge
+    return _carried_on(surface, width, edge)
+
+
+def _carried_on(surface: TriangleMesh, width: float, edge: float) -> TriangleSurface:
+    """The surface as it is, and a strip of a width along its border."""
     smooth, rough = smoothed(surface, edge)
     larger, _ = carried(smooth, width, edge, rough > 0)
     points = np.concatenate([surface.points, larger.points[len(surface.points) :]])

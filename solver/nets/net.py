@@ -128,6 +128,8 @@ class Net:
             nearest to it is meant.
         stays: where no other surface is given, the start guides the way as one to stay close to:
             without it the surface would give way rather than the lines.
+        turning: options that, where they are given, turn lines so far that they leave the border:
+            such a start is carried on beyond it.
         way: how it is reached where the start leads nowhere.
     """
 
@@ -153,6 +155,7 @@ class Net:
     telling: bool = False
     nearest: bool = False
     stays: bool = False
+    turning: tuple[str, ...] = ()
     way: Way = Way()
 
     @property

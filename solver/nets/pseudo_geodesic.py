@@ -93,6 +93,7 @@ NETS = (
         general=True,
         telling=True,
         stays=True,
+        turning=("tilt_u", "tilt_v"),
         way=Way(evenness=(3.0, 30.0)),
     ),
 )

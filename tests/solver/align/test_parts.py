@@ -11,7 +11,7 @@ from solver.align.cut import cut_open
 from solver.align.features import Features
 from solver.align.field import Field, curvature_guide, smooth_field, turns
 from solver.align.jets import face_tensors, fitted
-from solver.align.reach import reaching
+from solver.align.reach import beyond, reaching
 from solver.align.refine import refined
 from solver.align.seamless import GRID, Map, rounded, seamless_map
 from solver.align.seams import TURNS, seams
@@ -220,3 +220,7 @@ def test_a_surface_reaches_as_far_as_what_overhangs_it():
     assert reaching(elsewhere, points, faces)[0] is points
     above = grid_mesh(np.stack([0.9 * x + 0.6, 0.9 * y + 0.5, 0 * x + 1], axis=-1))
     assert reaching(above, points, faces)[0] is points
+    # Room for lines that have to leave it, in its own plane.
+    more, _ = beyond(within, points, faces)
+    assert np.abs(more[:, 2]).max() < 1e-9
+    assert (np.ptp(more, axis=0)[:2] > [12 + 2 * 1.5, 8 + 2 * 1.5]).all()
