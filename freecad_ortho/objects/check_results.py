@@ -11,6 +11,7 @@ import numpy as np
 from freecad_ortho import convert
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property
 from freecad_ortho.structural.check import StructuralCheck
+from freecad_ortho.structural.diagrams import drawn_combination, forces_along
 from freecad_ortho.structural.numbers import check_numbers
 from solver.mesh.quadmesh import FloatArray
 
@@ -95,6 +96,25 @@ RESULTS = (
         _KEPT,
     ),
     _result(
+        "String",
+        "DiagramsOf",
+        QT_TRANSLATE_NOOP("App::Property", "Combination whose forces are drawn as diagrams"),
+    ),
+    _result(
+        "FloatList",
+        "ForcesAlong",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "N, Vy, Vz, T, My, Mz at start, middle and end of the members, kN, kNm"
+        ),
+        _KEPT,
+    ),
+    _result(
+        "VectorList",
+        "SectionsUp",
+        QT_TRANSLATE_NOOP("App::Property", "Where the height of the members' sections points to"),
+        _KEPT,
+    ),
+    _result(
         "VectorList",
         "Displacements",
         QT_TRANSLATE_NOOP("App::Property", "Of the nodes, in the service case that moves one most"),
@@ -158,6 +178,9 @@ def store(
         "MemberNodes": members.ravel().tolist(),
         "MemberUtilisation": found.utilisation.tolist(),
         "AxialForces": (found.governing_forces[:, 0] / 1e3).tolist(),
+        "DiagramsOf": drawn_combination(found).combination.name,
+        "ForcesAlong": forces_along(found).ravel().tolist(),
+        "SectionsUp": convert.vectors(found.model.bare.axes[:, 2] @ turn),
         "Displacements": convert.vectors(moves @ turn),
         "BucklingFactors": [] if modes is None else modes.factors.tolist(),
         "BucklingShapes": convert.vectors(shapes @ turn),

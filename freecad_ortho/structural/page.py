@@ -9,12 +9,22 @@ import numpy as np
 
 from freecad_ortho.fabrication.report.page import STYLE
 from freecad_ortho.fabrication.report.pictures import CORNER, PLAN
-from freecad_ortho.structural.check import Found, StructuralCheck
+from freecad_ortho.structural.check import ENOUGH, Found, StructuralCheck
+from freecad_ortho.structural.diagram_pictures import diagram_picture
+from freecad_ortho.structural.diagrams import FORCES, drawn_combination, forces_along
 from freecad_ortho.structural.pictures import frame_picture
 from freecad_ortho.structural.words import NOT_CHECKED, assumptions, loads, warnings
 from solver.mesh.quadmesh import FloatArray
 
 _WIDE = ".frames > * { flex: 1 1 26rem; }"
+_MEANINGS = {
+    "N": "axial force: tension is positive, upwards",
+    "Vy": "shear across the height, in plan",
+    "Vz": "shear along the height",
+    "T": "torsion",
+    "My": "moment in the plane of the height, at the side that it pulls at",
+    "Mz": "moment across it, in plan, at the side that it pulls at",
+}
 # Most members in the list, and how far shapes are drawn, by the span.
 _LISTED, _DRAWN = 15, 0.06
 
@@ -36,8 +46,10 @@ def check_page(check: StructuralCheck, project: str = "") -> str:
         "node. A design check of a conceptual model, no proof for a permit: an engineer has to "
         "answer for it.</p>",
         f'<p class="verdict{bad}">{escape(check.verdict)}</p>',
+        _limits(check),
         _list("Mind", warnings(check)),
         _pictures(check),
+        _diagrams(check),
         _loads(check),
         _combinations(check),
         _governing(check),
@@ -52,6 +64,17 @@ def check_page(check: StructuralCheck, project: str = "") -> str:
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
         f'<meta name="viewport" content="width=device-width"><style>{STYLE}{_WIDE}</style></head>\n'
         f"<body>{chr(10).join(section for section in sections if section)}</body></html>\n"
+    )
+
+
+def _limits(check: StructuralCheck) -> str:
+    """What the numbers of the verdict are measured by."""
+    design, limit = check.model.design, check.deflection_limit
+    return (
+        "<p>Limits: members 100 % with their partial factors, displacements of nodes in service "
+        f"{limit:.1f} mm (1/{design.deflection:g} of {check.model.span / 1000:.2f} m), buckling "
+        f"factors {'1' if design.second_order else f'{ENOUGH:g}, and 1 with second order'}; they "
+        "are on loads that have their partial factors already.</p>"
     )
 
 
@@ -103,6 +126,29 @@ def _shape(check: StructuralCheck, shape: FloatArray, words: str, unit: str) -> 
     return _figure(picture, f"{words}{times}")
 
 
+def _diagrams(check: StructuralCheck) -> str:
+    """Forces along the members, in the combination that uses one most."""
+    forces, frame = forces_along(check), check.model.bare
+    name = drawn_combination(check).combination.name
+    figures = []
+    for number, force in enumerate(FORCES):
+        words = f"{force}, {_MEANINGS[force]}"
+        eye = PLAN if force in ("Vy", "Mz") else CORNER
+        figures.append(
+            _figure(diagram_picture(frame, force, forces[:, :, number], eye, words), words)
+        )
+    deformed = (
+        " Those in the deformed shape may be much larger: see the governing members."
+        if check.imperfection is not None
+        else ""
+    )
+    note = (
+        f"<p>{escape(name)}, by first order.{deformed} Ordinates stand on the members, along their "
+        "sections' height or width; the bar is as long as one that is seen from the side.</p>"
+    )
+    return f'<h2>Diagrams</h2>{note}<div class="row frames">{"".join(figures)}</div>'
+
+
 def _loads(check: StructuralCheck) -> str:
     rows = [
         (name, given, *(f"{force + 0.0:.1f}" for force in np.round(total, 1).tolist()))
@@ -126,7 +172,7 @@ def _combinations(check: StructuralCheck) -> str:
                 "" if one.bent is None else f"{100 * one.bent:.0f} %",
                 "" if one.membrane is None else f"{100 * one.membrane.carried:.0f} %",
                 "" if one.carried is None else f"{100 * one.carried:.0f} %",
-                f"{float(one.displacement.max()):.1f}",
+                "" if strength else f"{float(one.displacement.max()):.1f}",
             )
         )
     head = ("combination", "utilisation", "buckling factors", "bending", "by axial forces")
@@ -190,7 +236,8 @@ def _supports(check: StructuralCheck) -> str:
         "<h2>Supports</h2><p>In combinations for strength, by first order, one support pushes the "
         "shell up by "
         f"{up:.1f} kN at most, holds it down by {down:.1f} kN and sideways by {sideways:.1f} kN. "
-        "What is below has to take that. All are in reactions.csv.</p>"
+        "What is below has to take that, and not give way where the check has it held: what yields "
+        "sideways bends the shell and lets it buckle earlier. All are in reactions.csv.</p>"
     )
 
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from freecad_ortho.structural.check import ENOUGH, StructuralCheck
 from freecad_ortho.structural.groups import Group
+from freecad_ortho.structural.model import SNOW, WIND
 from freecad_ortho.words import counted
 from solver.mesh.quadmesh import FloatArray
 
+# Modes with factors that are no further apart, by each other, act together.
+_NEAR = 1.2
 NOT_CHECKED = (
     "the nodes and their bolts and welds, the supports and what is below them",
     "the panels and their fixings, whether they are weight and area only or stiffen the shell too",
@@ -117,6 +120,14 @@ def warnings(check: StructuralCheck) -> list[str]:
             f"larger, by up to about {1 / (1 - 1 / factor):.1f} times at a buckling factor of "
             f"{factor:.2f}."
         )
+    found += _loads_left_out(check)
+    nearest = _next_factor(check)
+    if check.imperfection is not None and nearest is not None:
+        found.append(
+            f"The next buckling factor, {nearest:.2f}, is near the first: an imperfection like "
+            "that mode, or like a mix of modes, may take more out of the members; only one like "
+            "the first is looked at."
+        )
     if not model.design.self_weight:
         found.append("The weight of the members is left out.")
     if not model.design.panels:
@@ -125,9 +136,34 @@ def warnings(check: StructuralCheck) -> list[str]:
     for case in model.cases:
         if case.name not in used:
             found.append(f"Load case '{case.name}' is in no combination for strength.")
-    if not any(case.kind != "permanent" for case in model.cases):
-        found.append("There is no snow, no wind and no other load that comes and goes.")
     return found
+
+
+def _loads_left_out(check: StructuralCheck) -> list[str]:
+    """Loads that roofs of this kind usually have and this one has not."""
+    kinds = [case.kind for case in check.model.cases]
+    if not any(kind != "permanent" for kind in kinds):
+        return ["There is no snow, no wind and no other load that comes and goes."]
+    found = []
+    if SNOW in kinds and kinds.count(SNOW) == 1:
+        found.append(
+            "Snow lies on the whole roof in every case; on one half (--snow-side) it bends a "
+            "shell more."
+        )
+    if WIND not in kinds:
+        found.append("There is no wind.")
+    elif kinds.count(WIND) == 1:
+        found.append("Wind blows one way only; give it from every side from which it comes.")
+    return found
+
+
+def _next_factor(check: StructuralCheck) -> float | None:
+    """The second buckling factor where it is near the first, and balance was sought deformed."""
+    first = check.first_to_buckle
+    if first is None or first.buckling is None or len(first.buckling.factors) < 2:
+        return None
+    one, two = first.buckling.factors[:2].tolist()
+    return two if one < ENOUGH and two < _NEAR * one else None
 
 
 def _thin(group: Group) -> str:

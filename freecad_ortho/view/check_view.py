@@ -12,6 +12,13 @@ from freecad_ortho import answers
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
 from freecad_ortho.view import legends, nodes, refresh
+from freecad_ortho.view.check_diagram import (
+    DIAGRAMS,
+    DIAGRAMS_FROM,
+    NONE,
+    DiagramAreas,
+    ordinates,
+)
 from freecad_ortho.view.check_shapes import COLOURINGS, DRAWN_FROM, SHAPES, Drawn, Look, drawn
 from freecad_ortho.view.frame_lines import FrameLines
 from freecad_ortho.view.legend import Legend
@@ -54,6 +61,24 @@ _PROPERTIES = (
         default=0.0,
     ),
     Property(
+        "App::PropertyEnumeration",
+        "Diagram",
+        _GROUP,
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Force that is drawn across the members, red where positive"
+        ),
+        choices=DIAGRAMS,
+    ),
+    Property(
+        "App::PropertyFloat",
+        "DiagramScale",
+        _GROUP,
+        QT_TRANSLATE_NOOP(
+            "App::Property", "So many mm are drawn for a kN or kNm of the diagram; 0: as it fits"
+        ),
+        default=0.0,
+    ),
+    Property(
         "App::PropertyBool",
         "Legend",
         _GROUP,
@@ -73,6 +98,8 @@ _DRAWING = (
     "DrawnShape",
     "BucklingMode",
     "Enlarged",
+    "Diagram",
+    "DiagramScale",
     "Legend",
     "LineWidth",
     "Visibility",
@@ -91,11 +118,11 @@ class CheckView(Stateless):
         refresh.connect()
         ensure(view_object, _PROPERTIES)
         self.ViewObject, self.Object = view_object, view_object.Object
-        self._lines, self._legend = FrameLines(), Legend()
+        self._lines, self._legend, self._diagram = FrameLines(), Legend(), DiagramAreas()
         self._swinging = Swinging(self._lines, view_object.Object)
         self._explanation: Drawn | None = None
         group = coin.SoSeparator()
-        for node in (nodes.nearer(), self._lines.root, self._legend.root):
+        for node in (nodes.nearer(), self._lines.root, self._diagram.root, self._legend.root):
             group.addChild(node)
         view_object.addDisplayMode(group, _LINES)
         self._draw()
@@ -131,6 +158,7 @@ class CheckView(Stateless):
                 translate("Ortho", "Deflected shape"),
                 lambda: self._show("Displacement", "Deflected"),
             ),
+            (translate("Ortho", "Next diagram of forces"), self.next_diagram),
             (translate("Ortho", "Next buckling shape"), self.next_mode),
             (translate("Ortho", "Let the shape swing"), self.swing),
             (
@@ -145,7 +173,7 @@ class CheckView(Stateless):
 
     def updateData(self, feature: Any, name: str) -> None:
         """Follow the results, in whatever order they change: undo has one of its own."""
-        if name in DRAWN_FROM and hasattr(self, "_lines"):
+        if name in (*DRAWN_FROM, *DIAGRAMS_FROM) and hasattr(self, "_lines"):
             self._draw()
 
     def onChanged(self, view_object: Any, name: str) -> None:
@@ -165,6 +193,12 @@ class CheckView(Stateless):
         if shown and count:
             view.BucklingMode = view.BucklingMode % count + 1
         self._show("Displacement", "Buckling")
+
+    def next_diagram(self) -> None:
+        """Draw the force after the one that is drawn, after the last none; on the frame itself."""
+        view = self.ViewObject
+        view.Diagram = DIAGRAMS[(DIAGRAMS.index(view.Diagram) + 1) % len(DIAGRAMS)]
+        self._show("None", "As drawn")
 
     def swing(self) -> None:
         """Let the drawn shape swing to both sides, or stand still again."""
@@ -196,6 +230,10 @@ class CheckView(Stateless):
         look = Look(view.ColourBy, view.DrawnShape, view.BucklingMode, view.Enlarged)
         found = drawn(self.Object, look)
         self._lines.show(found, view.LineWidth)
+        # Where the frame is drawn as it moves there is nothing for ordinates to stand on.
+        drawn_still = found is not None and found.moved is None
+        force = view.Diagram if drawn_still else NONE
+        self._diagram.show(ordinates(self.Object, force, view.DiagramScale))
         explained = found is not None and found.scale is not None and view.Legend
         self._explanation = found if explained else None
         legends.changed(self.Object)

@@ -37,6 +37,12 @@ class TestCheck(CheckCase):
         moves = np.linalg.norm(convert.array(check.Displacements), axis=1)
         self.assertAlmostEqual(moves.max(), alone.deflection)
         self.assertEqual(len(check.BucklingShapes), 5 * (30 + 49))
+        most = int(alone.utilisation.argmax())
+        by = alone.strength[int(alone.governing[most])]
+        self.assertEqual(check.DiagramsOf, by.combination.name)
+        along = np.array(check.ForcesAlong).reshape(-1, 3, 6)
+        middle = by.response.forces_at(alone.model.frame, 0.5)[most]
+        np.testing.assert_allclose(along[most, 1], middle / [1e3, 1e3, 1e3, 1e6, 1e6, 1e6])
         self.assertEqual(json.loads(check.Report)["verdict"]["words"], alone.verdict)
         self.assertEqual(
             (check.Snow.Value, str(check.Snow.Unit)), (1.5, str(FreeCAD.Units.Pressure))

@@ -189,6 +189,52 @@ class TestView(CheckWindowCase):
         self.assertEqual(len(np.unique(self.colours(check), axis=0)), 1)
         self.assertFalse(view.Proxy.explains())
 
+    def test_diagrams_stand_on_the_members(self):
+        check = self.check()
+        view, diagram = check.ViewObject, check.ViewObject.Proxy._diagram
+
+        def tips():
+            return np.concatenate(
+                [
+                    [point.getValue() for point in sign._points.point.getValues()]
+                    for sign in diagram._signs
+                    if sign._faces.coordIndex.getNum() > 1
+                ]
+            )
+
+        def far(points):
+            """How far points are from the lines of the members, at most."""
+            start, end = self.points(check)[np.array(check.MemberNodes).reshape(-1, 2).T]
+            along = end - start
+            part = np.einsum("pmc,mc->pm", points[:, None] - start, along)
+            part = np.clip(part / (along**2).sum(axis=1), 0, 1)
+            apart = points[:, None] - start - part[:, :, None] * along
+            return np.linalg.norm(apart, axis=2).min(axis=1).max()
+
+        view.DiagramScale = 2.0
+        forces = np.array(check.ForcesAlong).reshape(-1, 3, 6)
+        view.Diagram = "N"
+        origin = np.array(diagram._stand.translation.getValue().getValue())
+        self.assertAlmostEqual(far(tips() + origin) / (2 * np.abs(forces[:, :, 0]).max()), 1, 3)
+        words = {label.getChild(1).string.getValues()[0] for label in list(diagram._labels)[2:]}
+        self.assertIn(f"N {forces[:, :, 0].min():.3g} kN", words)
+        view.DrawnShape = "Deflected"
+        self.assertEqual([sign._faces.coordIndex.getNum() for sign in diagram._signs], [0, 0])
+        seen = []
+        for _ in range(6):
+            view.Proxy.next_diagram()
+            seen.append(view.Diagram)
+        self.assertEqual(seen, ["Vy", "Vz", "T", "My", "Mz", "None"])
+        self.assertEqual(view.DrawnShape, "As drawn")
+        self.assertEqual(diagram._labels.getNumChildren(), 0)
+        view.Diagram = "My"
+        before = tips()
+        points = self.net.Vertices
+        points[6] = points[6] + FreeCAD.Vector(0, 0, 300)
+        self.net.Vertices = points
+        self.document.recompute()
+        self.assertGreater(np.abs(tips() - before).max(), 50)
+
     def test_shapes_are_drawn_as_large_as_is_said(self):
         check = self.check()
         view, start = check.ViewObject, self.points(check)

@@ -152,7 +152,8 @@ def test_files_say_what_was_found(checked, tmp_path):
         "self-weight", "panels", "snow", "wind 0.6@x"
     ]  # fmt: skip
     page = (tmp_path / "check.html").read_text(encoding="utf-8")
-    assert checked.verdict in page and "Not checked" in page and page.count("<svg") == 4
+    assert f"{checked.deflection_limit:.1f} mm (1/200 of " in page
+    assert checked.verdict in page and "Not checked" in page and page.count("<svg") == 10
 
 
 def test_a_load_that_no_combination_takes_is_remarked_on(dome, tmp_path):
@@ -163,6 +164,27 @@ def test_a_load_that_no_combination_takes_is_remarked_on(dome, tmp_path):
     missing = [words for words in warnings(found) if "is in no combination" in words]
     assert [words.split("'")[1] for words in missing] == ["panels", "snow"]
     assert "displacements are not checked" in found.verdict
+
+
+def test_what_the_loads_leave_out_is_said(dome, checked):
+    flat = dome.with_vertices(dome.vertices * [1.0, 1.0, 0.1])
+    settings = {"unit": "m", "section": "tube:40x40x3", "material": "S355", "panels": 0.4}
+    one_way = "Wind blows one way only"
+    said = " ".join(warnings(checked))
+    assert "on one half (--snow-side)" in said and one_way in said
+    assert "near the first" not in said
+    winds = ["0.6@x", "0.6@-x"]
+    found = api.check_structure(
+        flat, snow=1.0, snow_side="x", wind=winds, second_order=True, **settings
+    )
+    said = " ".join(warnings(found))
+    assert "snow-side" not in said and one_way not in said and "There is no wind" not in said
+    one, two = found.first_to_buckle.buckling.factors[:2]
+    assert (f"next buckling factor, {two:.2f}, is near" in said) == (two < 1.2 * one)
+    assert "There is no wind." in warnings(api.check_structure(dome, snow=1.0, unit="m"))
+    assert warnings(api.check_structure(dome, unit="m", panels=0.4))[-1].startswith(
+        "There is no snow, no wind"
+    )
 
 
 def test_the_combinations_that_were_written_are_read_again(dome, checked, tmp_path):

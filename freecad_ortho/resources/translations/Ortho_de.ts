@@ -179,6 +179,11 @@
    <translation>Farbe der Maschen, wo keine Farbkarte gezeigt wird</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Combination whose forces are drawn as diagrams</source>
+   <translation>Kombination, deren Schnittgrößen als Verläufe gezeichnet werden</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Counts, accuracy and masses, as JSON</source>
    <translation>Anzahlen, Genauigkeit und Massen, als JSON</translation>
@@ -397,6 +402,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force in the membrane's border cable</source>
    <translation>Kraft im Randseil der Membran</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Force that is drawn across the members, red where positive</source>
+   <translation>Schnittgröße, die quer zu den Stäben gezeichnet wird, rot wo positiv</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -757,6 +767,11 @@
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Movements of nodes, then middles of members; modes one after the other</source>
    <translation>Bewegungen der Knoten, dann der Stabmitten; Eigenformen nacheinander</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>N, Vy, Vz, T, My, Mz at start, middle and end of the members, kN, kNm</source>
+   <translation>N, Vy, Vz, T, My, Mz am Anfang, in der Mitte und am Ende der Stäbe, kN, kNm</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1259,6 +1274,11 @@
    <translation>Schnee auf einer Hälfte als eigener Lastfall: die Hälfte in einer Richtung</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>So many mm are drawn for a kN or kNm of the diagram; 0: as it fits</source>
+   <translation>So viele mm werden für ein kN oder kNm gezeichnet; 0: wie es passt</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Socket depth: the plates stand this deep in the sockets</source>
    <translation>Hülsentiefe: die Bleche stehen so tief in den Hülsen</translation>
@@ -1552,6 +1572,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
    <translation>Wo sich nicht vier Linien treffen: auto für die wenigsten, die die Fläche braucht, none, oder eine Datei mit Zeilen x y z und 3, 5 oder 6 Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Where the height of the members' sections points to</source>
+   <translation>Wohin die Höhe der Querschnitte zeigt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -3380,6 +3405,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Next buckling shape</source>
    <translation>Nächste Knickform</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Next diagram of forces</source>
+   <translation>Nächster Schnittgrößenverlauf</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -179,6 +179,11 @@
    <translation>Couleur des faces sans carte de couleurs</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Combination whose forces are drawn as diagrams</source>
+   <translation>Combinaison dont les efforts sont tracés en diagrammes</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Counts, accuracy and masses, as JSON</source>
    <translation>Nombres, précision et masses, en JSON</translation>
@@ -397,6 +402,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force in the membrane's border cable</source>
    <translation>Force dans le câble de bord de la membrane</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Force that is drawn across the members, red where positive</source>
+   <translation>Effort tracé perpendiculairement aux barres, rouge là où il est positif</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -757,6 +767,11 @@
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Movements of nodes, then middles of members; modes one after the other</source>
    <translation>Mouvements des nœuds, puis des milieux de barres ; modes l'un après l'autre</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>N, Vy, Vz, T, My, Mz at start, middle and end of the members, kN, kNm</source>
+   <translation>N, Vy, Vz, T, My, Mz au début, au milieu et à la fin des barres, kN, kNm</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1259,6 +1274,11 @@
    <translation>Neige sur une moitié comme cas à part : la moitié vers une direction</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>So many mm are drawn for a kN or kNm of the diagram; 0: as it fits</source>
+   <translation>Tant de mm sont tracés pour un kN ou kNm du diagramme ; 0 : comme cela tient</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Socket depth: the plates stand this deep in the sockets</source>
    <translation>Profondeur des douilles : les plats entrent de cette profondeur dans les douilles</translation>
@@ -1552,6 +1572,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
    <translation>Où ne se croisent pas quatre lignes : auto pour le minimum qu'exige la surface, none, ou un fichier de lignes x y z et 3, 5 ou 6</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Where the height of the members' sections points to</source>
+   <translation>Direction de la hauteur des sections</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -3380,6 +3405,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Next buckling shape</source>
    <translation>Mode de flambement suivant</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Next diagram of forces</source>
+   <translation>Diagramme d'efforts suivant</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
