@@ -1,8 +1,13 @@
-"""The model as an input file of CalculiX, which FreeCAD's FEM workbench runs too."""
+"""The model as an input file of CalculiX, which FreeCAD's FEM workbench runs too.
+
+Arms of members beside the net are beams too, far stiffer than members. One that turns about its
+axis is a sleeve on a pin: a second arm in its place, and equations that hold both ends together.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,6 +18,11 @@ from solver.mesh.connectivity import IntArray
 
 # Elements a member: they are turned into solids, of which one alone is too stiff.
 _PIECES = 4
+# Young's modulus of arms by the largest of members, and of their square sections the side by the
+# largest height.
+_STIFF, _SIDE = 100.0, 1.0
+# Of a member's springs: turning about its axis at its first node.
+_TURN = 3
 # Of the load along an element with three nodes: what each of them takes.
 _SHARES = (1 / 6, 2 / 3, 1 / 6)
 
@@ -21,11 +31,11 @@ def input_file(model: Model) -> str | None:
     """Beams with three nodes, a static step a load case; N, mm, t.
 
     None where CalculiX has no such model: sections other than rectangles and tubes, joints that are
-    not rigid, springs as supports, panels that stiffen, members that are not on the net.
+    not rigid, springs as supports or between layers, panels that stiffen.
     """
     sections = [found for found in map(_section, model.groups) if found is not None]
     springs = bool(model.supports.springs.any()) or model.design.panel_shear > 0
-    springs = springs or len(model.frame.members) > len(model.families)
+    springs = springs or model.design.crossing_spring() not in (0.0, np.inf)
     if len(sections) < len(model.groups) or model.design.joints != "rigid" or springs:
         return None
     return "\n".join(_lines(model, sections)) + "\n"
@@ -45,11 +55,10 @@ def _section(group: Group) -> tuple[str, str] | None:
 
 
 def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
-    frame = model.frame
+    frame, pins = _with_pins(model)
     divided = frame.divided(2 * _PIECES)
     chain = divided.members.reshape(-1, 2, 2)
     elements = np.column_stack([chain[:, 0], chain[:, 1, 1]])
-    numbers = np.arange(1, len(elements) + 1).reshape(-1, _PIECES)
     yield f"** {model.section_words} of {model.material_words}; N, mm, t; z upwards"
     yield "*NODE, NSET=ALL"
     used = np.unique(divided.members)
@@ -59,24 +68,13 @@ def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
     yield "*ELEMENT, TYPE=B32R, ELSET=MEMBERS"
     for number, (one, middle, two) in enumerate(elements.tolist(), 1):
         yield f"{number}, {one + 1}, {middle + 1}, {two + 1}"
-    for number, group in enumerate(model.groups, 1):
-        material = group.material
-        yield f"*MATERIAL, NAME=MATERIAL{number}"
-        yield "*ELASTIC"
-        poisson = material.youngs_modulus / (2 * material.shear_modulus) - 1
-        # What has fibres shears more than any Poisson's ratio says; 0.49 is the most there is.
-        yield f"{material.youngs_modulus:g}, {min(poisson, 0.49):.6g}"
-        yield "*DENSITY"
-        yield f"{material.density * 1e-12:g}"
-    up, of_group = frame.axes[:, 2], model.section_numbers.tolist()
-    for member, (x, y, z) in enumerate(up.tolist()):
-        kind, sizes = sections[of_group[member]]
-        material_of = f"MATERIAL{of_group[member] + 1}"
-        yield f"*ELSET, ELSET=M{member + 1}"
-        yield ", ".join(map(str, numbers[member].tolist()))
-        yield f"*BEAM SECTION, ELSET=M{member + 1}, MATERIAL={material_of}, SECTION={kind}"
-        yield sizes
-        yield f"{x:.9g}, {y:.9g}, {z:.9g}"
+    yield from _materials(model)
+    yield from _sections(model, frame, sections)
+    for one, two in pins.tolist():
+        for direction in (1, 2, 3):
+            yield "*EQUATION"
+            yield "2"
+            yield f"{one + 1}, {direction}, 1., {two + 1}, {direction}, -1."
     yield "*BOUNDARY"
     for node in np.flatnonzero(model.supports.fixed.any(axis=1)).tolist():
         for direction in np.flatnonzero(model.supports.fixed[node]).tolist():
@@ -86,12 +84,82 @@ def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
         yield "*STEP"
         yield "*STATIC"
         yield "*CLOAD, OP=NEW"
-        yield from _forces(case.loads.divided(frame, 2 * _PIECES), divided, elements)
+        loads = Loads.none(frame)
+        loads.nodal[: len(case.loads.nodal)] = case.loads.nodal
+        loads.spread[: len(case.loads.spread)] = case.loads.spread
+        yield from _forces(loads.divided(frame, 2 * _PIECES), divided, elements)
         yield "*NODE FILE, OUTPUT=2D"
         yield "U, RF"
         yield "*NODE PRINT, NSET=ALL"
         yield "U"
         yield "*END STEP"
+
+
+def _with_pins(model: Model) -> tuple[Frame, IntArray]:
+    """The frame with a pin in every arm that turns, and nodes (K, 2) that move together.
+
+    The arm leaves the vertex for a node of its own there; the pin runs from the vertex to a new
+    node where the arm ends.
+    """
+    frame = model.frame
+    turning = np.flatnonzero(frame.springs[:, _TURN] == 0)
+    if not len(turning):
+        return frame, np.empty((0, 2), dtype=np.int64)
+    vertex, end = frame.members[turning].T
+    own = len(frame.nodes) + np.arange(len(turning))
+    tip = own + len(turning)
+    members = np.concatenate([frame.members, np.stack([vertex, tip], axis=1)])
+    members[turning, 0] = own
+    every = np.concatenate([np.arange(len(frame.members)), turning])
+    pinned = replace(
+        frame,
+        nodes=np.concatenate([frame.nodes, frame.nodes[vertex], frame.nodes[end]]),
+        members=members,
+        stiffness=frame.stiffness.taken(every),
+        up=frame.up[every],
+        springs=frame.springs[every],
+    )
+    pairs = [np.stack([own, vertex], axis=1), np.stack([tip, end], axis=1)]
+    return pinned, np.concatenate(pairs)
+
+
+def _materials(model: Model) -> Iterator[str]:
+    for number, group in enumerate(model.groups, 1):
+        material = group.material
+        poisson = material.youngs_modulus / (2 * material.shear_modulus) - 1
+        # What has fibres shears more than any Poisson's ratio says; 0.49 is the most there is.
+        elastic = f"{material.youngs_modulus:g}, {min(poisson, 0.49):.6g}"
+        yield from _material(f"MATERIAL{number}", elastic, f"{material.density * 1e-12:g}")
+    if len(model.frame.members) > len(model.families):
+        stiff = _STIFF * float(model.bare.stiffness.youngs.max())
+        # Arms weigh nothing.
+        yield from _material("ARMS", f"{stiff:g}, 0.3", "1e-20")
+
+
+def _material(name: str, elastic: str, density: str) -> Iterator[str]:
+    yield f"*MATERIAL, NAME={name}"
+    yield "*ELASTIC"
+    yield elastic
+    yield "*DENSITY"
+    yield density
+
+
+def _sections(model: Model, frame: Frame, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
+    numbers = np.arange(1, _PIECES * len(frame.members) + 1).reshape(-1, _PIECES)
+    up, of_group = frame.axes[:, 2], model.section_numbers.tolist()
+    side = _SIDE * max(group.profile.height for group in model.groups)
+    for member, (x, y, z) in enumerate(up.tolist()):
+        if member < len(of_group):
+            name, material = f"M{member + 1}", f"MATERIAL{of_group[member] + 1}"
+            kind, sizes = sections[of_group[member]]
+        else:
+            name, material = f"ARM{member + 1 - len(of_group)}", "ARMS"
+            kind, sizes = "RECT", f"{side:g}, {side:g}"
+        yield f"*ELSET, ELSET={name}"
+        yield ", ".join(map(str, numbers[member].tolist()))
+        yield f"*BEAM SECTION, ELSET={name}, MATERIAL={material}, SECTION={kind}"
+        yield sizes
+        yield f"{x:.9g}, {y:.9g}, {z:.9g}"
 
 
 def _forces(loads: Loads, divided: Frame, elements: IntArray) -> Iterator[str]:

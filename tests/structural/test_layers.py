@@ -1,11 +1,14 @@
 """Members beside the net: eccentric ones, and two layers with a bolt where lines cross."""
 
 import json
+import shutil
+import subprocess
 
 import numpy as np
 import pytest
 
 from freecad_ortho import api
+from freecad_ortho.structural.calculix import input_file
 from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.model import model_of
@@ -131,12 +134,61 @@ def test_the_whole_check_of_two_layers(in_layers, tmp_path):
     along, across = in_layers.arm_forces
     assert "in two layers 70 mm apart" in said and along > 0 and f"{across / 1e3:.1f} kN" in said
     names = {path.name for path in api.write_structural_check(in_layers, tmp_path)}
-    assert "model.inp" not in names
+    assert "model.inp" in names
     model = json.loads((tmp_path / "model.json").read_text(encoding="utf-8"))
     assert len(model["members"]) == edges
     assert {row["turning_about_it"] for row in model["arms_and_bolts"]} == {0.0, None}
     with (tmp_path / "forces.csv").open(encoding="utf-8") as stream:
         assert sum(1 for _ in stream) == 1 + 3 * edges * len(in_layers.strength)
+
+
+def sway(crossings):
+    """Lines in two layers, held at their first two crossings and pushed at their ends."""
+    mesh = flat(4, 4, 6000.0, 6000.0)
+    y = mesh.vertices[:, 1]
+    held, ends = (",".join(map(str, np.flatnonzero(rows))) for rows in (y < 2001, y > 5999))
+    load = [f"{vertex}:1,0,0" for vertex in ends.split(",")]
+    return moved(mesh, layers=120.0, crossings=crossings, supports=f"{held}:fixed", load=load)
+
+
+def test_calculix_has_arms_and_pins_in_those_that_turn():
+    model, _ = sway("hinged")
+    text = input_file(model)
+    places = {
+        int(row[0]): [float(word) for word in row[1:]]
+        for row in rows_of(text, "*NODE, NSET=ALL", "*ELEMENT")
+    }
+    elements = rows_of(text, "*ELEMENT, TYPE=B32R, ELSET=MEMBERS", "*MATERIAL")
+    members, every = len(model.families), len(model.frame.members)
+    arms = every - members
+    assert arms == 2 * 16 and len(elements) == 4 * (every + arms // 2)
+    assert text.count("MATERIAL=ARMS") == arms + arms // 2
+    held = [line.split(",") for line in text.splitlines() if line.endswith(", -1.")]
+    assert len(held) == 3 * 2 * (arms // 2)
+    for one, direction, _, two, other, _ in held:
+        assert places[int(one)] == places[int(two)] and one != two and direction == other
+    assert input_file(sway("rigid")[0]).count("*EQUATION") == 0
+    assert input_file(sway("3")[0]) is None
+
+
+def rows_of(text, start, end):
+    part = text.split(f"{start}\n")[1].split(end)[0]
+    return [line.split(",") for line in part.strip().splitlines()]
+
+
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="needs CalculiX: apt install calculix-ccx")
+@pytest.mark.parametrize("crossings", ["rigid", "hinged"])
+def test_calculix_moves_layers_as_the_check_does(tmp_path, crossings):
+    """But for its joints, which are rigid as far as sections reach: an eighth at most."""
+    model, found = sway(crossings)
+    (tmp_path / "model.inp").write_text(input_file(model), encoding="utf-8")
+    subprocess.run(["ccx", "model"], cwd=tmp_path, capture_output=True, check=True, timeout=60)
+    said = (tmp_path / "model.dat").read_text(encoding="utf-8").splitlines()
+    rows = [line.split() for line in said if len(line.split()) == 4 and line.split()[0].isdigit()]
+    moves = {int(row[0]) - 1: [float(word) for word in row[1:]] for row in rows}
+    got = np.array([moves[node] for node in range(len(model.mesh.vertices))])
+    own = found.displacements[: len(got), :3]
+    assert np.abs(got - own).max() < 0.13 * np.abs(own).max()
 
 
 def test_hinged_bolts_buckle_earlier_than_rigid_ones(in_layers):
