@@ -118,6 +118,7 @@ class WorkshopSettings(TypedDict, total=False):
     dxf_text: Literal["text", "strokes", "none"]
     step: Literal["one", "systems", "in-place"]
     step_tolerance: Length
+    hardware: Literal["list", "solids"]
     equal: Length
     write: str
     site_origin: str

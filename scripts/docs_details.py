@@ -226,7 +226,7 @@ def dimensions() -> Iterator[Dimension]:
 
 def _of_balls(made: Structure) -> Iterator[Dimension]:
     """Threads, sleeves and what is left between holes."""
-    rule = "JGJ 7-2010, 5.3"
+    rule = "typical, after JGJ 7-2010, 5.3"
     tables = {table.name: table for table in made.results["nodes"].tables}
     bolts = dict(zip(tables["bolts.csv"].columns, tables["bolts.csv"].rows[0], strict=True))
     yield Dimension("ball", "thread in the ball", float(str(bolts["thread_mm"])), 1.1 * 16, rule)

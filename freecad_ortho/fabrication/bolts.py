@@ -7,7 +7,7 @@ Sources, lengths in mm:
 * washers: EN ISO 7089, table 1;
 * nuts: EN ISO 4032, table 1; a thread stands a pitch out of its nut (EN 1090-2, 8.2.2);
 * holes: EN 1090-2, table 11, normal round holes: 1 mm wider than the bolt up to M14, 2 mm up to
-  M24, 3 mm from M27 on;
+  M24, 3 mm from M27 on; below M12 the medium ones of ISO 273;
 * distances: EN 1993-1-8, table 3.3: 1.2 holes to an edge, 2.2 holes between bolts;
 * drills for threads: ISO 2306, coarse threads;
 * thread in a plate: as deep as the bolt is thick, more than a nut of EN ISO 4032 (0.80 to 0.93 of
@@ -123,6 +123,13 @@ def _bolt(diameter: float, clearance: float, *sizes: float) -> Bolt:
     return Bolt(f"M{diameter:g}", diameter, diameter + clearance, *sizes)
 
 
+# Below the sizes that beams are bolted with: for lamellas and cleats.
+SMALL = (
+    _bolt(5, 0.5, 4.2, 3.5, 8, 8.79, 1.0, 10, 10, 4.7, 0.8),
+    _bolt(6, 0.6, 5.0, 4.0, 10, 11.05, 1.6, 12, 12, 5.2, 1.0),
+    _bolt(8, 1, 6.8, 5.3, 13, 14.38, 1.6, 16, 15, 6.8, 1.25),
+    _bolt(10, 1, 8.5, 6.4, 16, 17.77, 2.0, 20, 18, 8.4, 1.5),
+)
 BOLTS: Mapping[str, Bolt] = {
     bolt.name: bolt
     for bolt in (
@@ -144,6 +151,12 @@ def bolt_of(name: str) -> Bolt:
     """
     one_of("bolt", name, BOLTS)
     return BOLTS[name]
+
+
+def bolt_in(hole: float) -> Bolt | None:
+    """The largest bolt that a hole passes, mm; None where it is too small for any."""
+    fitting = [bolt for bolt in (*SMALL, *BOLTS.values()) if bolt.hole <= hole + 1e-9]
+    return fitting[-1] if fitting else None
 
 
 def plate_of(thickness: float) -> float:

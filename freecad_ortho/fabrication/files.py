@@ -15,6 +15,7 @@ from typing import Any
 from freecad_ortho.fabrication.different import different_patterns
 from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
 from freecad_ortho.fabrication.exchange import WRITERS
+from freecad_ortho.fabrication.fasteners import Fasteners
 from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.nesting.sheet import file_words
 from freecad_ortho.fabrication.part import Part
@@ -50,6 +51,7 @@ FILES = (
     "report.html",
 )
 BENDS = "bends.csv"
+HARDWARE = "hardware.csv"
 SHEETS = "sheets"
 JOINTS = "joints"
 PARTS = "parts"
@@ -87,9 +89,9 @@ def write(
 
     Returns:
         The files, in the order of ``FILES`` (``flat.dxf`` only where a part has a flat pattern and
-        not in files of single parts, ``structure.step`` only where it holds all), then the list of
-        bends where there are some, the lists and solids of single systems, the files of the sheets,
-        of the joints to be printed and of parts.
+        not in files of single parts, ``structure.step`` only where it holds all), then the lists of
+        bends and of hardware where there are some, the lists and solids of single systems, the
+        files of the sheets, of the joints to be printed and of parts.
 
     Raises:
         InputError: sheets or stock on which no part fits, a kerf that closes a slot.
@@ -105,12 +107,12 @@ def write(
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
     with no_new_folders_on_failure(target), staged_folder(target, earlier(target)) as staging:
         structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
-        for number, (name, parts) in enumerate(solids.items()):
+        for number, (name, (parts, bolts)) in enumerate(solids.items()):
             say(0.4 + 0.4 * number / len(solids), name)
             tolerance = production.workshop.step_tolerance
             in_place = production.workshop.step == "in-place"
             words = production.on_site
-            write_step(staging / name, parts, structure.place, tolerance, words, in_place)
+            write_step(staging / name, parts, structure.place, tolerance, words, in_place, bolts)
         if production.named_patterns:
             say(0.8, "flat patterns")
             _write_patterns(staging, production)
@@ -125,12 +127,18 @@ def write(
     return [target / name for name in names]
 
 
-def _step_files(structure: Structure, workshop: Workshop) -> dict[str, Sequence[Part]]:
-    """The parts of each file of solids, by its name."""
+def _step_files(
+    structure: Structure, workshop: Workshop
+) -> dict[str, tuple[Sequence[Part], Sequence[Fasteners]]]:
+    """The parts of each file of solids and the bolts drawn in it, by its name."""
+    drawn = workshop.hardware == "solids"
     if workshop.step != "systems":
-        return {_STEP: structure.parts}
+        return {_STEP: (structure.parts, structure.fasteners if drawn else ())}
     return {
-        f"{file_words('structure', system, result.parts[0].material.name)}.step": result.parts
+        f"{file_words('structure', system, result.parts[0].material.name)}.step": (
+            result.parts,
+            result.fasteners if drawn else (),
+        )
         for system, result in structure.results.items()
     }
 
@@ -138,7 +146,7 @@ def _step_files(structure: Structure, workshop: Workshop) -> dict[str, Sequence[
 def _beside(folder: Path, structure: Structure) -> list[str]:
     """Names of the files beside those that every structure has."""
     tables = [table.name for result in structure.results.values() for table in result.tables]
-    found = [name for name in (BENDS, *tables) if (folder / name).exists()]
+    found = [name for name in (BENDS, HARDWARE, *tables) if (folder / name).exists()]
     for each in FORMATS.values():
         found += sorted(path.relative_to(folder).as_posix() for path in folder.glob(each.file))
     found += sorted(path.name for path in folder.glob("structure-*.step"))

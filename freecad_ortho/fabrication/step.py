@@ -17,6 +17,8 @@ import numpy as np
 
 from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.equal import copies
+from freecad_ortho.fabrication.fasteners import Fasteners
+from freecad_ortho.fabrication.hardware import bolt_frames, bolt_shape
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.solids import location
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 ASSEMBLY_NAME = "structure"
 # Of the assembly that puts the structure elsewhere than its own coordinates say.
 SITE_NAME = "site"
+# The layer of bolts, and their colour.
+HARDWARE, _GREY = "hardware", (90, 94, 100)
 # Distance from the origin, mm, at which numbers have a hundredth of the kernel's tolerance left.
 _FAR = 1e7
 # The same structure gives the same file: no clock, no user name.
@@ -43,6 +47,7 @@ def write_step(
     shared_within: float = 0.0,
     words: str = "",
     in_place: bool = False,
+    fasteners: Sequence[Fasteners] = (),
 ) -> None:
     """Write the parts as components of one assembly, in their order.
 
@@ -59,6 +64,7 @@ def write_step(
         words: description in the file's head.
         in_place: without an assembly: each part is a product whose coordinates are those of the
             structure. Programs that look for each component among all products open it sooner.
+        fasteners: drawn besides, each size one product with its washers and nut.
 
     Raises:
         InputError: parts in place farther from the origin than the kernel can tell them apart.
@@ -67,9 +73,9 @@ def write_step(
     """
     document = _document()
     if in_place:
-        _fill_in_place(document, parts, place or Place())
+        _fill_in_place(document, parts, place or Place(), fasteners)
     else:
-        _fill(document, parts, place or Place(), shared_within)
+        _fill(document, parts, place or Place(), shared_within, fasteners)
     path.write_bytes(_step_bytes(document, words))
 
 
@@ -135,7 +141,13 @@ def _document() -> Any:
     return document
 
 
-def _fill(document: Any, parts: Sequence[Part], place: Place, shared_within: float) -> None:
+def _fill(
+    document: Any,
+    parts: Sequence[Part],
+    place: Place,
+    shared_within: float,
+    fasteners: Sequence[Fasteners],
+) -> None:
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
     from OCP.TopLoc import TopLoc_Location
@@ -152,10 +164,17 @@ def _fill(document: Any, parts: Sequence[Part], place: Place, shared_within: flo
             solid = part.solid().wrapped.Located(TopLoc_Location())
             products[number] = shapes.AddShape(solid, False)
             TDataStd_Name.Set_s(products[number], name)
-            _paint(document, products[number], part)
+            _paint(document, products[number], colour_of(part.material), part.kind)
         stands = location(part.origin + copy.shift @ part.frame, copy.turn @ part.frame)
         component = shapes.AddComponent(assembly, products[copy.first], stands)
         TDataStd_Name.Set_s(component, name)
+    for bolts, names in _named(fasteners):
+        product = shapes.AddShape(bolt_shape(bolts).wrapped, False)
+        TDataStd_Name.Set_s(product, TCollection_ExtendedString(bolts.name))
+        _paint(document, product, _GREY, HARDWARE)
+        for name, point, frame in zip(names, bolts.places, bolt_frames(bolts), strict=True):
+            component = shapes.AddComponent(assembly, product, location(point, frame))
+            TDataStd_Name.Set_s(component, TCollection_ExtendedString(name))
     if not place.is_here:
         site = shapes.NewShape()
         TDataStd_Name.Set_s(site, TCollection_ExtendedString(SITE_NAME))
@@ -164,7 +183,9 @@ def _fill(document: Any, parts: Sequence[Part], place: Place, shared_within: flo
     shapes.UpdateAssemblies()
 
 
-def _fill_in_place(document: Any, parts: Sequence[Part], place: Place) -> None:
+def _fill_in_place(
+    document: Any, parts: Sequence[Part], place: Place, fasteners: Sequence[Fasteners]
+) -> None:
     from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
@@ -184,22 +205,40 @@ def _fill_in_place(document: Any, parts: Sequence[Part], place: Place) -> None:
         solid = part.solid().wrapped.Located(TopLoc_Location())
         product = shapes.AddShape(BRepBuilderAPI_Transform(solid, stands, True).Shape(), False)
         TDataStd_Name.Set_s(product, TCollection_ExtendedString(part.name))
-        _paint(document, product, part)
+        _paint(document, product, colour_of(part.material), part.kind)
+    for bolts, names in _named(fasteners):
+        shape = bolt_shape(bolts).wrapped
+        for name, point, frame in zip(names, bolts.places, bolt_frames(bolts), strict=True):
+            stands = structure.Multiplied(location(point, frame)).Transformation()
+            product = shapes.AddShape(BRepBuilderAPI_Transform(shape, stands, True).Shape(), False)
+            TDataStd_Name.Set_s(product, TCollection_ExtendedString(name))
+            _paint(document, product, _GREY, HARDWARE)
     shapes.UpdateAssemblies()
 
 
-def _paint(document: Any, product: Any, part: Part) -> None:
-    """Give a product the colour of its material and the layer of its kind."""
+def _named(fasteners: Sequence[Fasteners]) -> Iterator[tuple[Fasteners, list[str]]]:
+    """Fasteners with a name for each of them: M16x60-0001 ..."""
+    taken: dict[str, int] = {}
+    for bolts in fasteners:
+        if not bolts.count:
+            continue
+        first = taken.get(bolts.name, 0) + 1
+        taken[bolts.name] = first + bolts.count - 1
+        yield bolts, [f"{bolts.name}-{first + k:04d}" for k in range(bolts.count)]
+
+
+def _paint(document: Any, product: Any, rgb: Sequence[int], layer: str) -> None:
+    """Give a product a colour and a layer."""
     from OCP.Quantity import Quantity_Color, Quantity_TypeOfColor
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.XCAFDoc import XCAFDoc_ColorType, XCAFDoc_DocumentTool
 
-    shares = [value / 255 for value in colour_of(part.material)[:3]]
+    shares = [value / 255 for value in rgb[:3]]
     colour = Quantity_Color(*shares, Quantity_TypeOfColor.Quantity_TOC_sRGB)
     colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     colours.SetColor(product, colour, XCAFDoc_ColorType.XCAFDoc_ColorGen)
     layers = XCAFDoc_DocumentTool.LayerTool_s(document.Main())
-    layers.SetLayer(product, TCollection_ExtendedString(part.kind), False)
+    layers.SetLayer(product, TCollection_ExtendedString(layer), False)
 
 
 def _step_bytes(document: Any, words: str) -> bytes:

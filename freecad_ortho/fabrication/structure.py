@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from freecad_ortho.fabrication.fasteners import Fasteners, Supply
 from freecad_ortho.fabrication.limits import OK, Limits, verdict, von_mises
 from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.part import Measures, Part
@@ -64,6 +65,16 @@ class Structure:
     def parts(self) -> tuple[Part, ...]:
         """All parts, in the order of the systems."""
         return tuple(part for result in self.results.values() for part in result.parts)
+
+    @property
+    def fasteners(self) -> tuple[Fasteners, ...]:
+        """Bolts of all systems, in the coordinates of the parts."""
+        return tuple(each for result in self.results.values() for each in result.fasteners)
+
+    @property
+    def supplies(self) -> tuple[Supply, ...]:
+        """What else is bought."""
+        return tuple(each for result in self.results.values() for each in result.supplies)
 
     @property
     def axes(self) -> Axes:

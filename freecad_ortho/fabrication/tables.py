@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from freecad_ortho.fabrication.fasteners import COLUMNS as HARDWARE_COLUMNS
+from freecad_ortho.fabrication.fasteners import hardware_rows
 from freecad_ortho.fabrication.nodes import Node
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import Bend, Bevel, FlatPattern
@@ -165,12 +167,17 @@ def stock_table(bars: Sequence[Bar]) -> Table:
 
 
 def lists(production: Production) -> dict[str, Table]:
-    """The lists that every structure has, by the names of their files without endings."""
+    """The lists of a structure, by the names of their files without endings.
+
+    That of hardware is there where something is bought.
+    """
     structure, equal_to = production.structure, production.groups.equal_to
+    hardware = hardware_rows(structure.fasteners, structure.supplies)
     return {
         "parts": parts_table(structure.parts, production.verdicts, equal_to, production.places),
         "nodes": nodes_table(production.nodes, equal_to, structure.place),
         "stock": stock_table(production.bars),
+        **({"hardware": (HARDWARE_COLUMNS, hardware)} if hardware else {}),
     }
 
 

@@ -21,6 +21,7 @@ from solver.option import Option
 
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
+HARDWARE = ("list", "solids")
 STEP_FILES = ("one", "systems", "in-place")
 # Tubes that differ by more percent are not one section by any standard.
 _WIDEST = 20.0
@@ -53,6 +54,7 @@ class Workshop:
             without places, each where it is built in.
         step_tolerance: distance within which solids agree that are written once and placed several
             times; 0 writes each by itself.
+        hardware: bolts are in the "list" alone, or drawn as "solids" in STEP files too.
         equal: distance within which parts are equal, cut from one drawing, mm.
         write: names of ``formats.FORMATS`` to be written besides, with commas between them.
         site_origin: where the model's origin is on site: east, north and height in metres, with
@@ -87,6 +89,7 @@ class Workshop:
     dxf_text: str = "text"
     step: str = "one"
     step_tolerance: float = 0.0
+    hardware: str = "list"
     equal: float = TOLERANCE_MM
     write: str = ""
     site_origin: str = ""
@@ -170,6 +173,11 @@ class Workshop:
             absent="none",
         ),
         Option(
+            *("hardware", "list", "choice", "bolts are listed, or drawn as solids too", HARDWARE),
+            title="Bolts in STEP",
+            shown={"list": "in the list only", "solids": "as solids too"},
+        ),
+        Option(
             *("equal", TOLERANCE_MM, "length"),
             "parts that agree within this are equal: one drawing, with how many are cut from it",
         ),
@@ -226,6 +234,7 @@ class Workshop:
                 f"equal: expected more than 0 and up to {_LOOSEST:g} mm, got {self.equal}"
             )
         one_of("nesting", self.nesting, NESTINGS)
+        one_of("hardware", self.hardware, HARDWARE)
         one_of("step", self.step, STEP_FILES)
         if self.step == "in-place" and self.step_tolerance > 0:
             raise InputError(

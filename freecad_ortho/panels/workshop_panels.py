@@ -27,7 +27,7 @@ _OPTIONS = {option.name: option for option in Workshop.options}
 # What counts for parts on sheets only, and what is asked besides.
 _SHEETS = tuple(option.name for option in ON_SHEETS if option.name != "kerf")
 _BARS = ("stock", "saw", "trim", "rest", "section_tolerance")
-_FILES = ("dxf", "dxf_version", "dxf_text", "step", "step_tolerance", "equal")
+_FILES = ("dxf", "dxf_version", "dxf_text", "step", "step_tolerance", "hardware", "equal")
 _COSTS = ("stock_lengths", "sheet_sizes", "prices")
 _PAPER = ("paper", "date", "label_sheet")
 _SITE = ("site_origin", "site_rotation")

@@ -99,7 +99,7 @@ def test_solids_are_valid_with_the_volume_of_the_formula(joined, tmp_path):
 
 
 def test_balls_are_as_large_as_the_rule_asks_for():
-    """JGJ 7-2010, 5.3: holes do not meet, nor do sleeves, and 5 mm less would not do."""
+    """After JGJ 7-2010, 5.3: holes do not meet, nor do sleeves, and 5 mm less would not do."""
     for bolt in BOLTS.values():
         angle = np.radians([35.0, 60.0, 90.0, 120.0])
         joints = BallJoints(bolt, 219.1, 8.0, angle)

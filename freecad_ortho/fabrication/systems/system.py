@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
+from freecad_ortho.fabrication.fasteners import Fasteners, Supply
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from solver.option import Option
@@ -38,6 +39,8 @@ class SystemParts:
         geometry: arrays that systems built after this one may lie on, see ``Site.geometry_of``.
         joints: of the parts those to be printed, one of each shape.
         tables: lists of its own to write beside those of every structure.
+        fasteners: bolts that its parts are joined by.
+        supplies: what else is bought for it.
         settings: of the system that made them; filled in by the structure.
     """
 
@@ -47,6 +50,8 @@ class SystemParts:
     geometry: object = None
     joints: tuple[Part, ...] = ()
     tables: tuple[Table, ...] = ()
+    fasteners: tuple[Fasteners, ...] = ()
+    supplies: tuple[Supply, ...] = ()
     settings: System | None = None
 
 

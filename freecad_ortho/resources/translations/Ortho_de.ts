@@ -1943,6 +1943,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolts in STEP</source>
+   <translation>Schrauben in STEP</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border</source>
    <translation>Rand</translation>
   </message>
@@ -4971,6 +4976,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>as solids too</source>
+   <translation>auch als Körper</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as text</source>
    <translation>als Text</translation>
   </message>
@@ -5078,6 +5088,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bolted hubs have walls of this thickness</source>
    <translation>geschraubte Naben haben Wände dieser Dicke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bolts are listed, or drawn as solids too</source>
+   <translation>Schrauben stehen in der Liste oder auch als Körper in STEP</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5458,6 +5473,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>hub</source>
    <translation>Nabe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>in the list only</source>
+   <translation>nur in der Liste</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

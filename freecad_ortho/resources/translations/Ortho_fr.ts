@@ -1943,6 +1943,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Bolts in STEP</source>
+   <translation>Boulons dans STEP</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border</source>
    <translation>Bord</translation>
   </message>
@@ -4971,6 +4976,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>as solids too</source>
+   <translation>aussi en solides</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>as text</source>
    <translation>en texte</translation>
   </message>
@@ -5078,6 +5088,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bolted hubs have walls of this thickness</source>
    <translation>épaisseur de paroi des moyeux boulonnés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bolts are listed, or drawn as solids too</source>
+   <translation>les boulons sont listés, ou dessinés aussi en solides</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5458,6 +5473,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>hub</source>
    <translation>moyeu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>in the list only</source>
+   <translation>dans la liste seule</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -6,8 +6,10 @@ into the ball until the sleeve is pressed between ball and cone. Drawn back it l
 own length, so a tube goes in between two balls that stand.
 
 Sources: threads 1.1 bolts deep in the ball, sleeves 1.8 bolts across their corners, and balls so
-large that neither holes nor sleeves meet: JGJ 7-2010, Technical specification for space frame
-structures, section 5.3; widths across flats: ISO 272, hexagon bars of EN 10278.
+large that neither holes nor sleeves meet are typical of bolted ball nodes, after JGJ 7-2010
+(Technical specification for space frame structures, section 5.3), whose text was not at hand: to
+be checked against the standard of the place; widths across flats: ISO 272, hexagon bars of
+EN 10278.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
-# Depth of threads in a ball and width of sleeves across their corners, in bolts (JGJ 7-2010).
+# Depth of threads in a ball and width of sleeves across their corners, in bolts: typical values.
 _DEPTH, _ACROSS = 1.1, 1.8
 # Hexagon bars by their width across flats, mm.
 _FLATS = (22.0, 24.0, 27.0, 30.0, 32.0, 36.0, 41.0, 46.0, 50.0, 55.0, 60.0)

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from freecad_ortho.fabrication.bolts import BOLTS, GRADE, bolt_of
+from freecad_ortho.fabrication.bolts import BOLTS, GRADE, NUTS, WASHERS, bolt_of
+from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.part import part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
@@ -143,4 +144,11 @@ class Feet(System):
             "post_max_mm": max(post.length for _, post, _ in feet),
             **sums(parts),
         }
-        return SystemParts(parts, report, tables=(Table("anchors.csv", _COLUMNS, rows),))
+        count = _ANCHORS * len(feet)
+        supplies = (
+            Supply("anchor", self.anchor, count, "piece", "base plates of feet", "", GRADE),
+            Supply("anchor washer", self.anchor, count, "piece", "anchors", WASHERS, "200 HV"),
+            Supply("anchor nut", self.anchor, count, "piece", "anchors", NUTS, GRADE[0]),
+        )
+        table = Table("anchors.csv", _COLUMNS, rows)
+        return SystemParts(parts, report, tables=(table,), supplies=supplies)

@@ -17,6 +17,19 @@ from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.splices import Splice, square_end
 
 
+def outer_side(splice: Splice, settings: LamellaSettings) -> int:
+    """Side of the lamella that its plate lies on, along its normal: 1 or -1."""
+    return -1 if not settings.standing and splice.lamella.family == "v" else 1
+
+
+def stand_off(splice: Splice, settings: LamellaSettings) -> float:
+    """How far the plate stands off, mm: by as much as the edges of a twisted lamella do."""
+    ribbon, face = splice.lamella.ribbon, splice.joint.face
+    reach = max(abs(ribbon.lower), abs(ribbon.upper))
+    turn = abs(float(ribbon.strip.twists[face])) * half_length(settings)
+    return float(reach * np.sin(turn / ribbon.strip.lengths[face]))
+
+
 def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
     """Return the plate: flat, as wide and thick as the lamella, on the outer one of its sides.
 
@@ -25,16 +38,12 @@ def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
     lamella, joint = splice.lamella, splice.joint
     ribbon = lamella.ribbon
     strip = ribbon.strip
-    outer = -1 if not settings.standing and lamella.family == "v" else 1
-    half, thickness = half_length(settings), ribbon.thickness
-    reach = max(abs(ribbon.lower), abs(ribbon.upper))
-    turn = abs(float(strip.twists[joint.face])) * half / strip.lengths[joint.face]
-    stand_off = reach * np.sin(turn)
+    outer, thickness = outer_side(splice, settings), ribbon.thickness
     point, up = square_end(strip, joint)
     along = strip.along[joint.face]
     frame = np.stack([along, up, np.cross(along, up)])
     level = 0.5 * (ribbon.lower + ribbon.upper)
-    origin = point + level * up + outer * (thickness + stand_off) * frame[2]
+    origin = point + level * up + outer * (thickness + stand_off(splice, settings)) * frame[2]
     pattern = _pattern(splice, settings)
     middle = pattern.size / 2
     flat = np.column_stack([pattern.outline - middle, np.zeros(4)])

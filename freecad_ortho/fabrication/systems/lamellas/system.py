@@ -10,9 +10,11 @@ from typing import Any, ClassVar
 import numpy as np
 
 from freecad_ortho.fabrication.assembly import judged
+from freecad_ortho.fabrication.bolts import SMALL, bolt_in
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, lamella_on
+from freecad_ortho.fabrication.systems.lamellas.bolted import crossing_bolts, splice_bolts
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
 from freecad_ortho.fabrication.systems.lamellas.border import Border
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
@@ -76,7 +78,9 @@ class Lamellas(LamellaSettings, System):
         cuts = [cut(each, here, self) for each, here in zip(lamellas, met, strict=True)]
         parts = tuple(lamella_part(made, site) for made in cuts)
         parts, doubts = judged(parts, slot_ways(lamellas, met, self, site.material))
-        parts += tuple(splice_part(splice, site, self) for splice in splices)
+        plates = tuple(splice_part(splice, site, self) for splice in splices)
+        bolts = splice_bolts(splices, plates, self) + crossing_bolts(site, lamellas, met, self)
+        parts += plates
         report = self._report(lamellas, met, parts, pattern)
         report["splices"] = len(splices)
         report["not_put_on"] = sum(bool(part.assembly) for part in parts)
@@ -84,7 +88,7 @@ class Lamellas(LamellaSettings, System):
         messages += self._said_of_layers(lamellas, met) + border.words() + doubts
         if site.trimming is not None:
             report |= {"trimmed": border.trimmed, "left_out": border.left_out}
-        return SystemParts(parts, report, tuple(messages), lamellas)
+        return SystemParts(parts, report, tuple(messages), lamellas, fasteners=bolts)
 
     def _report(
         self,
@@ -128,6 +132,11 @@ class Lamellas(LamellaSettings, System):
             messages.append(
                 f"lamellas: {len(long)} of {len(whole)} are longer than the stock of "
                 f"{self.stock:g} mm; {len(splices)} splices join their pieces"
+            )
+        if (splices or not self.standing) and bolt_in(self.hole) is None:
+            messages.append(
+                f"lamellas: no bolt of the list passes holes of {self.hole:g} mm, so it leaves "
+                f"theirs out; from {SMALL[0].hole:g} mm on it has them"
             )
         joined = {splice.lamella.name for splice in splices if splice.closes}
         rings = [each.name for each in whole if each.closed and each.name not in joined]

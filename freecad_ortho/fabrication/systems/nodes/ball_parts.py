@@ -8,6 +8,7 @@ from freecad_ortho.fabrication.ball_body import Ball
 from freecad_ortho.fabrication.bodies import Body, Prism
 from freecad_ortho.fabrication.bolt_strength import COLUMNS, Clamped
 from freecad_ortho.fabrication.bolts import GRADE, HEADS
+from freecad_ortho.fabrication.fasteners import Fasteners, gathered
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.ball_tubes import axis_level, ball_stations
@@ -39,6 +40,7 @@ class BallMaking:
         self.stations, self.level = ball_stations(beams), axis_level(beams)
         self.pieces: dict[tuple[int, int], tuple[Part, Part]] = {}
         self.holes: list[tuple[object, ...]] = []
+        self.placed: list[tuple[FloatArray, FloatArray, tuple[str, ...]]] = []
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
         self.cone, self.sleeve = self._cone(), self._sleeve()
@@ -112,6 +114,8 @@ class BallMaking:
         middle = self.beams.start[edge] + float(self.stations[edge, end]) * along + up * upright
         frame = np.stack([right, np.cross(arm, right), arm])
         reach, name = float(self.beams.hub_radii[vertex]), f"{self.names[edge]}-{_ENDS[end]}"
+        head = middle + (reach + self.joints.sleeve + self.joints.end) * arm + self.site.shift
+        self.placed.append((head, -arm, (name, f"{name}-sleeve", self.nodes[vertex])))
         sleeve, cone = (
             Part(
                 name=name + suffix,
@@ -172,6 +176,13 @@ class BallMaking:
         """A bolt as it is pulled at the end of its cone; sleeves take what presses."""
         bolt, end = self.joints.bolt, self.joints.end
         return Clamped(bolt, 0, 0.0, end, bolt.edge, None, self.site.material)
+
+    @property
+    def fasteners(self) -> Fasteners:
+        """The bolts in their places, screwed in."""
+        joints = self.joints
+        grip = joints.end + joints.sleeve
+        return gathered(joints.bolt, joints.length, grip, 0, False, "cones and balls", self.placed)
 
     def tables(self) -> tuple[Table, Table]:
         """Bolts, which are all alike, and holes of balls."""

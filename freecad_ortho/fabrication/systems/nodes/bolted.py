@@ -57,7 +57,8 @@ def with_end_plates(
     tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
     corners = {hub.vertices[0]: (hub.points - site.shift).reshape(2, 2, -1, 3)[0] for hub in hubs}
     said = (*making.remarks(), *_doubts(hubs))
-    return SystemParts((*hubs, *plates), report, said, corners, tables=tables)
+    bolts = (making.fasteners,)
+    return SystemParts((*hubs, *plates), report, said, corners, tables=tables, fasteners=bolts)
 
 
 def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts:
@@ -96,7 +97,8 @@ def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts
         for name, (star, some) in each.items()
     }
     tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
-    return SystemParts((*arms, *plates), report, _doubts(arms), {}, tables=tables)
+    bolts = (making.fasteners,)
+    return SystemParts((*arms, *plates), report, _doubts(arms), {}, tables=tables, fasteners=bolts)
 
 
 def with_balls(making: BallMaking, joined: Sequence[Star]) -> SystemParts:
@@ -129,7 +131,8 @@ def with_balls(making: BallMaking, joined: Sequence[Star]) -> SystemParts:
         if isinstance(ball.body, Ball)
     }
     tables = (*making.tables(), node_types(named, list(groups.values()), site.axes))
-    return SystemParts((*balls, *cones), report, (), around, tables=tables)
+    bolts = (making.fasteners,)
+    return SystemParts((*balls, *cones), report, (), around, tables=tables, fasteners=bolts)
 
 
 def equal_names(joints: Sequence[Part]) -> dict[str, list[str]]:

@@ -7,6 +7,7 @@ import numpy as np
 from freecad_ortho.fabrication.bolt_strength import COLUMNS, Clamped
 from freecad_ortho.fabrication.bolts import BOLTS, GRADE, HEADS, WASHERS
 from freecad_ortho.fabrication.drilled import drilled_plate
+from freecad_ortho.fabrication.fasteners import Fasteners, gathered
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import FlatPattern, Hole, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
@@ -37,6 +38,7 @@ class HubMaking:
         self.seats = seats(site, beams, sizes)
         self.plates: dict[tuple[int, int], Part] = {}
         self.single: list[str] = []
+        self.placed: list[tuple[FloatArray, FloatArray, tuple[str, ...]]] = []
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
         self.families, self.lines = site.edge_family, site.lines.edge_line.tolist()
@@ -55,6 +57,7 @@ class HubMaking:
             heights = self._bolts(vertex, places[k], low, high)
             holes += [BoltHole(k, height, self.sizes.bolt.hole) for height in heights]
             self.plates[places[k]] = self._plate(vertex, places[k], heights)
+            self._place_bolts(vertex, places[k], heights)
         radius = float(self.beams.hub_radii[vertex])
         body = hollow_hub(star.turn, radius, self.sizes.wall, (low, high), holes)
         first = unit_rows((star.arms[0] - (star.arms[0] @ axis) * axis)[None])[0]
@@ -78,6 +81,15 @@ class HubMaking:
                 words for k in met for words in self._doubts(star, k, self.names[places[k][0]])
             ),
         )
+
+    def _place_bolts(self, vertex: int, place: tuple[int, int], heights: list[float]) -> None:
+        """Note where the bolts of a plate stand, their heads within the hub."""
+        out, up = self.seats.out[place], self.seats.up[place]
+        wall, washer = self.sizes.wall, self.sizes.bolt.washer
+        under = float(self.beams.hub_radii[vertex]) - wall - washer
+        joins = self.nodes[vertex], f"{self.names[place[0]]}-{_ENDS[place[1]]}"
+        origin = self.site.mesh.vertices[vertex] + self.site.shift + under * out
+        self.placed += [(origin + height * up, out, joins) for height in heights]
 
     def _bolt_words(self) -> str:
         return f"{self.sizes.bolt.name}x{self.sizes.length:g}"
@@ -172,6 +184,13 @@ class HubMaking:
         sizes, bolt = self.sizes, self.sizes.bolt
         plate, apart = min(sizes.wall, sizes.thread), bolt.spacing if sizes.count > 1 else None
         return Clamped(bolt, 1, plate, sizes.wall, bolt.edge, apart, self.site.material)
+
+    @property
+    def fasteners(self) -> Fasteners:
+        """The bolts in their places."""
+        sizes = self.sizes
+        holds = "hubs and end plates"
+        return gathered(sizes.bolt, sizes.length, sizes.grip, 1, False, holds, self.placed)
 
     def bolt_list(self) -> Table:
         """One row, as all bolts are alike."""

@@ -11,6 +11,7 @@ from freecad_ortho.fabrication.bodies import Polyhedron, prism_sides
 from freecad_ortho.fabrication.bolt_strength import COLUMNS, Clamped
 from freecad_ortho.fabrication.bolts import GRADE, HEADS, NUTS, WASHERS
 from freecad_ortho.fabrication.drilled import drilled, drilled_plate
+from freecad_ortho.fabrication.fasteners import Fasteners, gathered
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.pattern import Bevel, FlatPattern, Hole, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
@@ -45,6 +46,9 @@ class StarMaking:
         self.levels = section.web_levels(beams)
         self.middles = joint_middles(beams, section, covers, edges)
         self.places = bolt_places(self.middles, covers, -1)
+        self.beside = bolt_places(self.middles, covers, 1)
+        self.web = "" if section.kind == "plate" else "-web"
+        self.placed: list[tuple[FloatArray, FloatArray, tuple[str, ...]]] = []
         self.plates: dict[tuple[int, int, str], Part] = {}
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
@@ -60,6 +64,7 @@ class StarMaking:
                 made.append(self._arm(star, k, place))
                 for side in ("left", "right"):
                     self.plates[(*place, side)] = self._cover(star.vertex, place, side)
+                self._place_bolts(made[-1].name, place)
         return tuple(made)
 
     def _arm(self, star: Star, number: int, place: tuple[int, int]) -> Part:
@@ -140,6 +145,28 @@ class StarMaking:
             family=self.families[edge],
             line=self.lines[edge],
         )
+
+    def _place_bolts(self, arm: str, place: tuple[int, int]) -> None:
+        """Note where the bolts of a joint stand, their heads on the right of the beam."""
+        edge, end = place
+        covers, beam = self.covers, self.names[edge]
+        frame = self.beams.frame[edge]
+        origin = self.beams.start[edge] + self.site.shift
+        out = covers.web / 2 + covers.thickness + covers.bolt.washer
+        plates = [f"{beam}-{_ENDS[end]}-{side}" for side in ("right", "left")]
+        for name, places in ((arm, self.places), (beam + self.web, self.beside)):
+            joins = plates[0], name, plates[1]
+            flat = places[edge, end]
+            points = origin + np.column_stack([flat, np.full(len(flat), out)]) @ frame
+            self.placed += [(point, -frame[2], joins) for point in points]
+
+    @property
+    def fasteners(self) -> Fasteners:
+        """The bolts in their places."""
+        covers = self.covers
+        grip = covers.grip + 2 * covers.bolt.washer
+        holds = "webs and arms of stars"
+        return gathered(covers.bolt, covers.length, grip, 2, True, holds, self.placed)
 
     def _doubts(self, star: Star, arm: int, beam: str) -> list[str]:
         """What keeps the bolts of a beam from being put in and tightened."""

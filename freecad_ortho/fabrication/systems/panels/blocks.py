@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.systems.system import Table
 from solver.mesh.quadmesh import FloatArray
@@ -40,6 +41,18 @@ def setting_blocks(panels: Sequence[Part]) -> Table:
                 )
             )
     return Table("setting-blocks.csv", COLUMNS, tuple(rows))
+
+
+def block_supplies(panels: Sequence[Part]) -> tuple[Supply, ...]:
+    """Setting blocks by size: two for each panel."""
+    widths: dict[float, int] = {}
+    for panel in panels:
+        width = round(panel.thickness + _WIDER, 3)
+        widths[width] = widths.get(width, 0) + 2
+    return tuple(
+        Supply("setting block", f"{_LENGTH:g}x{width:g}x{_THICKNESS:g}", count, "piece", "panels")
+        for width, count in sorted(widths.items())
+    )
 
 
 def _places(outline: FloatArray, frame: FloatArray) -> tuple[FloatArray, float]:

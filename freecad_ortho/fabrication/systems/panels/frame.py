@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.profiled import ProfiledBody
@@ -106,11 +107,13 @@ class Framed:
         parts: plates and caps, edge by edge.
         table: the list of them.
         report: sums, and the extremes of gaskets and of what plates cover, mm.
+        supplies: gaskets and screws.
     """
 
     parts: tuple[Part, ...]
     table: Table
     report: dict[str, Any]
+    supplies: tuple[Supply, ...]
 
 
 def framed(
@@ -138,6 +141,7 @@ def framed(
     panel_names = {part.face: part.name for part in reversed(panels)}
     edges = np.flatnonzero(members.built).tolist()
     parts, rows = [], []
+    sealed, screws = 0.0, 0
     for edge in edges:
         under = float(beside.highest[edge]) + frame.gasket
         name = names[edge]
@@ -148,9 +152,12 @@ def framed(
             plate = replace(plate, assembly=f"{words} {site.material.bearing:g} mm")
         parts += [plate, cap]
         around = site.mesh.connectivity.edge_faces[edge].tolist()
+        beside_it = [panel_names[face] for face in around if face in panel_names]
+        sealed += 2 * len(beside_it) * plate.length
+        screws += math.ceil(plate.length / _SCREWS) + 1
         rows.append(
             (
-                *(plate.name, cap.name, " ".join(filter(None, map(panel_names.get, around)))),
+                *(plate.name, cap.name, " ".join(beside_it)),
                 *(f"{plate.length:.6f}", math.ceil(plate.length / _SCREWS) + 1),
                 *(f"{frame.gasket:.3f}", f"{under - float(beside.lowest[edge]):.3f}"),
                 f"{float(beside.cover[edge]):.3f}",
@@ -166,7 +173,11 @@ def framed(
         "cover_min_mm": float(beside.cover[edges].min()),
         "mass_kg": sum(part.mass for part in parts),
     }
-    return Framed(tuple(parts), Table("frames.csv", COLUMNS, tuple(rows)), report)
+    supplies = (
+        Supply("gasket", f"{frame.gasket:g} mm", sealed / 1000, "m", "panels in frames"),
+        Supply("screw", "by the system", screws, "piece", "pressure plates"),
+    )
+    return Framed(tuple(parts), Table("frames.csv", COLUMNS, tuple(rows)), report, supplies)
 
 
 @dataclass(frozen=True, eq=False)

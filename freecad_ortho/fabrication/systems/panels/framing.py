@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import one_of
-from freecad_ortho.fabrication.systems.panels.blocks import setting_blocks
+from freecad_ortho.fabrication.systems.panels.blocks import block_supplies, setting_blocks
 from freecad_ortho.fabrication.systems.panels.frame import Frame, framed
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone_table
@@ -31,12 +32,14 @@ class Held:
         tables: lists of them.
         report: what is to be said of them.
         messages: what is out of the ordinary.
+        supplies: what is bought for them.
     """
 
     parts: tuple[Part, ...] = ()
     tables: tuple[Table, ...] = ()
     report: dict[str, Any] | None = None
     messages: tuple[str, ...] = ()
+    supplies: tuple[Supply, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -118,6 +121,7 @@ class Framing:
                 (plates.table, setting_blocks(panels)),
                 {"frame": plates.report},
                 _covered(plates.report["cover_min_mm"], site.material.bearing, site.material.name),
+                (*plates.supplies, *block_supplies(panels)),
             )
         if self.silicone is not None:
             pairs = zip(panels, unders, strict=True)
@@ -132,7 +136,9 @@ class Framing:
             }
             tables = silicone_table(panels, self.silicone), setting_blocks(panels)
             loose = [panel.name for panel in panels if not self.silicone.fits(panel)]
-            return Held(adapters, tables, {"silicone": report}, _narrow(loose))
+            return Held(
+                adapters, tables, {"silicone": report}, _narrow(loose), block_supplies(panels)
+            )
         return Held()
 
 

@@ -311,7 +311,8 @@ class Panels(System):
         if site.material.layers:
             report |= build_up_report(site.material, parts)
             tables = (laid.table, *tables)
-        return SystemParts((*parts, *held.parts), report, messages, geometry, tables=tables)
+        made_of, bought = (*parts, *held.parts), held.supplies
+        return SystemParts(made_of, report, messages, geometry, tables=tables, supplies=bought)
 
     def _stands(self, site: Site, beams: BeamGeometry | None) -> Stands | None:
         """Hubs in the way of panels."""

@@ -1,0 +1,199 @@
+"""What is bought: bolts where the holes are, counted by size; as solids in STEP where wanted."""
+
+import csv
+import re
+
+import numpy as np
+import pytest
+
+from freecad_ortho import api
+from freecad_ortho.fabrication import build
+from freecad_ortho.fabrication.bolts import SMALL, bolt_in, bolt_of
+from freecad_ortho.fabrication.fasteners import Supply, gathered, hardware_rows
+from freecad_ortho.fabrication.files import write
+from freecad_ortho.fabrication.hardware import bolt_bodies, bolt_frames, bolt_shape
+from freecad_ortho.fabrication.step import read_step
+from freecad_ortho.fabrication.systems import Lamellas
+from freecad_ortho.fabrication.workshop import Workshop
+from solver.errors import InputError
+from tests.fabrication.test_lamellas import flat_grid, helicoid
+
+TUBE = {"section": "tube:100x60x5", "bolt": "M12"}
+BALL = {"node": "ball", "section": "chs:88.9x5"}
+
+
+@pytest.fixture(scope="module")
+def bolted(dodecahedron):
+    """By what its bolts hold, a small structure of each kind that has bolts."""
+    lying = Lamellas(60, 5, position="lying", layers=2, hole=11)
+    return {
+        "hubs and end plates": api.fabricate(dodecahedron, "beams+nodes", node="bolted", **TUBE),
+        "webs and arms of stars": api.fabricate(dodecahedron, "beams+nodes", node="star"),
+        "cones and balls": api.fabricate(dodecahedron, "beams+nodes", **BALL),
+        "crossings of lamellas": build(flat_grid(), [lying]),
+        "splices of lamellas": build(helicoid().scaled(3000.0), [Lamellas(40, 3, stock=2500.0)]),
+    }
+
+
+def drills_of(part):
+    """(N, 3) middles of the holes of a plate in its place, and (N,) their diameters."""
+    body = part.body
+    points = np.array([drill.centre for drill in body.drills]).reshape(-1, 3)
+    return part.origin + points @ part.frame, [drill.diameter for drill in body.drills]
+
+
+@pytest.mark.parametrize("holds", ["webs and arms of stars", "splices of lamellas"])
+def test_bolts_go_through_the_middles_of_the_holes_that_they_join(bolted, holds):
+    structure = bolted[holds]
+    parts = {part.name: part for part in structure.parts}
+    drilled = {
+        name: drills_of(part) for name, part in parts.items() if hasattr(part.body, "drills")
+    }
+    for each in structure.fasteners:
+        for place, way, names in zip(each.places, each.directions, each.joins, strict=True):
+            assert np.linalg.norm(way) == pytest.approx(1.0)
+            for name in names:
+                arms = drilled[name][0] - place
+                depth = arms @ way
+                off = np.linalg.norm(arms - depth[:, None] * way, axis=1)
+                nearest = int(off.argmin())
+                # A lamella that twists leans a little off the plate that lies on it.
+                assert off[nearest] < (0.5 if "lamellas" in holds else 1e-6)
+                assert each.bolt.washer < depth[nearest] < each.grip - each.bolt.washer
+                assert each.bolt.hole <= drilled[name][1][nearest] + 1e-9
+
+
+def test_every_hole_has_its_bolt(bolted):
+    for holds, structure in bolted.items():
+        assert {each.holds for each in structure.fasteners} == {holds}
+        count = sum(each.count for each in structure.fasteners)
+        names = {part.name for part in structure.parts}
+        assert {name for each in structure.fasteners for row in each.joins for name in row} <= names
+        report = structure.report()
+        if "nodes" in report:
+            assert count == report["nodes"]["bolts"]
+        elif "crossings" in holds:
+            assert count == report["lamellas"]["crossings"] > 0
+        else:
+            plates = [part for part in structure.parts if part.kind == "splice"]
+            assert count == sum(len(part.pattern.holes) for part in plates) > 0
+
+
+@pytest.mark.parametrize("holds", ["hubs and end plates", "cones and balls"])
+def test_heads_stand_free_and_threads_end_in_the_parts_that_have_them(bolted, holds):
+    structure = bolted[holds]
+    each = structure.fasteners[0]
+    solids = {part.name: part.solid() for part in structure.parts}
+    for number in range(0, each.count, 7):
+        first, last = each.joins[number][0], each.joins[number][-1]
+        place, way = each.places[number], each.directions[number]
+        # Beside the shank: within the wall under the head, within the thread at its end.
+        aside = bolt_frames(each)[number, 0] * (each.bolt.hole / 2 + 1.5)
+        tip = place + (each.length - 1) * way + aside
+        wall = place + (each.washers * each.bolt.washer + 1) * way + aside
+        assert solids[first].isInside(tuple(wall))
+        assert solids[last].isInside(tuple(tip))
+        under = place - 1 * way + aside
+        assert not any(solid.isInside(tuple(under)) for solid in solids.values())
+
+
+def test_the_list_counts_bolts_washers_and_nuts():
+    bolt = bolt_of("M16")
+    spots = [(np.full(3, 9.0 * k), np.eye(3)[2], (f"A{k}", f"B{k}")) for k in range(5)]
+    through = gathered(bolt, 50.0, 26.0, 2, True, "plates", spots)
+    thread = gathered(bolt, 50.0, 24.0, 1, False, "hubs", spots[:2])
+    none = gathered(bolt, 90.0, 24.0, 1, False, "nothing", [])
+    rows = hardware_rows([through, thread, none], [Supply("gasket", "5 mm", 12.345, "m", "frames")])
+    assert [(row[0], row[1], row[2], row[6], row[7]) for row in rows] == [
+        ("bolt", "M16", "50", 5, "piece"),
+        ("bolt", "M16", "50", 2, "piece"),
+        ("washer", "M16", "", 12, "piece"),
+        ("nut", "M16", "", 5, "piece"),
+        ("gasket", "5 mm", "", "12.35", "m"),
+    ]
+
+
+def test_small_bolts_fill_the_holes_of_lamellas():
+    assert [bolt_in(hole) and bolt_in(hole).name for hole in (5.0, 6.0, 9.0, 11.0, 19.0)] == [
+        None,
+        "M5",
+        "M8",
+        "M10",
+        "M16",
+    ]
+    for bolt in SMALL:
+        assert bolt.corners == pytest.approx(2 / np.sqrt(3) * bolt.flats, rel=0.06)
+        assert bolt.drill + bolt.pitch == pytest.approx(bolt.diameter, abs=0.01)
+        assert bolt.wrench >= 1.05 * bolt.flats
+    made = build(flat_grid(), [Lamellas(60, 5, position="lying", layers=2, hole=5.0)])
+    assert made.fasteners == ()
+    assert "from 5.5 mm on" in " ".join(made.report()["messages"])
+
+
+def test_a_bolt_has_the_volume_of_its_formula():
+    bolt = bolt_of("M20")
+    each = gathered(bolt, 70.0, 46.0, 2, True, "plates", [(np.zeros(3), np.eye(3)[2], ("A", "B"))])
+    hexagon = 3 * np.sqrt(3) / 8 * bolt.corners**2
+    washer = np.pi / 4 * (bolt.washer_width**2 - (bolt.diameter + 1) ** 2) * bolt.washer
+    shank = np.pi / 4 * bolt.diameter**2
+    whole = hexagon * (bolt.head + bolt.nut) - shank * bolt.nut + shank * 70.0 + 2 * washer
+    assert sum(body.volume for body in bolt_bodies(each)) == pytest.approx(whole, rel=1e-12)
+    shape = bolt_shape(each)
+    assert shape.isValid()
+    assert shape.Volume() == pytest.approx(whole, rel=1e-9)
+
+
+@pytest.mark.parametrize("step", ["one", "in-place", "systems"])
+def test_solids_are_one_product_a_size_with_a_place_for_each(bolted, tmp_path, step):
+    structure = bolted["webs and arms of stars"]
+    write(structure, tmp_path, workshop=Workshop(hardware="solids", step=step))
+    name = "structure-nodes-steel.step" if step == "systems" else "structure.step"
+    each = structure.fasteners[0]
+    found = {name: shape for name, shape in read_step(tmp_path / name) if name.startswith("M16x")}
+    assert len(found) == each.count == structure.report()["nodes"]["bolts"]
+    middle = {name: np.array(shape.CenterOfBoundBox().toTuple()) for name, shape in found.items()}
+    low, high = -each.bolt.head, each.length
+    for number in (0, each.count - 1):
+        place = each.places[number] + (low + high) / 2 * each.directions[number]
+        assert np.linalg.norm(middle[f"{each.name}-{number + 1:04d}"] - place) < 3
+    if step == "one":
+        text = (tmp_path / name).read_text()
+        assert len(re.findall(r"=PRODUCT\('M16x", text.replace(" ", ""))) == 1
+
+
+def test_the_list_is_a_file_of_every_structure_that_has_bolts(bolted, tmp_path):
+    files = write(bolted["hubs and end plates"], tmp_path)
+    assert tmp_path / "hardware.csv" in files
+    with (tmp_path / "hardware.csv").open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    with (tmp_path / "bolts.csv").open(encoding="utf-8", newline="") as stream:
+        bolts = next(csv.DictReader(stream))
+    assert [row["item"] for row in rows] == ["bolt", "washer"]
+    for key in ("count", "length_mm", "grip_mm", "standard", "grade"):
+        assert (
+            float(rows[0][key]) == float(bolts[key])
+            if key.endswith("mm")
+            else (rows[0][key] == bolts[key])
+        )
+    # Another run without bolts takes the list away.
+    write(api.fabricate(bolted["hubs and end plates"].mesh, "beams"), tmp_path)
+    assert not (tmp_path / "hardware.csv").exists()
+
+
+def test_an_unknown_word_is_refused():
+    with pytest.raises(InputError, match=r"hardware: expected one of list, solids"):
+        Workshop(hardware="all")
+
+
+def test_feet_and_frames_say_what_is_bought(roof):
+    made = api.fabricate(roof, "beams+panels+feet", frame="plate", foot_height=2500.0)
+    rows = {row[0]: row for row in hardware_rows(made.fasteners, made.supplies)}
+    feet = made.report()["feet"]
+    assert rows["anchor"][1] == "M16"
+    assert rows["anchor"][6] == rows["anchor nut"][6] == str(feet["anchors"])
+    frames = next(t for t in made.results["panels"].tables if t.name == "frames.csv")
+    blocks = next(t for t in made.results["panels"].tables if t.name == "setting-blocks.csv")
+    assert rows["setting block"][6] == str(len(blocks.rows))
+    assert rows["screw"][6] == str(sum(row[4] for row in frames.rows))
+    sealed = sum(2 * len(row[2].split()) * float(row[3]) for row in frames.rows)
+    assert float(rows["gasket"][6]) == pytest.approx(sealed / 1000, abs=0.006)
