@@ -1,20 +1,27 @@
 """Files for carpenters' machines: parts rebuilt by a reader of its own, against STEP's solids."""
 
+import os
 import re
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 import shapely
+import shapely.affinity
 from scipy.spatial import ConvexHull, HalfspaceIntersection
 from scipy.spatial.transform import Rotation
 
 from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build, write
+from freecad_ortho.fabrication.exchange.btlx import write_btlx
+from freecad_ortho.fabrication.exchange.btlx_laps import laps
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.place import Place
+from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.site import Selection
 from freecad_ortho.fabrication.step import read_step
 
+# The name of the schema's file, BTLx_2_0_0.xsd of design2machine.com, which may not be passed on.
+SCHEMA_FILE = "BTLX_SCHEMA"
 SPACE = "{https://www.design2machine.com}"
 # Elements of processings in their order, and least and largest values, as the schema has them.
 SCHEMA = {
@@ -45,6 +52,22 @@ SCHEMA = {
         "TextHeight": (0, 5e4),
         "Text": (),
     },
+    "Lap": {
+        "Orientation": ("start", "end"),
+        "StartX": (-1e5, 1e5),
+        "StartY": (-5e4, 5e4),
+        "Angle": (0.1, 179.9),
+        "Inclination": (0.1, 179.9),
+        "Slope": (-89.9, 89.9),
+        "Length": (0, 1e5),
+        "Width": (0, 5e4),
+        "Depth": (-5e4, 5e4),
+        "LeadAngleParallel": ("yes", "no"),
+        "LeadAngle": (0.1, 179.9),
+        "LeadInclinationParallel": ("yes", "no"),
+        "LeadInclination": (0.1, 179.9),
+        "MachiningLimits": (),
+    },
     "FreeContour": {"Contour": (), "DualContour": ()},
     "PenContour": {"Contour": ()},
 }
@@ -53,24 +76,44 @@ JOBS = {
     "bars": ([Beams(200, 20, section="GL24h:80x200")], "steel"),
     "plates": ([Beams(200, 40)], "timber"),
     "panels": ([Panels(20, 15, edge="bevel")], "plywood"),
-    "lamellas": ([Lamellas(60, 4, hole=9)], "plywood"),
+    "lamellas": ([Lamellas(60, 4)], "plywood"),
+    "drilled": ([Lamellas(60, 4, hole=9, layers=2)], "plywood"),
+    "lapped": ([Beams(200, 40, ends="lapped")], "timber"),
+    "straight": ([Lamellas(60, 4)], "plywood"),
+    "milled": ([Lamellas(90, 12, cutter=4)], "plywood"),
+}
+# Kinds of boards: processings that cut their edges, and whether slots are laps.
+BOARDS = {
+    "lamellas": ({"FreeContour": 1}, True),
+    "drilled": ({"FreeContour": 1}, False),
+    "lapped": ({"FreeContour": 1}, True),
+    "straight": ({"JackRafterCut": 2}, True),
+    "milled": ({"FreeContour": 1}, False),
 }
 TURN = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
 
 @pytest.fixture(scope="module")
-def made(roof, tmp_path_factory):
+def made(roof, twisted, tmp_path_factory):
     """For each job its parts, the elements of parts by their names, and the solids of the STEP."""
     found = {}
     for name, (systems, material) in JOBS.items():
-        some = Selection() if name == "panels" else Selection(family="u", lines=(3,))
+        some = Selection(family="u", lines=(3,))
+        if name in ("panels", *BOARDS):
+            some = Selection()
         place = Place(TURN, np.array([1e4, -2e4, 500.0]))
-        job = build(roof, systems, material=MATERIALS[material], selection=some, place=place)
+        net = twisted if name == "straight" else roof
+        job = build(net, systems, material=MATERIALS[material], selection=some, place=place)
         folder = tmp_path_factory.mktemp(name)
-        write(job, folder, workshop=Workshop(write="btlx"), project='Dach <ü> & "7"')
-        root = ElementTree.parse(folder / "structure.btlx").getroot()
+        path, project = folder / "structure.btlx", 'Dach <ü> & "7"'
+        if name in BOARDS:
+            write_btlx(path, produce(job), project, lambda done: None)
+        else:
+            write(job, folder, workshop=Workshop(write="btlx"), project=project)
+        root = ElementTree.parse(path).getroot()
         parts = {each.get("Designation"): each for each in root.iter(f"{SPACE}Part")}
-        found[name] = job.parts, root, parts, dict(read_step(folder / "structure.step"))
+        solids = {} if name in BOARDS else dict(read_step(folder / "structure.step"))
+        found[name] = job.parts, root, parts, solids
     return found
 
 
@@ -106,7 +149,7 @@ def test_files_are_as_the_schema_has_them(made, name):
             known = SCHEMA[tag(each)]
             names = [tag(child) for child in each]
             assert names == [word for word in known if word in names]
-            assert each.get("ReferencePlaneID") == "4"
+            assert each.get("ReferencePlaneID") in (("2", "4") if tag(each) == "Lap" else ("4",))
             for child in each:
                 bounds = known[tag(child)]
                 if bounds and isinstance(bounds[0], str):
@@ -183,29 +226,97 @@ def test_bevelled_panels_are_rebuilt(made):
         assert away.min(axis=1).max() < 0.01
 
 
-def test_boards_are_rebuilt_flat(made):
-    parts, _, read, _ = made["lamellas"]
-    for part in parts:
-        element = read[part.name]
-        (contour,) = element.iter(f"{SPACE}FreeContour")
-        outline = ring(contour.find(f"{SPACE}Contour"))
+def lap_polygon(lap, height):
+    """What a lap takes out of a board, on side 4: from its floor on up through all there is."""
+    limits = lap.find(f"{SPACE}MachiningLimits")
+    assert limits.get("FaceLimitedBack") == "no"
+    assert value(lap, "LeadAngle") == value(lap, "Inclination") == 90
+    # Between the wall at the start and the part before it.
+    turned = np.radians(180 - value(lap, "Angle"))
+    up = np.array([np.cos(turned), np.sin(turned)])
+    along = value(lap, "Length") * np.array([up[1], -up[0]])
+    start = np.array([value(lap, "StartX"), value(lap, "StartY")])
+    corners = start + np.array([0 * up, along, along + 2 * height * up, 2 * height * up])
+    if lap.get("ReferencePlaneID") == "2":
+        corners[:, 1] = height - corners[:, 1]
+    return shapely.Polygon(corners)
+
+
+def plate_of(element):
+    """The flat shape that is left of a raw part."""
+    length, height = (float(element.get(name)) for name in ("Length", "Height"))
+    contours = list(element.iter(f"{SPACE}FreeContour"))
+    plate = shapely.box(0, 0, length, height)
+    if contours:
+        outline = ring(contours[0].find(f"{SPACE}Contour"))
         np.testing.assert_array_equal(outline[0], outline[-1])
-        assert contour.get("ToolPosition") == "right"
+        assert contours[0].get("ToolPosition") == "right"
         assert shapely.LinearRing(outline[:, :2]).is_ccw
         plate = shapely.Polygon(outline[:, :2])
-        holes = list(element.iter(f"{SPACE}Drilling"))
-        assert len(holes) == len(part.pattern.holes)
-        for hole in holes:
-            centre = shapely.Point(value(hole, "StartX"), value(hole, "StartY"))
-            plate = plate - centre.buffer(value(hole, "Diameter") / 2, quad_segs=256)
-        volume = plate.area * float(element.get("Width"))
-        assert volume == pytest.approx(part.pattern.area * part.thickness, rel=1e-4)
+    for cut in element.iter(f"{SPACE}JackRafterCut"):
+        normal, place = cut_plane(cut, float(element.get("Width")))
+        assert abs(normal[2]) < 1e-9
+        side = 1e5 * np.array([normal[1], -normal[0]])
+        far = 1e5 * normal[:2]
+        corners = place[:2] + np.array([side, -side, far - side, far + side])
+        plate = plate - shapely.Polygon(corners)
+    for lap in element.iter(f"{SPACE}Lap"):
+        assert value(lap, "Depth") == pytest.approx(float(element.get("Width")), abs=1e-4)
+        plate = plate - lap_polygon(lap, height)
+    for hole in element.iter(f"{SPACE}Drilling"):
+        centre = shapely.Point(value(hole, "StartX"), value(hole, "StartY"))
+        plate = plate - centre.buffer(value(hole, "Diameter") / 2, quad_segs=256)
+    return plate
+
+
+@pytest.mark.parametrize("name", BOARDS)
+def test_boards_are_rebuilt_flat(made, name):
+    parts, _, read, _ = made[name]
+    cuts, lapped = BOARDS[name]
+    for part in parts:
+        element, pattern = read[part.name], part.pattern
+        for kind, count in cuts.items():
+            assert len(list(element.iter(SPACE + kind))) == count
+        assert len(list(element.iter(f"{SPACE}Drilling"))) == len(pattern.holes)
+        crossings = len(list(element.iter(f"{SPACE}Lap")))
+        assert bool(crossings) == lapped
+        plate = plate_of(element)
+        holes = [shapely.Point(each.centre).buffer(each.diameter / 2) for each in pattern.holes]
+        low = pattern.outline.min(axis=0)
+        true = shapely.affinity.translate(
+            shapely.Polygon(pattern.outline) - shapely.union_all(holes), *-low
+        )
+        assert plate.symmetric_difference(true).area < 1e-4 * true.area
+        assert plate.area * float(element.get("Width")) == pytest.approx(
+            pattern.area * part.thickness, rel=1e-4
+        )
         texts = [
             each.find(f"{SPACE}Text").text for each in element.iter(f"{SPACE}Text") if len(each)
         ]
-        assert texts == [part.name, *(mark.text for mark in part.pattern.marks if mark.text)]
+        assert texts == [part.name, *(mark.text for mark in pattern.marks if mark.text)]
         lines = list(element.iter(f"{SPACE}PenContour"))
-        assert len(lines) == sum(not mark.text for mark in part.pattern.marks)
+        assert len(lines) == sum(not mark.text for mark in pattern.marks)
+
+
+def test_what_stands_above_a_slot_is_left_alone():
+    """A frame around a slot: a lap that is open above would cut its upper side in two."""
+    around = np.array([[0, 0], [90, 0], [90, 80], [0, 80], [0, 60], [70, 60], [70, 30], [50, 30]])
+    slot = np.array([[50, 10], [40, 10], [40, 30], [0, 30]])
+    outline = np.concatenate([around, slot]).astype(float)
+    filled, found = laps(outline)
+    assert not found
+    np.testing.assert_array_equal(filled, outline)
+    (lap,) = laps(np.array([[0, 0], [90, 0], [90, 30], [50, 30], *slot]).astype(float))[1]
+    np.testing.assert_allclose(
+        [*lap.start, lap.length, lap.width, lap.angle_deg], [40, 10, 10, 20, 90]
+    )
+
+
+@pytest.mark.skipif(SCHEMA_FILE not in os.environ, reason=f"{SCHEMA_FILE} names no schema")
+@pytest.mark.parametrize("name", JOBS)
+def test_files_are_valid(made, name):
+    schema = pytest.importorskip("xmlschema").XMLSchema(os.environ[SCHEMA_FILE])
+    schema.validate(ElementTree.ElementTree(made[name][1]))
 
 
 def test_steel_is_for_others(roof, tmp_path):

@@ -2,7 +2,8 @@
 
 Source: BTLx 2.0.0, schema and documentation of design2machine.com. A part's coordinates begin in
 the lowest corner of its raw part: x along its length, y up its height, z across its width to the
-right. All is told on reference side 4, the right one: x along, y up, depth to the left.
+right. All is told on reference side 4, the right one: x along, y up, depth to the left; laps that
+are open below on side 2, the left one: x along, y down, depth to the right.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from scipy.spatial import ConvexHull
 
 from freecad_ortho import __version__
 from freecad_ortho.fabrication.bodies import Hollow, Polyhedron
+from freecad_ortho.fabrication.exchange.btlx_laps import Lap, laps, sawn_ends
 from freecad_ortho.fabrication.exchange.members import Member, member_of
 from freecad_ortho.fabrication.exchange.trades import is_wood
 from freecad_ortho.fabrication.part import Part
@@ -30,7 +32,7 @@ _NAMESPACE = "https://www.design2machine.com"
 _VERSION = "2.0.0"
 # The same structure gives the same file: no clock.
 _DATE, _TIME = "2000-01-01", "00:00:00"
-_SIDE = "4"
+_SIDE, _OTHER_SIDE = "4", "2"
 # Part of its box by which a section may miss being a rectangle.
 _FULL = 1e-9
 # Height of a name on a bar, mm, and as a part of the bar's.
@@ -90,7 +92,7 @@ class _Raw:
     ) -> ElementTree.Element:
         """A processing on the reference side with elements in their order."""
         number = str(len(self.processings) + 1)
-        known = {"Name": kind, "ProcessID": number, "ReferencePlaneID": _SIDE, **attributes}
+        known = {"Name": kind, "ProcessID": number, "ReferencePlaneID": _SIDE} | attributes
         made = ElementTree.Element(kind, known)
         for name, value in (values or {}).items():
             text = value if isinstance(value, str) else _number(value)
@@ -161,11 +163,10 @@ def _board(part: Part, pattern: FlatPattern) -> _Raw:
     both = np.concatenate([lower, upper])
     low, high = both.min(axis=0), both.max(axis=0)
     raw = _Raw(np.array([*low, 0.0]), np.array([*high, part.thickness]))
-    contour = raw.add("FreeContour", ToolPosition="right", CounterSink="no")
     if lower is upper:
-        line = ElementTree.SubElement(contour, "Contour", DepthBounded="no", Inclination="0")
-        _line(line, upper - low, 0.0)
+        _edges(raw, upper - low)
     else:
+        contour = raw.add("FreeContour", ToolPosition="right", CounterSink="no")
         dual = ElementTree.SubElement(contour, "DualContour")
         _line(ElementTree.SubElement(dual, "PrincipalContour"), upper - low, 0.0)
         _line(ElementTree.SubElement(dual, "AssociatedContour"), lower - low, -part.thickness)
@@ -185,6 +186,38 @@ def _board(part: Part, pattern: FlatPattern) -> _Raw:
             _line(line, mark.points - low, 0.0, closed=False)
     _texts(raw, part.name, pattern, low)
     return raw
+
+
+def _edges(raw: _Raw, outline: FloatArray) -> None:
+    """The edges of a square-edged board: ends that are sawn or a contour, and its slots as laps."""
+    filled, slots = laps(outline)
+    ends = sawn_ends(filled)
+    if ends is None:
+        contour = raw.add("FreeContour", ToolPosition="right", CounterSink="no")
+        line = ElementTree.SubElement(contour, "Contour", DepthBounded="no", Inclination="0")
+        _line(line, filled, 0.0)
+    else:
+        for orientation, (place, slope) in zip(("start", "end"), ends, strict=True):
+            raw.add("JackRafterCut", _cut(orientation, place, slope, 0.0))
+    for slot in slots:
+        _slot(raw, slot)
+
+
+def _slot(raw: _Raw, lap: Lap) -> None:
+    """A lap through the board, from the left end of its floor on, open at the board's edge.
+
+    Its angle is what stands between the wall at its start and the part before it.
+    """
+    values: dict[str, str | float] = {"Orientation": "start"}
+    values |= {"StartX": float(lap.start[0]), "StartY": float(lap.start[1])}
+    values |= {"Angle": 180.0 - lap.angle_deg, "Inclination": 90.0, "Slope": 0.0}
+    values |= {"Length": lap.length, "Width": lap.width, "Depth": float(raw.size[2])}
+    values |= {"LeadAngleParallel": "no", "LeadAngle": 90.0}
+    values |= {"LeadInclinationParallel": "yes", "LeadInclination": 90.0}
+    made = raw.add("Lap", values, ReferencePlaneID=_OTHER_SIDE if lap.below else _SIDE)
+    limits = {f"FaceLimited{face}": "yes" for face in ("Start", "End", "Front", "Bottom")}
+    limits |= {"FaceLimitedBack": "no", "FaceLimitedTop": "no"}
+    ElementTree.SubElement(made, "MachiningLimits", limits)
 
 
 def _rings(part: Part, pattern: FlatPattern) -> tuple[FloatArray, FloatArray]:
