@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
@@ -42,6 +43,55 @@ class Former(NamedTuple):
     now: Callable[[Any], Any] = _same
 
 
+class Range(NamedTuple):
+    """The numbers that an option may be.
+
+    Attributes:
+        least: the smallest one; lengths in mm, angles in degrees.
+        most: the largest one.
+        above: whether it has to be above ``least``, which is itself not allowed.
+        below: whether it has to be below ``most``.
+    """
+
+    least: float = -math.inf
+    most: float = math.inf
+    above: bool = False
+    below: bool = False
+
+    @property
+    def closed(self) -> bool:
+        """Whether there is a smallest and a largest one."""
+        return math.isfinite(self.least) and math.isfinite(self.most)
+
+    def holds(self, value: float) -> bool:
+        """Whether a number is one of them."""
+        low = value > self.least if self.above else value >= self.least
+        high = value < self.most if self.below else value <= self.most
+        return low and high
+
+    def words(self, unit: str = "") -> str:
+        """Say which these are, as ``0 to 10 mm``; nothing where any number is."""
+        least, most, unit = f"{self.least:g}", f"{self.most:,g}", f" {unit}" * bool(unit)
+        if math.isinf(self.most):
+            if math.isinf(self.least):
+                return ""
+            return f"a number above {least}{unit}" if self.above else f"{least}{unit} or more"
+        if math.isinf(self.least):
+            return f"a number below {most}{unit}" if self.below else f"{most}{unit} at most"
+        if self.above and self.below:
+            return f"a number between {least} and {most}{unit}"
+        if self.above:
+            return f"a number above {least}, {most}{unit} at most"
+        return f"{least} to {'below ' * self.below}{most}{unit}"
+
+
+POSITIVE = Range(0.0, above=True)
+NOT_NEGATIVE = Range(0.0)
+# Of kinds that are not just any number; a length that is found where none is given is positive.
+_RANGES = {"length": NOT_NEGATIVE, "weight": NOT_NEGATIVE, "count": NOT_NEGATIVE}
+_UNITS = {"angle": "degrees", "percent": "%", "pressure": "kN/m2"}
+
+
 @dataclass(frozen=True)
 class Option:
     """One thing that the user may set: of a net, a source of nets, a system or the workshop.
@@ -59,6 +109,7 @@ class Option:
             Defaults with a length are in mm.
         meaning: what it does, a sentence without its full stop.
         choices: words of a choice.
+        within: what its numbers may be, where the kind does not say; lengths in mm.
         examples: other words that may stand in place of a choice; where there are some, any may.
         suffixes: of the parts of a tuple, in property names.
         written: how its value is written where the kind does not say, as ``WxH``.
@@ -84,6 +135,19 @@ class Option:
     stored: str = ""
     former: Former | None = None
     examples: tuple[str, ...] = ()
+    within: Range | None = None
+
+    @property
+    def range(self) -> Range:
+        """What its numbers may be."""
+        if self.within is None and self.kind == "length" and self.default is None:
+            return POSITIVE
+        return self.within or _RANGES.get(self.kind, Range())
+
+    @property
+    def words_of_name(self) -> str:
+        """What it is called in a refusal."""
+        return self.name.replace("_", " ")
 
     @property
     def parts(self) -> tuple[str, ...]:
@@ -145,13 +209,12 @@ class Option:
         own = bool(self.examples) and isinstance(value, str)
         if self.kind == "choice" and value not in self.choices and not own:
             *others, last = self.choices
-            raise InputError(
-                f"{self.name}: expected {', '.join(others)} or {last}, got {str(value)[:40]!r}"
-            )
+            words = f"{', '.join(others)} or {last}"
+            raise InputError(f"{self.words_of_name}: expected {words}, got {str(value)[:40]!r}")
         if self.kind == "flag" and not isinstance(value, (bool, np.bool_)):
-            raise InputError(f"{self.name}: expected True or False, got {value!r}")
+            raise InputError(f"{self.words_of_name}: expected True or False, got {value!r}")
         if self.kind == "text" and not isinstance(value, str):
-            raise InputError(f"{self.name}: expected a text, got {value!r}")
+            raise InputError(f"{self.words_of_name}: expected a text, got {value!r}")
         if self.kind in NUMBERS and not (value is None and self.default is None):
             self._check_numbers(value, unit)
 
@@ -161,15 +224,14 @@ class Option:
         count = len(self.default) if self.several else 1
         if len(numbers) != count or not all(map(_is_number, numbers)):
             words = f"{count} numbers" if count > 1 else "a number"
-            raise InputError(f"{self.name}: expected {words}, got {value!r}")
-        if self.kind == "count" and not all(item == int(item) >= 0 for item in numbers):
-            raise InputError(f"{self.name}: expected whole numbers from 0 on, got {value!r}")
-        if self.kind == "length" and self.default is None and not value > 0:
-            raise InputError(f"{self.name}: expected a positive length, got {value}")
-        if self.kind == "weight" and value < 0:
-            raise InputError(f"{self.name}: expected a weight of zero or more, got {value}")
-        if self.kind == "length" and min(numbers) < 0:
-            raise InputError(f"{self.name}: expected 0 {unit} or more, got {value!r}")
+            raise InputError(f"{self.words_of_name}: expected {words}, got {value!r}")
+        whole = self.kind == "count"
+        if not all(self.range.holds(item) and not (whole and item % 1) for item in numbers):
+            of = {"length": unit, "distance": unit, "area": f"{unit}2", **_UNITS}
+            words = self.range.words(of.get(self.kind, ""))
+            raise InputError(
+                f"{self.words_of_name}: expected {'a whole number, ' * whole}{words}, got {value!r}"
+            )
 
 
 def _is_number(value: Any) -> bool:

@@ -251,7 +251,7 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--net", "fishing"], "net: expected one of principal, planar, planar-lines"),
         (["--load-area", "3"], "--load-area: only stress nets have it"),
         (["--net", "stress", "--supports", "1,2"], "would be a mechanism"),
-        (["--net", "cmc", "--radius", "-1"], "radius: expected a positive length"),
+        (["--net", "cmc", "--radius", "-1"], "radius: expected a number above 0, got -1"),
         (["--net", "cmc", "--radius", "0.3"], "radius: 0.3 is too small for the star of vertex"),
         (["--net", "isometric", "--reference", "other.obj"], "has other vertices or faces"),
         (["--multi", "-1"], "multi: expected a weight"),

@@ -1,4 +1,4 @@
-"""Options are declared once; here: what texts on the command line say of them."""
+"""Options are declared once; here: what texts on the command line say of them, their ranges."""
 
 from __future__ import annotations
 
@@ -8,8 +8,16 @@ import math
 import pytest
 
 from freecad_ortho.cli import options as arguments
+from freecad_ortho.fabrication.systems import SYSTEMS
+from freecad_ortho.fabrication.tolerances import Tolerances
+from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.sources.catalogue import SOURCES
+from freecad_ortho.structural.design import Design
 from solver import InputError
-from solver.option import Option
+from solver.mesh import remesh
+from solver.nets.options import OPTIONS
+from solver.nets.settings import WEIGHTS
+from solver.option import NUMBERS, POSITIVE, Option, Range
 
 LENGTH = Option("edge", 0.0, "length", "Wanted edge length")
 ANGLES = Option("angles", (0.0, 360.0), "angle", "First and last angle")
@@ -66,3 +74,71 @@ def test_only_what_was_given_counts():
     assert arguments.given((LENGTH, ANGLES, ON), parser.parse_args([])) == {}
     found = arguments.given((LENGTH, ON), parser.parse_args(["--edge", "2", "--no-closed"]))
     assert found == {"edge": 2.0, "closed": False}
+
+
+EVERY = {
+    **{f"{name}.{item.name}": item for name, table in SYSTEMS.items() for item in table.options},
+    **{f"{name}.{item.name}": item for name, source in SOURCES.items() for item in source.options},
+    **{f"check.{item.name}": item for item in Design.options},
+    **{f"net.{item.name}": item for item in (*OPTIONS.values(), *WEIGHTS.values())},
+    **{f"quads.{item.name}": item for item in remesh.OPTIONS},
+    **{f"tolerances.{item.name}": item for item in Tolerances.options},
+    **{f"workshop.{item.name}": item for item in Workshop.options},
+}
+
+
+@pytest.mark.parametrize(
+    ("allowed", "inside", "outside", "words"),
+    [
+        (Range(0, 0.5), (0, 0.5), (-0.1, 0.6), "0 to 0.5 mm"),
+        (Range(0, 20, above=True), (0.1, 20), (0, 21), "a number above 0, 20 mm at most"),
+        (Range(0, 180, True, True), (1, 179), (0, 180), "a number between 0 and 180 mm"),
+        (Range(10, 100_000), (10, 100_000), (9, 100_001), "10 to 100,000 mm"),
+        (Range(0, 1, below=True), (0, 0.9), (1,), "0 to below 1 mm"),
+        (Range(2), (2, 1e9), (1,), "2 mm or more"),
+        (POSITIVE, (1e-9,), (0, -1), "a number above 0 mm"),
+        (Range(most=5), (-9, 5), (6,), "5 mm at most"),
+        (Range(most=5, below=True), (-9, 4), (5,), "a number below 5 mm"),
+        (Range(), (-1e9, 1e9), (math.nan,), ""),
+    ],
+)
+def test_a_range_holds_what_its_words_say(allowed, inside, outside, words):
+    assert [allowed.holds(value) for value in (*inside, *outside)] == [
+        *(True for _ in inside), *(False for _ in outside)
+    ]  # fmt: skip
+    assert allowed.words("mm") == words
+
+
+@pytest.mark.parametrize("where", EVERY)
+def test_defaults_are_allowed_and_what_is_beyond_is_refused(where):
+    option = EVERY[where]
+    if option.kind not in NUMBERS:
+        return
+    if option.default is not None:
+        option.check(option.default)
+    for end, way in ((option.range.least, -1.0), (option.range.most, 1.0)):
+        if math.isfinite(end):
+            beyond = end + way
+            value = (beyond,) * len(option.default) if option.several else beyond
+            with pytest.raises(InputError, match=f"^{option.name.replace('_', ' ')}: expected "):
+                option.check(value)
+
+
+def test_systems_that_share_an_option_mean_the_same_by_it():
+    shared = {}
+    for name, system in SYSTEMS.items():
+        for option in system.options:
+            shared.setdefault(option.name, {})[name] = option
+    for name, found in shared.items():
+        if name not in ("clearance", "gap", "thickness"):
+            assert len(set(map(repr, found.values()))) == 1, name
+        kinds = {(option.kind, option.parts, option.choices) for option in found.values()}
+        assert len(kinds) == 1, name
+
+
+def test_the_help_says_the_ends_of_a_range():
+    parser = argparse.ArgumentParser()
+    arguments.add(parser, Option("tilt", 0.0, "angle", "Tilt", within=Range(-90, 90)))
+    arguments.add(parser, Option("height", 5.0, "length", "Height", within=POSITIVE))
+    assert "tilt, -90 to 90 (default: 0)" in parser.format_help()
+    assert "height (default: 0.005 m)" in parser.format_help()

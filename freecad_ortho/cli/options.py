@@ -62,6 +62,7 @@ def add(
         for part, what in _PLACING.items():
             group.add_argument(f"--{part}", metavar="X,Y,Z", help=what)
         return
+    words += f", {option.range.words()}" if option.range.closed and not option.written else ""
     usual = option.absent or (_usual(option, length) if usual is None else usual)
     words += f" (default: {usual})" if usual else ""
     group.add_argument(flag, dest=option.name, metavar=_metavar(option, length), help=words)

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 
 from solver.errors import InputError
+from solver.option import POSITIVE, Option
 
 OFFSETS = ("above", "centre", "below")
 # Below it, mm, the CAD kernel takes the corners of a plate for one point.
 _SMALLEST = 1e-3
+
+
+def size(name: str, usual: float, words: str) -> Option:
+    """An option that is a length above 0, mm."""
+    return Option(name, usual, "length", words, within=POSITIVE)
 
 
 def positive(name: str, value: float, unit: str) -> None:
@@ -21,16 +27,6 @@ def positive(name: str, value: float, unit: str) -> None:
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     if not number or not math.isfinite(value) or value <= 0:
         raise InputError(f"{name}: expected a number above 0 {unit}, got {value}; give a size")
-
-
-def not_negative(name: str, value: float) -> None:
-    """Refuse a length in mm below 0.
-
-    Raises:
-        InputError: naming the value.
-    """
-    if not (isinstance(value, (int, float)) and math.isfinite(value) and value >= 0):
-        raise InputError(f"{name}: expected 0 mm or more, got {value}; give a size")
 
 
 def check_size(name: str, value: float) -> None:
@@ -46,6 +42,26 @@ def check_size(name: str, value: float) -> None:
         )
 
 
+def check_options(settings: object, options: Iterable[Option], **names: str) -> None:
+    """Refuse settings that their options do not allow.
+
+    Args:
+        settings: a dataclass.
+        options: any; those that no field holds are left out.
+        names: of options by fields that are called otherwise.
+
+    Raises:
+        InputError: naming the option.
+    """
+    by_name = {option.name: option for option in options}
+    for name, value in vars(settings).items():
+        option = by_name.get(names.get(name, name))
+        if option is not None and value is not None:
+            option.check(value)
+            if option.kind == "length" and option.range is POSITIVE:
+                check_size(option.words_of_name, value)
+
+
 def one_of(name: str, word: str, words: Collection[str]) -> None:
     """Refuse a word that is none of those there are.
 
@@ -55,16 +71,6 @@ def one_of(name: str, word: str, words: Collection[str]) -> None:
     if word not in words:
         *others, last = words
         raise InputError(f"{name}: expected {', '.join(others)} or {last}, got '{word}'")
-
-
-def check_offset(offset: str) -> None:
-    """Refuse an offset that is none of ``OFFSETS``.
-
-    Raises:
-        InputError: naming those there are.
-    """
-    if offset not in OFFSETS:
-        raise InputError(f"offset: expected one of {', '.join(OFFSETS)}, got '{offset}'")
 
 
 def offset_levels(offset: str, size: float) -> tuple[float, float]:

@@ -32,13 +32,13 @@ import scipy.sparse
 from scipy.sparse.linalg import splu
 
 from freecad_ortho.fabrication.part import part_names
-from freecad_ortho.fabrication.sizes import positive
+from freecad_ortho.fabrication.sizes import check_options, size
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.offset.axes import torsion_free_axes
-from solver.option import Option
+from solver.option import Option, Range
 
 # What counts of all shells: so many of them are no worse.
 _MOST = 0.95
@@ -73,23 +73,20 @@ class Tolerances:
     allowed: float = 10.0
 
     options: ClassVar[tuple[Option, ...]] = (
-        Option("tolerance", 0.5, "length", "no cut and no hole is further off than this"),
-        Option("trials", 500, "count", "so many shells are bolted together"),
+        size("tolerance", 0.5, "no cut and no hole is further off than this"),
+        Option(
+            *("trials", 500, "count", "so many shells are bolted together"),
+            within=Range(_LEAST, _MOST_TRIALS),
+        ),
         Option("seed", 0, "count", "another number draws other errors"),
-        Option("holes", 120.0, "length", "the outer holes of a beam's end are so far apart"),
-        Option("node", 100.0, "length", "nodes hold beams sideways over this diameter"),
-        Option("play", 1.0, "length", "a bolt may be off by this in its hole"),
-        Option("allowed", 10.0, "length", "nodes may land off by this"),
+        size("holes", 120.0, "the outer holes of a beam's end are so far apart"),
+        size("node", 100.0, "nodes hold beams sideways over this diameter"),
+        size("play", 1.0, "a bolt may be off by this in its hole"),
+        size("allowed", 10.0, "nodes may land off by this"),
     )
 
     def __post_init__(self) -> None:
-        for name in ("tolerance", "holes", "node", "play", "allowed"):
-            positive(name, getattr(self, name), "mm")
-        if not _LEAST <= self.trials <= _MOST_TRIALS or self.trials != int(self.trials):
-            raise InputError(
-                f"trials: expected a whole number from {_LEAST} to {_MOST_TRIALS:,}, got "
-                f"{self.trials}; take 500"
-            )
+        check_options(self, self.options)
 
 
 @dataclass(frozen=True, eq=False)

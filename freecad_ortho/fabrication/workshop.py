@@ -15,9 +15,9 @@ from freecad_ortho.fabrication.equal import TOLERANCE_MM
 from freecad_ortho.fabrication.formats import FORMATS, Format, formats_of
 from freecad_ortho.fabrication.label_form import LabelForm, label_form
 from freecad_ortho.fabrication.prices import Prices, read_prices
-from freecad_ortho.fabrication.sizes import not_negative, one_of, positive
+from freecad_ortho.fabrication.sizes import check_options, positive
 from solver.errors import InputError
-from solver.option import Option
+from solver.option import Option, Range
 
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
@@ -133,7 +133,8 @@ class Workshop:
             title="Least rest",
         ),
         Option(
-            "section_tolerance", 1.5, "percent", "tubes of one section differ so much in height"
+            *("section_tolerance", 1.5, "percent", "tubes of one section differ so much in height"),
+            within=Range(0.0, _WIDEST),
         ),
         Option("kerf", 0.0, "length", "outlines grow by half this width of a cut", absent="none"),
         Option(
@@ -171,6 +172,7 @@ class Workshop:
             "solids that agree within this are one product of the file with several places",
             title="Equal in STEP",
             absent="none",
+            within=Range(0.0, TOLERANCE_MM),
         ),
         Option(
             *("hardware", "list", "choice", "bolts are listed, or drawn as solids too", HARDWARE),
@@ -180,6 +182,7 @@ class Workshop:
         Option(
             *("equal", TOLERANCE_MM, "length"),
             "parts that agree within this are equal: one drawing, with how many are cut from it",
+            within=Range(0.0, _LOOSEST, above=True),
         ),
         Option(
             *("write", "", "text", f"files for other programs too: {', '.join(FORMATS)}"),
@@ -216,26 +219,7 @@ class Workshop:
     def __post_init__(self) -> None:
         for side in self.sheet or ():
             positive("sheet", side, "mm")
-        if self.stock is not None:
-            positive("stock", self.stock, "mm")
-        for name in ("spacing", "saw", "trim", "rest", "kerf"):
-            not_negative(name, getattr(self, name))
-        if not 0 <= self.section_tolerance <= _WIDEST:
-            raise InputError(
-                f"section tolerance: expected 0 to {_WIDEST:g} %, got {self.section_tolerance}"
-            )
-        one_of("grain", self.grain, GRAINS)
-        if not 0 <= self.step_tolerance <= TOLERANCE_MM:
-            raise InputError(
-                f"step tolerance: expected 0 to {TOLERANCE_MM:g} mm, got {self.step_tolerance}"
-            )
-        if not 0 < self.equal <= _LOOSEST:
-            raise InputError(
-                f"equal: expected more than 0 and up to {_LOOSEST:g} mm, got {self.equal}"
-            )
-        one_of("nesting", self.nesting, NESTINGS)
-        one_of("hardware", self.hardware, HARDWARE)
-        one_of("step", self.step, STEP_FILES)
+        check_options(self, (option for option in self.options if option.name != "sheet"))
         if self.step == "in-place" and self.step_tolerance > 0:
             raise InputError(
                 "step: solids that are in-place share no product; leave the step tolerance out, or "

@@ -10,7 +10,7 @@ from PySide import QtGui
 
 from freecad_ortho.panels.fields import NARROW, ChoiceField, NumberField, leave_room, sentence
 from freecad_ortho.panels.quantity import QuantityField
-from solver.option import Option
+from solver.option import Option, Range
 
 translate = FreeCAD.Qt.translate
 
@@ -24,10 +24,10 @@ _LEGIBLE = 120
 class _NumberBox(QtGui.QDoubleSpinBox):
     """A number without unit, shown with no more digits than it has."""
 
-    def __init__(self) -> None:
+    def __init__(self, allowed: Range) -> None:
         super().__init__()
         self.setDecimals(9)
-        self.setRange(-_MOST, _MOST)
+        self.setRange(max(allowed.least, -_MOST), min(allowed.most, _MOST))
         self.setSingleStep(0.1)
 
     def textFromValue(self, value: float) -> str:
@@ -56,7 +56,10 @@ class OptionField:
         self._parts: list[Any] = []
         self.widget = self._build(value)
         if self.widget is not None:
-            self.widget.setToolTip(sentence(translate("Ortho", option.meaning)))
+            words = sentence(translate("Ortho", option.meaning))
+            allowed = option.range
+            limits = f" ({allowed.least:g} … {allowed.most:,g})" if allowed.closed else ""
+            self.widget.setToolTip(words + limits)
 
     @property
     def value(self) -> Any:
@@ -107,7 +110,7 @@ class OptionField:
         if kind in _UNITS:
             return self._quantity()
         if kind in _PLAIN:
-            widget = _NumberBox()
+            widget = _NumberBox(option.range)
             if kind == "pressure":
                 # FreeCAD's own field shows 0 in Pa, and takes a number without a unit for such.
                 widget.setSuffix(" kN/m²")
@@ -117,7 +120,9 @@ class OptionField:
             return NumberField(translate("Ortho", option.label))
         elif kind == "count":
             widget = QtGui.QSpinBox()
-            widget.setRange(0, 100_000)
+            least, most = option.range.least, option.range.most
+            # 0 stands for one that is found.
+            widget.setRange(0 if option.default is None else int(least), int(min(most, 100_000)))
         elif kind == "choice":
             words = {word: translate("Ortho", shown) for word, shown in option.words.items()}
             words |= {word: word for word in option.examples}
@@ -140,10 +145,17 @@ class OptionField:
     def _quantity(self) -> QuantityField:
         """A number with a unit; in place of 0 stands what an absent one is."""
         option = self.option
-        least = 0.0 if option.kind == "length" else -_MOST
+        allowed = option.range
+        # 0 stands for one that is found.
+        least = min(allowed.least, 0.0) if option.default is None else allowed.least
         absent = option.absent or ("automatic" if option.default is None else "")
         words = translate("Ortho", absent) if absent else ""
-        quantity = QuantityField(_UNITS[option.kind], minimum=least, maximum=_MOST, absent=words)
+        quantity = QuantityField(
+            _UNITS[option.kind],
+            minimum=max(least, -_MOST),
+            maximum=min(allowed.most, _MOST),
+            absent=words,
+        )
         quantity.widget.setMinimumWidth(_LEGIBLE)
         return quantity
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from freecad_ortho.sources.source import Made, Source
 from freecad_ortho.words import counted
-from solver.align.align import BORDERS, Aligned, aligned
+from solver.align.align import BORDERS, RATIOS, Aligned, aligned
 from solver.align.crosses import Singular
 from solver.align.guides import TURNED
 from solver.align.membrane import STANDS_ON
@@ -19,7 +19,7 @@ from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.sampling import ParametricSurface, sampled
-from solver.option import Option
+from solver.option import Option, Range
 
 # Points of a CAD face along an edge of the net, where they do not come to too many.
 _FINER, _POINTS = 4.0, 40_000
@@ -36,7 +36,8 @@ OPTIONS = (
            "stress lines as a shell carries its weight",
            tuple(TURNED)),
     Option("edge", 0.0, "length", "Wanted edge length", absent="for about 600 faces"),
-    Option("ratio", 1.0, "number", "How many times as long edges of the other family of lines are"),
+    Option("ratio", 1.0, "number", "How many times as long edges of the other family of lines are",
+           within=Range(*RATIOS)),
     Option("border", "trim", "choice",
            "At the border the net overhangs the surface, to be trimmed, or bends to follow it",
            BORDERS, title="At the border"),

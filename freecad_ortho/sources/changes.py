@@ -14,7 +14,7 @@ from solver.errors import InputError
 from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.offset_mesh import KINDS, offset_mesh
-from solver.option import Former, Option
+from solver.option import POSITIVE, Former, Option, Range
 
 _CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "This point stays where it is")
 
@@ -131,7 +131,7 @@ CHANGES = (
         "subdivide",
         "Four faces for each, parameter lines kept",
         (
-            Option("levels", 1, "count", "Each time four faces are made of one"),
+            Option("levels", 1, "count", "Each time four faces are made of one", within=Range(1)),
             Option("rule", "plain", "choice", "New vertices in the middle, or smoothed",
                    ("plain", "catmull-clark")),
         ),
@@ -192,7 +192,7 @@ CHANGES = (
         "transform",
         "Moved, turned and scaled",
         (
-            Option("scale", 1.0, "number", "The net is scaled by this factor"),
+            Option("scale", 1.0, "number", "The net is scaled by this factor", within=POSITIVE),
             Option("turn", (0.0, 0.0, 0.0), "angle", "Angles of turns about x, then y, then z"),
             Option("move", (0.0, 0.0, 0.0), "distance", "The net is moved by this"),
             _CENTRE,
@@ -205,7 +205,7 @@ CHANGES = (
         "Bent so that circles stay circles; place and size stay",
         (
             Option("centre", (0.0, 0.0, 20000.0), "distance", "Centre of the inversion"),
-            Option("strength", 1.0, "number", "Less than 1 moves the centre away"),
+            Option("strength", 1.0, "number", "Less than 1 moves the centre away", within=POSITIVE),
         ),
         _one(transform.moebius),
         "net",
@@ -215,7 +215,7 @@ CHANGES = (
         "Inverted in a sphere",
         (
             Option("centre", (0.0, 0.0, 20000.0), "distance", "Centre of the sphere"),
-            Option("radius", 10000.0, "length", "Radius of the sphere"),
+            Option("radius", 10000.0, "length", "Radius of the sphere", within=POSITIVE),
         ),
         _one(transform.inverted),
         "net",

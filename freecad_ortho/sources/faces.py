@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from freecad_ortho.sources.primitives import sampling as sampling_option
 from freecad_ortho.sources.source import Made, Source
 from solver.mesh.sampling import ParametricSurface, sampled
-from solver.option import Option
+from solver.option import Option, Range
 
 
 def _sampled(
@@ -42,8 +42,10 @@ FACES = Source(
                ("length", "parameter")),
         Option("outside", "snap", "choice", "Quads that the border cuts: set onto it, or left out",
                ("snap", "drop")),
-        Option("u_part", (0.0, 1.0), "number", "Part of the range of u that is sampled, 0 to 1"),
-        Option("v_part", (0.0, 1.0), "number", "Part of the range of v that is sampled, 0 to 1"),
+        Option("u_part", (0.0, 1.0), "number", "Part of the range of u that is sampled",
+               within=Range(0.0, 1.0)),
+        Option("v_part", (0.0, 1.0), "number", "Part of the range of v that is sampled",
+               within=Range(0.0, 1.0)),
     ),
     _sampled,
     "faces",

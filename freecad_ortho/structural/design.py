@@ -10,7 +10,7 @@ import numpy as np
 
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.quadmesh import FloatArray
-from solver.option import AXES, Option
+from solver.option import AXES, NOT_NEGATIVE, POSITIVE, Option, Range
 
 _JOINTS = ("rigid", "hinged")
 
@@ -83,19 +83,32 @@ class Design:
             "self_weight", True, "flag", "Weight of the members is a load",
             brief="leave out the weight of the members",
         ),
-        Option("panels", 0.0, "pressure", "Weight of panels by their surface, kN/m2"),
+        Option(
+            *("panels", 0.0, "pressure", "Weight of panels by their surface, kN/m2"),
+            within=NOT_NEGATIVE,
+        ),
         Option(
             "panel_shear", 0.0, "number",
             "Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only",
         ),
-        Option("snow", 0.0, "pressure", "Snow by the plan, kN/m2"),
+        Option(
+            *("snow", 0.0, "pressure", "Snow by the plan, kN/m2"),
+            within=NOT_NEGATIVE,
+        ),
         Option(
             "snow_side", (0.0, 0.0, 0.0), "direction",
             "Snow on one half as a case of its own: the half towards a direction", absent="none",
         ),
-        Option("modes", 5, "count", "Modes of buckling"),
-        Option("pieces", 2, "count", "Pieces of each member for buckling and second order"),
-        Option("buckling_length", 1.0, "number", "Buckling length of members by their length"),
+        Option("modes", 5, "count", "Modes of buckling", within=Range(1)),
+        # With one piece no member bows.
+        Option(
+            *("pieces", 2, "count", "Pieces of each member for buckling and second order"),
+            within=Range(2),
+        ),
+        Option(
+            *("buckling_length", 1.0, "number", "Buckling length of members by their length"),
+            within=POSITIVE,
+        ),
         Option(
             "deflection", 200.0, "number",
             "Largest displacement that passes, as a part of the second longest side of the net's "
@@ -128,16 +141,6 @@ class Design:
             value = getattr(self, option.name)
             if not (value is None and option.default is None):
                 option.check(option.plain(value))
-        for name, unit in (
-            ("panels", "kN/m2"), ("snow", "kN/m2"), ("panel_shear", "kN/mm"), ("layers", "mm"),
-        ):  # fmt: skip
-            if getattr(self, name) < 0:
-                raise InputError(f"{name}: expected 0 {unit} or more, got {getattr(self, name):g}")
-        if self.pieces < 2:
-            raise InputError(f"pieces: expected 2 or more, so that members bow, got {self.pieces}")
-        for name in ("modes", "buckling_length", "deflection"):
-            if not getattr(self, name) > 0:
-                raise InputError(f"{name}: expected more than 0, got {getattr(self, name):g}")
         self.winds()
         self.points()
         self.joint_spring()

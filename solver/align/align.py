@@ -51,6 +51,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
 
 # What may become of the border.
+# How many times as long edges of the other family may be.
+RATIOS = (0.05, 20.0)
 BORDERS = ("trim", "follow")
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
@@ -135,8 +137,8 @@ def aligned(
         raise InputError(f"border: expected one of {', '.join(BORDERS)}, got {border}")
     if stands_on not in STANDS_ON:
         raise InputError(f"stands_on: expected one of {', '.join(STANDS_ON)}, got {stands_on}")
-    if not (np.isfinite(ratio) and 0.05 <= ratio <= 20):
-        raise InputError(f"ratio: expected 0.05 to 20, got {ratio:g}")
+    if not (np.isfinite(ratio) and RATIOS[0] <= ratio <= RATIOS[1]):
+        raise InputError("ratio: expected {:g} to {:g}, got {:g}".format(*RATIOS, ratio))
     waiting("curvature")
     given = one_surface(*sound_triangles(vertices, triangles))
     grain = _grain(given.points)

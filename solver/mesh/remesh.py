@@ -31,7 +31,7 @@ from solver.mesh.openings import Loops, Misfit, far_loop, other_loops
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.quadriflow import LIBRARY, Quadriflow
 from solver.mesh.triangles import sound_triangles
-from solver.option import Option
+from solver.option import Option, Range
 
 # Most quads that are made, and the longest that the library may take, in seconds.
 _MOST, _LONGEST = 200_000, 3600.0
@@ -48,20 +48,24 @@ _OF_OPENING = 1 / 7
 
 # What may be said about the quads.
 OPTIONS = (
-    Option("faces", None, "count", "wanted number of quads"),
+    Option("faces", None, "count", "wanted number of quads", within=Range(1)),
     Option(
         *("edge", None, "length", "quads have edges about this long"),
         title="Edge length",
         brief="wanted edge length instead",
     ),
-    Option("corner", 40.0, "angle", "border vertices that turn by more than this are kept"),
+    Option(
+        *("corner", 40.0, "angle", "border vertices that turn by more than this are kept"),
+        within=Range(0.0, 180.0),
+    ),
     Option(
         *("seed", 0, "count", "another number gives another layout of quads"),
         title="Layout",
     ),
     Option(
-        *("time_limit", 60.0, "number", "seconds that the library may take, an hour at most"),
+        *("time_limit", 60.0, "number", "seconds that the library may take"),
         title="Time limit (s)",
+        within=Range(0.0, _LONGEST, above=True),
     ),
 )
 

@@ -8,7 +8,7 @@ from typing import Any
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.option import Kind, Option
+from solver.option import Kind, Option, Range
 from solver.problem import Problem
 
 _FORCES = {
@@ -90,6 +90,7 @@ class NetOptions:
             brief="angle between the lines; right for orthogonal nets, any for others",
             absent="as the net has it",
             stored="MedialAngle",
+            within=Range(0.0, 180.0, above=True, below=True),
         ),
     )
     tilt_u: float | None = field(
@@ -100,6 +101,7 @@ class NetOptions:
             title="Strips along u",
             brief="angle between surface and strips along u: 90 stands, 180 lies",
             absent="free",
+            within=Range(0.0, 180.0),
         ),
     )
     tilt_v: float | None = field(
@@ -110,6 +112,7 @@ class NetOptions:
             title="Strips along v",
             brief="angle between surface and strips along v: 90 stands, 180 lies",
             absent="free",
+            within=Range(0.0, 180.0),
         ),
     )
     plane: str = field(
@@ -233,13 +236,7 @@ class NetOptions:
                 "to the last digit"
             )
         for option in OPTIONS.values():
-            option.check(getattr(self, option.name))
-        if self.angle is not None and not 0 < self.angle < 180:
-            raise InputError(f"angle: expected degrees between 0 and 180, got {self.angle}")
-        for name in ("tilt_u", "tilt_v"):
-            tilt = getattr(self, name)
-            if tilt is not None and not 0 <= tilt <= 180:
-                raise InputError(f"{name}: expected degrees from 0 to 180, got {tilt}")
+            option.check(getattr(self, option.name), "")
 
     @property
     def load_vectors(self) -> list[tuple[float, float, float]]:

@@ -11,7 +11,7 @@ from solver.analysis.kinds import ALIKE_DEG, REPEATED
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
-from solver.option import Option
+from solver.option import POSITIVE, Option
 from solver.problem import Guide, Problem
 from solver.terms.base import Term
 from solver.terms.closeness import Closeness
@@ -149,6 +149,7 @@ WEIGHTS: dict[str, Option] = {
             "weight",
             "Largest residual that counts as zero",
             stored="TargetTolerance",
+            within=POSITIVE,
         ),
         Option(
             "within",

@@ -234,7 +234,7 @@ def test_chosen_lines_are_built_as_in_the_whole(roof):
             {"section": "U"},
             "section: expected plate, hollow, I, T or one of the catalogue",
         ),
-        ({"ends": "glued"}, "ends: expected one of mitred, hub"),
+        ({"ends": "glued"}, "ends: expected mitred, hub,"),
         ({"ends": "lapped", "section": "I"}, "only plates can be lapped"),
         ({"section": "hollow", "section_width": 20}, "section width: expected more than 20 mm"),
         ({"section": "I", "flange_thickness": 90}, "filled by the section's 180 mm"),

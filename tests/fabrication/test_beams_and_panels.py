@@ -221,7 +221,7 @@ def test_sizes_must_be_positive(name, make, value):
 
 
 def test_unknown_offset_no_system_bad_density(roof):
-    with pytest.raises(InputError, match="offset: expected one of above, centre, below"):
+    with pytest.raises(InputError, match="offset: expected above, centre or below"):
         Beams(200, 12, "middle")
     for systems in ([], [BEAMS, BEAMS]):
         with pytest.raises(InputError, match="system: expected different systems"):

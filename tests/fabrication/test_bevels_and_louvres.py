@@ -114,11 +114,11 @@ def test_louvres_between_beams(skewed):
 @pytest.mark.parametrize(
     "system, values, words",
     [
-        ("panels", {"panel_edge": "round"}, "panel edge: expected one of square, bevel"),
+        ("panels", {"panel_edge": "round"}, "panel edge: expected square or bevel"),
         ("panels", {"panel_edge": "bevel", "gap": 4000}, "gap: 4000 mm"),
         ("louvres", {"gap": 2000}, "leaves nothing of the louvre in face"),
         ("louvres", {"gap": 0.2, "thickness": 90}, "neighbours lean together"),
-        ("louvres", {"tilt": 90}, "tilt: expected between -90 and 90 degrees, got 90"),
+        ("louvres", {"tilt": 90}, "tilt: expected a number between -90 and 90 degrees, got 90"),
         ("louvres", {"louvre_axis": "w"}, "louvre axis: expected u or v, got 'w'"),
     ],
 )

@@ -318,10 +318,10 @@ def test_files_read_back(minimal, tmp_path):
         ({"width": 5, "thickness": 6}, "not less than the width"),
         ({"clearance": 50}, "deeper than three quarters"),
         ({"position": "lying"}, "cannot cross in one layer"),
-        ({"layers": 3}, "expected 1 or 2"),
+        ({"layers": 3}, "layers: expected a whole number, 1 to 2, got"),
         ({"position": "lying", "layers": 2, "hole": 40}, "a hole of at most 33.3 mm"),
         ({"strip": "developable", "smooth": True}, "take strip twisted"),
-        ({"strip": "rigid"}, "expected one of auto, developable"),
+        ({"strip": "rigid"}, "expected auto, developable"),
         ({"overhang": -4}, "overhang: expected a number above 0"),
     ],
 )

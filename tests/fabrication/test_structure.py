@@ -22,7 +22,7 @@ from freecad_ortho.fabrication import (
 )
 from freecad_ortho.fabrication.limits import verdict
 from freecad_ortho.fabrication.production import produce
-from freecad_ortho.fabrication.systems.beams.system import ENDS
+from freecad_ortho.fabrication.systems.beams.options import ENDS
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from tests.conftest import grid_faces

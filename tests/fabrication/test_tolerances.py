@@ -83,7 +83,7 @@ def test_a_net_held_on_one_side_lands_further_off_than_all_around(roof):
     ("options", "words"),
     [
         ({"tolerance": 0.0}, "tolerance: expected a number above 0 mm"),
-        ({"trials": 3}, "trials: expected a whole number from 10"),
+        ({"trials": 3}, "trials: expected a whole number, 10 to 100,000, got 3"),
         ({"held": [70]}, r"held: expected nodes from 0 to 69, got \[70\]"),
         ({"held": []}, "held: expected nodes from 0 to 69, got none"),
         ({"held": range(70)}, "held: every node is held"),

@@ -16,6 +16,7 @@ from freecad_ortho.panels.fields import LengthField
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.sources import source
 from freecad_ortho.window import dialogs
+from solver.option import Option, Range
 
 LANGUAGES = ("English", "German", "French")
 # Lists at the top of these panels choose what fields there are.
@@ -131,6 +132,18 @@ class TestUnits(WindowCase):
                     wait(seconds=0.02)
                     self.assertEqual(shown.value, option.default, f"{name} {option.name}")
                     shown.widget.deleteLater()
+
+    def test_a_field_ends_where_the_range_of_its_option_does(self):
+        for option, most in (
+            (Option("part", 0.1, "number", "Part", within=Range(0.0, 0.5)), 0.5),
+            (Option("bolts", 2, "count", "Bolts", within=Range(1, 2)), 2),
+            (Option("tilt", 0.0, "angle", "Tilt", within=Range(-90.0, 90.0)), 90.0),
+        ):
+            field = OptionField(option, option.default)
+            ends = [field.widget.property(end) for end in ("minimum", "maximum")]
+            self.assertEqual(ends, [option.range.least, most], option.name)
+            self.assertIn(f" … {most:g})", field.widget.toolTip())
+            field.widget.deleteLater()
 
 
 class TestSettings(WindowCase):

@@ -204,9 +204,9 @@ def test_a_mesh_without_stars_cannot_carry_star_nets(net):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"radius": -2.0}, "radius: expected a positive length"),
+        ({"radius": -2.0}, "radius: expected a number above 0, got -2"),
         ({"length": float("nan")}, "length: expected a number, got nan"),
-        ({"angle": 180.0}, "angle: expected degrees"),
+        ({"angle": 180.0}, "angle: expected a number between 0 and 180 degrees, got 180"),
     ],
 )
 def test_bad_options_are_refused_in_one_line(options, words):

@@ -136,8 +136,8 @@ def test_own_combinations_are_read_and_bad_ones_refused(dome, tmp_path):
         ({"supports": "1:springs=2"}, "supports: expected springs=X/Y/Z, three stiffnesses"),
         ({"joints": "soft"}, "joints: expected rigid, hinged or a stiffness in kNm/rad"),
         ({"section": "tube:1x1x1"}, "section"),
-        ({"pieces": 1}, "pieces: expected 2 or more, so that members bow"),
-        ({"modes": 0}, "modes: expected more than 0"),
+        ({"pieces": 1}, "pieces: expected a whole number, 2 or more, got 1"),
+        ({"modes": 0}, "modes: expected a whole number, 1 or more, got 0"),
         ({"sections": "IPE200"}, "check_structure: has no 'sections'; it has section, "),
     ],
 )

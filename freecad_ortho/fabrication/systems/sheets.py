@@ -8,7 +8,6 @@ from typing import Any
 from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.words import counted
-from solver.option import Option
 
 # The workshop's own, so that a size is given once.
 SHEET_OPTIONS = tuple(
@@ -17,12 +16,6 @@ SHEET_OPTIONS = tuple(
 
 # Names of pieces that a message says.
 _SHOWN = 5
-LEAST_WIDTH = Option(
-    "least_width",
-    60.0,
-    "length",
-    "pieces of panels at the border that are narrower than this are slivers",
-)
 
 
 def trimming_report(cut: int, left_out: Mapping[str, float]) -> dict[str, Any]:

@@ -100,8 +100,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolts: a joint has so many bolts above each other, 1 or 2</source>
-   <translation>Schrauben: so viele Schrauben hat ein Anschluss übereinander, 1 oder 2</translation>
+   <source>Bolts: a joint has so many bolts above each other</source>
+   <translation>Schrauben: so viele Schrauben hat ein Anschluss übereinander</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -930,13 +930,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled, 0 to 1</source>
-   <translation>Teil des Bereichs von u, der abgetastet wird, 0 bis 1</translation>
+   <source>Part of the range of u that is sampled</source>
+   <translation>Teil des Bereichs von u, der abgetastet wird</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled, 0 to 1</source>
-   <translation>Teil des Bereichs von v, der abgetastet wird, 0 bis 1</translation>
+   <source>Part of the range of v that is sampled</source>
+   <translation>Teil des Bereichs von v, der abgetastet wird</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3588,13 +3588,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled, 0 to 1</source>
-   <translation>Teil des Bereichs von u, der abgetastet wird, 0 bis 1</translation>
+   <source>Part of the range of u that is sampled</source>
+   <translation>Teil des Bereichs von u, der abgetastet wird</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled, 0 to 1</source>
-   <translation>Teil des Bereichs von v, der abgetastet wird, 0 bis 1</translation>
+   <source>Part of the range of v that is sampled</source>
+   <translation>Teil des Bereichs von v, der abgetastet wird</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4831,8 +4831,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>a joint has so many bolts above each other, 1 or 2</source>
-   <translation>so viele Schrauben hat ein Anschluss übereinander, 1 oder 2</translation>
+   <source>a joint has so many bolts above each other</source>
+   <translation>so viele Schrauben hat ein Anschluss übereinander</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5936,8 +5936,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>seconds that the library may take, an hour at most</source>
-   <translation>Sekunden, die die Bibliothek brauchen darf, höchstens eine Stunde</translation>
+   <source>seconds that the library may take</source>
+   <translation>Sekunden, die die Bibliothek brauchen darf</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

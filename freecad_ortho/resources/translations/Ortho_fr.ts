@@ -100,8 +100,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolts: a joint has so many bolts above each other, 1 or 2</source>
-   <translation>Boulons : nombre de boulons superposés d'un assemblage, 1 ou 2</translation>
+   <source>Bolts: a joint has so many bolts above each other</source>
+   <translation>Boulons : nombre de boulons superposés d'un assemblage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -930,13 +930,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled, 0 to 1</source>
-   <translation>Part de la plage de u échantillonnée, 0 à 1</translation>
+   <source>Part of the range of u that is sampled</source>
+   <translation>Part de la plage de u échantillonnée</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled, 0 to 1</source>
-   <translation>Part de la plage de v échantillonnée, 0 à 1</translation>
+   <source>Part of the range of v that is sampled</source>
+   <translation>Part de la plage de v échantillonnée</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3588,13 +3588,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled, 0 to 1</source>
-   <translation>Part de la plage de u échantillonnée, 0 à 1</translation>
+   <source>Part of the range of u that is sampled</source>
+   <translation>Part de la plage de u échantillonnée</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled, 0 to 1</source>
-   <translation>Part de la plage de v échantillonnée, 0 à 1</translation>
+   <source>Part of the range of v that is sampled</source>
+   <translation>Part de la plage de v échantillonnée</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4831,8 +4831,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>a joint has so many bolts above each other, 1 or 2</source>
-   <translation>nombre de boulons superposés d'un assemblage, 1 ou 2</translation>
+   <source>a joint has so many bolts above each other</source>
+   <translation>nombre de boulons superposés d'un assemblage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5936,8 +5936,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>seconds that the library may take, an hour at most</source>
-   <translation>secondes accordées à la bibliothèque, une heure au plus</translation>
+   <source>seconds that the library may take</source>
+   <translation>secondes accordées à la bibliothèque</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -204,7 +204,7 @@ def test_three_families_of_a_web_run_straight_on_a_freeform_saddle(kind):
 
 
 def test_bad_options_of_these_nets_are_one_line():
-    with pytest.raises(InputError, match="tilt_u: expected degrees from 0 to 180, got 200"):
+    with pytest.raises(InputError, match="tilt u: expected 0 to 180 degrees, got 200"):
         NetOptions(tilt_u=200.0)
     with pytest.raises(InputError, match="plane: expected one, u, v or both, got 'w'"):
         NetOptions(plane="w")

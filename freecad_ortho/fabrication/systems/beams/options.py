@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from freecad_ortho.fabrication.bolts import BOLTS
 from freecad_ortho.fabrication.profiles import names
-from freecad_ortho.fabrication.sizes import OFFSETS
+from freecad_ortho.fabrication.sizes import size
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS
-from solver.option import Option
+from freecad_ortho.fabrication.systems.shared_options import (
+    CLEARANCE,
+    HEIGHT,
+    NO_BOUNDARY_BEAMS,
+    OFFSET,
+    ROUNDED,
+    plate_thickness,
+)
+from solver.option import Option, Range
 
 ENDS = ("mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", "through-u", "through-v")
 # Those that are bolted to nodes.
@@ -24,7 +32,10 @@ HUB_OPTIONS = (
         absent="100 mm, of bolted ones what each needs",
     ),
     Option("bolt", "M16", "choice", "beams are bolted with bolts of this size", tuple(BOLTS)),
-    Option("bolts", 2, "count", "a joint has so many bolts above each other, 1 or 2"),
+    Option(
+        *("bolts", 2, "count", "a joint has so many bolts above each other"),
+        within=Range(1, 2),
+    ),
     Option(
         "hub_wall",
         None,
@@ -35,15 +46,9 @@ HUB_OPTIONS = (
 )
 
 OPTIONS = (
-    Option("height", 200.0, "length", "the beams are this high"),
-    Option("thickness", 20.0, "length", "the plates are this thick"),
-    Option(
-        "offset",
-        "centre",
-        "choice",
-        "the parts lie above the net, about it or below it",
-        OFFSETS,
-    ),
+    HEIGHT,
+    plate_thickness(20.0),
+    OFFSET,
     Option(
         "section",
         "plate",
@@ -52,7 +57,7 @@ OPTIONS = (
         SECTIONS,
         examples=names(),
     ),
-    Option("section_width", 60.0, "length", "hollow sections and flanges are this wide"),
+    size("section_width", 60.0, "hollow sections and flanges are this wide"),
     Option(
         "flange_thickness",
         None,
@@ -61,18 +66,13 @@ OPTIONS = (
     ),
     Option("ends", "mitred", "choice", "the beams meet like this at a node", ENDS),
     *HUB_OPTIONS,
-    Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
-    Option("no_boundary_beams", False, "flag", "no beams are made along the boundary"),
+    CLEARANCE,
+    NO_BOUNDARY_BEAMS,
     Option(
         "least_length",
         100.0,
         "length",
         "beams that are shorter than this at the border are left out",
     ),
-    Option(
-        "rounded",
-        False,
-        "flag",
-        "solids have the rounded corners and roots of a section of the catalogue",
-    ),
+    ROUNDED,
 )

@@ -13,9 +13,8 @@ from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.profiles import profile
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
-    check_offset,
+    check_options,
     check_size,
-    not_negative,
     offset_levels,
 )
 from freecad_ortho.fabrication.systems.beams.ball_tubes import TubesOnBalls, with_tubes
@@ -35,7 +34,7 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
 )
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
 from freecad_ortho.fabrication.systems.beams.messages import remarks
-from freecad_ortho.fabrication.systems.beams.options import BOLTED, ENDS, OPTIONS, PLAIN_HUB
+from freecad_ortho.fabrication.systems.beams.options import BOLTED, OPTIONS, PLAIN_HUB
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
@@ -117,11 +116,7 @@ class Beams(System):
             object.__setattr__(self, "unheeded", self._unheeded(own))
             for name, size in own.items():
                 object.__setattr__(self, name, size)
-        check_size("beam height", self.height)
-        check_size("beam thickness", self.thickness)
-        check_offset(self.offset)
-        if self.ends not in ENDS:
-            raise InputError(f"ends: expected one of {', '.join(ENDS)}, got '{self.ends}'")
+        check_options(self, self.options)
         if self.hub_diameter is None and self.ends not in BOLTED:
             object.__setattr__(self, "hub_diameter", PLAIN_HUB)
         if self.ends == "hub":
@@ -138,9 +133,6 @@ class Beams(System):
                 f"ends: cover plates join webs of plates, got section {self.section}; take section "
                 "plate, I or T, or other ends"
             )
-        if not 0 <= self.clearance < float("inf"):
-            raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
-        not_negative("least length", self.least_length)
         if self.ends == "lapped" and self.section != "plate":
             raise InputError(
                 f"ends: only plates can be lapped, got section {self.section}; take section plate "

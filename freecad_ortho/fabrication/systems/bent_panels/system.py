@@ -19,15 +19,15 @@ from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.part import Measures, Part, piece_name
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_size, not_negative
+from freecad_ortho.fabrication.sizes import check_options
 from freecad_ortho.fabrication.systems.bent_panels.plate import Plate, plate_of
 from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
 from freecad_ortho.fabrication.systems.bent_panels.trimmed import trimmed_plate
 from freecad_ortho.fabrication.systems.panels.geometry import (
     half_angle_tangents,
 )
+from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint, plate_thickness
 from freecad_ortho.fabrication.systems.sheets import (
-    LEAST_WIDTH,
     SHEET_OPTIONS,
     left_out_words,
     room_on,
@@ -99,16 +99,14 @@ class BentPanels(System):
         "the nodes out"
     }
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 3.0, "length", "the plates are this thick"),
-        Option("gap", 10.0, "length", "the joint between two panels is this wide"),
+        plate_thickness(3.0),
+        joint(10.0),
         *SHEET_OPTIONS,
         LEAST_WIDTH,
     )
 
     def __post_init__(self) -> None:
-        check_size("panel thickness", self.thickness)
-        check_size("gap", self.gap)
-        not_negative("least width", self.least_width)
+        check_options(self, self.options)
         _ = self._room
 
     @property

@@ -11,17 +11,23 @@ import numpy as np
 from freecad_ortho.fabrication.profiles import Profile, names, profile
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
-    OFFSETS,
-    check_offset,
-    check_size,
-    not_negative,
+    check_options,
     offset_levels,
+    size,
 )
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry, edge_geometry
 from freecad_ortho.fabrication.systems.edge_beam.parts import bends, edge_parts
 from freecad_ortho.fabrication.systems.edge_beam.path import joints_of, paths_of
 from freecad_ortho.fabrication.systems.edge_beam.rolled import RolledEdge
 from freecad_ortho.fabrication.systems.edge_beam.sections import SECTIONS, EdgeSection
+from freecad_ortho.fabrication.systems.shared_options import (
+    CLEARANCE,
+    HEIGHT,
+    OFFSET,
+    ROUNDED,
+    STOCK,
+    plate_thickness,
+)
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.words import counted
 from solver.errors import InputError
@@ -93,33 +99,24 @@ class EdgeBeam(System):
             "length",
             "the edge beam is this wide, by default as thick as the plates or 60 mm",
         ),
-        Option("edge_wall", 5.0, "length", "the walls of a tube along the edge are this thick"),
-        Option("height", 200.0, "length", "the beams are this high"),
-        Option("thickness", 20.0, "length", "the plates are this thick"),
-        Option(
-            "offset",
-            "centre",
-            "choice",
-            "the parts lie above the net, about it or below it",
-            OFFSETS,
-        ),
-        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
-        Option("stock", None, "length", "strips are cut from this length; longer ones are spliced"),
-        Option(
-            "rounded",
-            False,
-            "flag",
-            "solids have the rounded corners and roots of a section of the catalogue",
-        ),
+        size("edge_wall", 5.0, "the walls of a tube along the edge are this thick"),
+        HEIGHT,
+        plate_thickness(20.0),
+        OFFSET,
+        CLEARANCE,
+        STOCK,
+        ROUNDED,
     )
 
     def __post_init__(self) -> None:
-        check_size("beam height", self.height)
-        check_size("beam thickness", self.thickness)
-        check_offset(self.offset)
-        not_negative("clearance", self.clearance)
-        if self.stock is not None:
-            check_size("stock", self.stock)
+        check_options(
+            self,
+            self.options,
+            section="edge_section",
+            section_height="edge_height",
+            width="edge_width",
+            wall="edge_wall",
+        )
         _ = self.profile
 
     @classmethod

@@ -10,9 +10,10 @@ from freecad_ortho.fabrication.bolts import BOLTS, GRADE, NUTS, WASHERS, bolt_of
 from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.part import part_names
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.sizes import check_options, check_size, offset_levels, size
 from freecad_ortho.fabrication.systems.feet.parts import FootSizes, foot_parts
 from freecad_ortho.fabrication.systems.feet.places import standing, undersides
+from freecad_ortho.fabrication.systems.shared_options import CLEARANCE, HEIGHT, OFFSET
 from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
 from solver.errors import InputError
 from solver.option import Option
@@ -66,33 +67,21 @@ class Feet(System):
             "text",
             "these vertices stand on feet: corners, boundary, or their numbers as 0,12,40",
         ),
-        Option("foot_height", 600.0, "length", "the base plates lie this far below the vertices"),
-        Option("post_diameter", 88.9, "length", "the posts are round tubes of this diameter"),
-        Option("post_wall", 5.0, "length", "the walls of the posts are this thick"),
-        Option("foot_plate", 15.0, "length", "base plates and caps are this thick"),
+        size("foot_height", 600.0, "the base plates lie this far below the vertices"),
+        size("post_diameter", 88.9, "the posts are round tubes of this diameter"),
+        size("post_wall", 5.0, "the walls of the posts are this thick"),
+        size("foot_plate", 15.0, "base plates and caps are this thick"),
         Option("anchor", "M16", "choice", "four anchor bolts hold a base plate", tuple(BOLTS)),
-        Option("height", 200.0, "length", "the beams are this high"),
-        Option(
-            "offset",
-            "centre",
-            "choice",
-            "the parts lie above the net, about it or below it",
-            OFFSETS,
-        ),
-        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+        HEIGHT,
+        OFFSET,
+        CLEARANCE,
     )
 
     def __post_init__(self) -> None:
-        for words, value in (
-            ("foot height", self.foot_height),
-            ("post diameter", self.diameter),
-            ("post wall", self.wall),
-            ("foot plate", self.plate),
-            ("beam height", self.height),
-            ("clearance", self.clearance),
-        ):
-            check_size(words, value)
-        check_offset(self.offset)
+        check_options(
+            self, self.options, diameter="post_diameter", wall="post_wall", plate="foot_plate"
+        )
+        check_size("clearance", self.clearance)
         if 2 * self.wall >= self.diameter:
             raise InputError(
                 f"post wall: {self.wall:g} mm fills a tube of {self.diameter:g} mm; take less than "

@@ -6,10 +6,11 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from freecad_ortho.fabrication.sizes import check_size, not_negative
+from freecad_ortho.fabrication.sizes import check_options, check_size, size
+from freecad_ortho.fabrication.systems.shared_options import STOCK, plate_thickness
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
-from solver.option import Option
+from solver.option import Option, Range
 
 STRIPS = ("auto", "developable", "twisted")
 PATTERNS = ("auto", "straight", "arc", "free")
@@ -67,9 +68,9 @@ class LamellaSettings:
     cutter: float | None = None
 
     options: ClassVar[tuple[Option, ...]] = (
-        Option("width", 80.0, "length", "the strips are this wide"),
-        Option("thickness", 5.0, "length", "the plates are this thick"),
-        Option("clearance", 1.0, "length", "the slots leave this much air"),
+        size("width", 80.0, "the strips are this wide"),
+        plate_thickness(5.0),
+        size("clearance", 1.0, "the slots leave this much air"),
         Option(
             "position",
             "standing",
@@ -83,8 +84,9 @@ class LamellaSettings:
             "count",
             "one layer has slots where strips cross, two have bolt holes",
             written="1|2",
+            within=Range(1, 2),
         ),
-        Option("hole", 9.0, "length", "the bolt holes have this diameter"),
+        size("hole", 9.0, "the bolt holes have this diameter"),
         Option(
             "overhang",
             None,
@@ -94,7 +96,7 @@ class LamellaSettings:
         Option("strip", "auto", "choice", "the strips are made of plane faces or twisted", STRIPS),
         Option("pattern", "auto", "choice", "the axes unroll to lines of this kind", PATTERNS),
         Option("smooth", False, "flag", "the solids are smooth instead of faceted"),
-        Option("stock", None, "length", "strips are cut from this length; longer ones are spliced"),
+        STOCK,
         Option("trim", Workshop.trim, "length", "the stock loses this much at each end"),
         Option("saw", Workshop.saw, "length", "a saw cut behind a piece is this wide"),
         Option(
@@ -114,29 +116,9 @@ class LamellaSettings:
     )
 
     def __post_init__(self) -> None:
-        check_size("lamella width", self.width)
-        check_size("lamella thickness", self.thickness)
-        check_size("clearance", self.clearance)
-        check_size("hole", self.hole)
-        if self.overhang is not None:
-            check_size("overhang", self.overhang)
-        if self.cutter is not None:
-            check_size("cutter", self.cutter)
-        not_negative("trim", self.trim)
-        not_negative("saw", self.saw)
+        check_options(self, self.options)
         if self.stock is not None:
-            check_size("stock", self.stock)
             check_size("stock between its trimmed ends", self.longest)
-        for name, value, choices in (
-            ("position", self.position, POSITIONS),
-            ("strip", self.strip, STRIPS),
-            ("pattern", self.pattern, PATTERNS),
-            ("border cut", self.border_cut, BORDER_CUTS),
-        ):
-            if value not in choices:
-                raise InputError(f"{name}: expected one of {', '.join(choices)}, got '{value}'")
-        if self.layers not in (1, 2):
-            raise InputError(f"layers: expected 1 or 2, got {self.layers}")
         self._check_together()
 
     @property

@@ -20,7 +20,7 @@ from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_siz
 from freecad_ortho.fabrication.plate_bodies import plate_body
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_size, not_negative, rounded_down
+from freecad_ortho.fabrication.sizes import check_options, rounded_down
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.panels.geometry import half_angle_tangents, inset
 from freecad_ortho.fabrication.systems.panels.trimmed import (
@@ -28,13 +28,19 @@ from freecad_ortho.fabrication.systems.panels.trimmed import (
     trimmed,
     trimmed_pattern,
 )
-from freecad_ortho.fabrication.systems.sheets import LEAST_WIDTH, left_out_words, trimming_report
+from freecad_ortho.fabrication.systems.shared_options import (
+    LEAST_WIDTH,
+    PANEL_THICKNESS,
+    joint,
+    plate_thickness,
+)
+from freecad_ortho.fabrication.systems.sheets import left_out_words, trimming_report
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import FAMILIES
 from solver.mesh.quadmesh import FloatArray, unit_rows
-from solver.option import Option
+from solver.option import Option, Range
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,29 +85,21 @@ class Louvres(System):
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "louvres"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 12.0, "length", "the plates are this thick"),
-        Option(
-            "panel_thickness",
-            None,
-            "length",
-            "the panels are this thick, by default as thick as the plates",
-        ),
-        Option("gap", 8.0, "length", "the joint between two panels is this wide"),
+        plate_thickness(12.0),
+        PANEL_THICKNESS,
+        joint(8.0),
         Option(
             "louvre_axis", "u", "choice", "the louvres turn about lines of this family", FAMILIES
         ),
-        Option("tilt", 0.0, "angle", "the louvres are turned by this angle about their lines"),
+        Option(
+            *("tilt", 0.0, "angle", "the louvres are turned by this angle about their lines"),
+            within=Range(-90.0, 90.0, above=True, below=True),
+        ),
         LEAST_WIDTH,
     )
 
     def __post_init__(self) -> None:
-        check_size("panel thickness", self.thickness)
-        check_size("gap", self.gap)
-        if self.axis not in FAMILIES:
-            raise InputError(f"louvre axis: expected u or v, got '{self.axis}'")
-        if not abs(self.tilt) < 90:
-            raise InputError(f"tilt: expected between -90 and 90 degrees, got {self.tilt:g}")
-        not_negative("least width", self.least_width)
+        check_options(self, self.options, thickness="panel_thickness", axis="louvre_axis")
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Louvres:

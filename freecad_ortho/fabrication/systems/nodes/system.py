@@ -11,7 +11,7 @@ import numpy as np
 from freecad_ortho.fabrication.bodies import Body
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import OFFSETS, check_offset, check_size, offset_levels
+from freecad_ortho.fabrication.sizes import check_options, check_size, offset_levels, size
 from freecad_ortho.fabrication.systems.beams.balls import BallJoints
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
@@ -37,6 +37,13 @@ from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
 from freecad_ortho.fabrication.systems.nodes.star_plates import StarMaking
 from freecad_ortho.fabrication.systems.nodes.stars import Star, stars
+from freecad_ortho.fabrication.systems.shared_options import (
+    CLEARANCE,
+    HEIGHT,
+    NO_BOUNDARY_BEAMS,
+    OFFSET,
+    plate_thickness,
+)
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -103,35 +110,26 @@ class Nodes(System):
             "the hubs have a hole of this diameter along their axis",
             absent="none",
         ),
-        Option("socket_depth", 30.0, "length", "the plates stand this deep in the sockets"),
-        Option("height", 200.0, "length", "the beams are this high"),
-        Option("thickness", 20.0, "length", "the plates are this thick"),
-        Option(
-            "offset",
-            "centre",
-            "choice",
-            "the parts lie above the net, about it or below it",
-            OFFSETS,
-        ),
-        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
-        Option("no_boundary_beams", False, "flag", "no beams are made along the boundary"),
+        size("socket_depth", 30.0, "the plates stand this deep in the sockets"),
+        HEIGHT,
+        plate_thickness(20.0),
+        OFFSET,
+        CLEARANCE,
+        NO_BOUNDARY_BEAMS,
     )
 
     def __post_init__(self) -> None:
-        if self.kind not in KINDS:
-            raise InputError(f"node: expected one of {', '.join(KINDS)}, got '{self.kind}'")
+        check_options(
+            self,
+            self.options,
+            kind="node",
+            diameter="hub_diameter",
+            depth="socket_depth",
+            wall="hub_wall",
+        )
         if self.diameter is None and self.kind not in BOLTED_KINDS:
             object.__setattr__(self, "diameter", PLAIN_HUB)
-        for words, value in (
-            ("hub diameter", self.across),
-            ("socket depth", self.depth),
-            ("beam height", self.height),
-            ("beam thickness", self.thickness),
-        ):
-            check_size(words, value)
-        check_offset(self.offset)
-        if not 0 <= self.clearance < float("inf"):
-            raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
+        check_size("hub diameter", self.across)
         if not 0 <= self.bore < 0.8 * self.across:
             raise InputError(
                 f"bore: expected 0 to {0.8 * self.across:g} mm in a hub of {self.across:g} mm, "

@@ -11,12 +11,9 @@ import numpy as np
 from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
-    OFFSETS,
-    check_offset,
-    check_size,
-    not_negative,
+    check_options,
     offset_levels,
-    one_of,
+    size,
 )
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
@@ -46,14 +43,22 @@ from freecad_ortho.fabrication.systems.panels.words import (
     messages_of,
     report_of,
 )
-from freecad_ortho.fabrication.systems.sheets import LEAST_WIDTH, left_out_words
+from freecad_ortho.fabrication.systems.shared_options import (
+    CLEARANCE,
+    LEAST_WIDTH,
+    OFFSET,
+    PANEL_THICKNESS,
+    joint,
+    plate_thickness,
+)
+from freecad_ortho.fabrication.systems.sheets import left_out_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.fabrication.trimming import Trimming
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.option import Option
+from solver.option import Option, Range
 
 EDGES = ("square", "bevel")
 AT_HUBS = ("cut", "lift")
@@ -118,21 +123,10 @@ class Panels(System):
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "panels"
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 12.0, "length", "the plates are this thick"),
-        Option(
-            "panel_thickness",
-            None,
-            "length",
-            "the panels are this thick, by default as thick as the plates",
-        ),
-        Option("gap", _GAP, "length", "the joint between two panels is this wide"),
-        Option(
-            "offset",
-            "centre",
-            "choice",
-            "the parts lie above the net, about it or below it",
-            OFFSETS,
-        ),
+        plate_thickness(12.0),
+        PANEL_THICKNESS,
+        joint(_GAP),
+        OFFSET,
         Option(
             "panel_edge",
             "square",
@@ -147,7 +141,7 @@ class Panels(System):
             "the panels' corners are cut off beside hubs, or the panels lifted over them",
             AT_HUBS,
         ),
-        Option("clearance", 1.0, "length", "slots and hubs leave this much air"),
+        CLEARANCE,
         LEAST_WIDTH,
         Option(
             "slivers",
@@ -163,10 +157,10 @@ class Panels(System):
             "pressure plates and caps hold the panels, or structural silicone on adapters",
             FRAMES,
         ),
-        Option("frame_width", 50.0, "length", "pressure plates and caps are this wide"),
-        Option("edge_cover", 15.0, "length", "panels reach this far under pressure plates"),
-        Option("gasket", 5.0, "length", "gaskets below and above framed panels are this thick"),
-        Option("bite", 12.0, "length", "joints of structural silicone are this wide"),
+        size("frame_width", 50.0, "pressure plates and caps are this wide"),
+        size("edge_cover", 15.0, "panels reach this far under pressure plates"),
+        size("gasket", 5.0, "gaskets below and above framed panels are this thick"),
+        size("bite", 12.0, "joints of structural silicone are this wide"),
         Option(
             "bending",
             "none",
@@ -185,22 +179,12 @@ class Panels(System):
         Option(
             *("k_factor", 0.0, "number"),
             "folds keep the length of the fibre at this part of the thickness, 0: by DIN 6935",
+            within=Range(0.0, 0.5),
         ),
     )
 
     def __post_init__(self) -> None:
-        check_size("panel thickness", self.thickness)
-        check_size("gap", self.gap)
-        check_offset(self.offset)
-        if self.edge not in EDGES:
-            raise InputError(f"panel edge: expected one of {', '.join(EDGES)}, got '{self.edge}'")
-        if self.at_hubs not in AT_HUBS:
-            raise InputError(f"at hubs: expected one of {', '.join(AT_HUBS)}, got '{self.at_hubs}'")
-        if not 0 <= self.clearance < float("inf"):
-            raise InputError(f"clearance: expected 0 mm or more, got {self.clearance:g}")
-        not_negative("least width", self.least_width)
-        one_of("slivers", self.slivers, SLIVERS)
-        one_of("bending", self.bending, BENDINGS)
+        check_options(self, self.options, thickness="panel_thickness", edge="panel_edge")
         if self.folding is not None and (
             (self.edge, self.bending) != ("square", "none") or self.frame == "silicone"
         ):

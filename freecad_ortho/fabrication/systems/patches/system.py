@@ -17,13 +17,13 @@ import numpy as np
 from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_size, not_negative, positive
+from freecad_ortho.fabrication.sizes import check_options
 from freecad_ortho.fabrication.systems.patches.parts import PatchMaker
 from freecad_ortho.fabrication.systems.patches.pieces import Piece, pieces_of
 from freecad_ortho.fabrication.systems.patches.sheet import half_thicknesses
 from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
+from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint, plate_thickness
 from freecad_ortho.fabrication.systems.sheets import (
-    LEAST_WIDTH,
     SHEET_OPTIONS,
     left_out_words,
     room_on,
@@ -35,7 +35,7 @@ from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
-from solver.option import Option
+from solver.option import POSITIVE, Option
 from solver.unroll.patch import FlatPatch, flattened
 
 _COLUMNS = (
@@ -78,18 +78,18 @@ class Patches(System):
         "the nodes out"
     }
     options: ClassVar[tuple[Option, ...]] = (
-        Option("thickness", 3.0, "length", "the plates are this thick"),
-        Option("gap", 10.0, "length", "the joint between two patches is this wide"),
-        Option("distortion", 1.0, "percent", "a patch is built up to this distortion of an edge"),
+        plate_thickness(3.0),
+        joint(10.0, "patches"),
+        Option(
+            *("distortion", 1.0, "percent", "a patch is built up to this distortion of an edge"),
+            within=POSITIVE,
+        ),
         *SHEET_OPTIONS,
         LEAST_WIDTH,
     )
 
     def __post_init__(self) -> None:
-        check_size("patch thickness", self.thickness)
-        check_size("gap", self.gap)
-        not_negative("least width", self.least_width)
-        positive("distortion", self.distortion, "%")
+        check_options(self, self.options)
         _ = self._room
 
     @property
