@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = ("solver", "freecad_ortho")
 FREECAD = ("FreeCAD", "FreeCADGui", "Part", "PySide", "PySide2", "PySide6", "pivy")
-CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "vtk")
+CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "shapely", "vtk")
 # From the ground up: a room imports only from those before it, within functions and for types too.
 ROOMS = (
     "answers", "solver", "units", "packages", "preferences", "resources", "vtk_files",

@@ -7,11 +7,14 @@ walls, square to each other, are lines of the flat pattern.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-import shapely
 
 from solver.mesh.quadmesh import FloatArray
+
+if TYPE_CHECKING:
+    import shapely
 
 # Sine of an angle up to which walls are parallel, and square to their floor.
 _STRAIGHT = 1e-6
@@ -51,6 +54,8 @@ def laps(outline: FloatArray) -> tuple[FloatArray, tuple[Lap, ...]]:
         sides; the slots in the order of the corners. What is no block that is open at the part's
         edge, or would take more than the slot, stays in the outline.
     """
+    import shapely
+
     height = float(outline[:, 1].max())
     outline = without_flat_corners(outline)
     found = {}
@@ -134,6 +139,8 @@ def _takes_only_its_slot(
     body: shapely.Polygon, outline: FloatArray, number: int, lap: Lap, height: float
 ) -> bool:
     """Whether nothing of the part lies above the slot in its box."""
+    import shapely
+
     slot = shapely.Polygon(outline[(number + np.arange(4) - 1) % len(outline)])
     up = np.array([np.cos(np.radians(lap.angle_deg)), np.sin(np.radians(lap.angle_deg))])
     along = lap.length * np.array([up[1], -up[0]])
