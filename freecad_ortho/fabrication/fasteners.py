@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -90,6 +90,17 @@ def gathered(
     directions = np.array([direction for _, direction, _ in each]).reshape(-1, 3)
     names = tuple(joins for _, _, joins in each)
     return Fasteners(bolt, length, grip, washers, nut, holds, places, directions, names)
+
+
+def named(fasteners: Iterable[Fasteners]) -> Iterator[tuple[Fasteners, list[str]]]:
+    """Fasteners with a name for each of them: M16x60-0001 ..."""
+    taken: dict[str, int] = {}
+    for bolts in fasteners:
+        if not bolts.count:
+            continue
+        first = taken.get(bolts.name, 0) + 1
+        taken[bolts.name] = first + bolts.count - 1
+        yield bolts, [f"{bolts.name}-{first + k:04d}" for k in range(bolts.count)]
 
 
 def hardware_rows(fasteners: Iterable[Fasteners], supplies: Iterable[Supply]) -> list[list[object]]:

@@ -24,7 +24,7 @@ def bolt_bodies(fasteners: Fasteners) -> tuple[Body, ...]:
     z runs from the head to the thread, 0 is under the head. Threads are as thick as the bolt.
     """
     bolt = fasteners.bolt
-    head = Prism(_hexagon(bolt.corners), -bolt.head, 0.0)
+    head = Prism(hexagon(bolt.corners), -bolt.head, 0.0)
     shank = TurnedBody(
         np.array([(0.0, bolt.diameter / 2), (fasteners.length, bolt.diameter / 2)]),
         np.array([(0.0, 0.0), (fasteners.length, 0.0)]),
@@ -38,7 +38,7 @@ def bolt_bodies(fasteners: Fasteners) -> tuple[Body, ...]:
         bodies.append(TurnedBody(np.array(ring), np.array([(low, inner), (high, inner)])))
     if fasteners.nut:
         low, high = fasteners.grip, fasteners.grip + bolt.nut
-        bodies.append(Prism(_hexagon(bolt.corners), low, high, bolt.diameter))
+        bodies.append(Prism(hexagon(bolt.corners), low, high, bolt.diameter))
     return tuple(bodies)
 
 
@@ -56,6 +56,6 @@ def bolt_frames(fasteners: Fasteners) -> FloatArray:
     return np.stack([first, np.cross(along, first), along], axis=1)
 
 
-def _hexagon(corners: float) -> FloatArray:
+def hexagon(corners: float) -> FloatArray:
     """(6, 2) corners of a hexagon so wide across them, mm."""
     return np.asarray(corners / 2 * np.stack([np.cos(_HEXAGON), np.sin(_HEXAGON)], axis=1))

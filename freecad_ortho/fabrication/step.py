@@ -17,7 +17,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.equal import copies
-from freecad_ortho.fabrication.fasteners import Fasteners
+from freecad_ortho.fabrication.fasteners import Fasteners, named
 from freecad_ortho.fabrication.hardware import bolt_frames, bolt_shape
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.place import Place
@@ -168,7 +168,7 @@ def _fill(
         stands = location(part.origin + copy.shift @ part.frame, copy.turn @ part.frame)
         component = shapes.AddComponent(assembly, products[copy.first], stands)
         TDataStd_Name.Set_s(component, name)
-    for bolts, names in _named(fasteners):
+    for bolts, names in named(fasteners):
         product = shapes.AddShape(bolt_shape(bolts).wrapped, False)
         TDataStd_Name.Set_s(product, TCollection_ExtendedString(bolts.name))
         _paint(document, product, _GREY, HARDWARE)
@@ -206,7 +206,7 @@ def _fill_in_place(
         product = shapes.AddShape(BRepBuilderAPI_Transform(solid, stands, True).Shape(), False)
         TDataStd_Name.Set_s(product, TCollection_ExtendedString(part.name))
         _paint(document, product, colour_of(part.material), part.kind)
-    for bolts, names in _named(fasteners):
+    for bolts, names in named(fasteners):
         shape = bolt_shape(bolts).wrapped
         for name, point, frame in zip(names, bolts.places, bolt_frames(bolts), strict=True):
             stands = structure.Multiplied(location(point, frame)).Transformation()
@@ -214,17 +214,6 @@ def _fill_in_place(
             TDataStd_Name.Set_s(product, TCollection_ExtendedString(name))
             _paint(document, product, _GREY, HARDWARE)
     shapes.UpdateAssemblies()
-
-
-def _named(fasteners: Sequence[Fasteners]) -> Iterator[tuple[Fasteners, list[str]]]:
-    """Fasteners with a name for each of them: M16x60-0001 ..."""
-    taken: dict[str, int] = {}
-    for bolts in fasteners:
-        if not bolts.count:
-            continue
-        first = taken.get(bolts.name, 0) + 1
-        taken[bolts.name] = first + bolts.count - 1
-        yield bolts, [f"{bolts.name}-{first + k:04d}" for k in range(bolts.count)]
 
 
 def _paint(document: Any, product: Any, rgb: Sequence[int], layer: str) -> None:

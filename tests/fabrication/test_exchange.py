@@ -12,9 +12,11 @@ import pytest
 
 from freecad_ortho.fabrication import FILES, Beams, Lamellas, Panels, Workshop, build, write
 from freecad_ortho.fabrication.exchange import WRITERS, facets
+from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.formats import FORMATS, formats_of
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.place import Place
+from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.site import Selection
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from solver.errors import InputError
@@ -130,6 +132,10 @@ def test_ifc_is_valid_and_holds_every_part(jobs, folders, name):
     ifcopenshell.validate.validate(model, log, express_rules=True)
     assert log.statements == []
     job = jobs[name]
+    (storey,) = model.by_type("IfcBuildingStorey")
+    assert {each.is_a() for each in elements.get_decomposition(storey, is_recursive=False)} <= {
+        *("IfcElementAssembly", "IfcCurtainWall"),
+    }
     products = {each.Name: each for each in model.by_type("IfcElement") if each.Tag}
     assert set(products) == {part.name for part in job.parts}
     kinds = {"beam": "IfcBeam", "panel": "IfcPlate", "node": "IfcDiscreteAccessory"}
@@ -192,6 +198,51 @@ def test_ifc_identifiers_follow_from_names(jobs, folders, tmp_path):
     assert not {e.GlobalId for e in first.by_type("IfcPlate")} & {
         e.GlobalId for e in second.by_type("IfcPlate")
     }
+
+
+@needed
+def test_bolts_stand_in_ifc_where_they_are(roof, tmp_path):
+    """On a storey, in the assembly of their nodes; volumes by formula, places from the list."""
+    import ifcopenshell
+    import ifcopenshell.validate
+    from ifcopenshell import geom
+    from ifcopenshell.util import element as elements
+    from ifcopenshell.util import shape as shapes
+
+    some = Selection(family="u", lines=(2, 3))
+    place = Place(np.eye(3), np.array([1e4, -2e4, 500.0]))
+    job = build(
+        roof, [Beams(200, 20, ends="end-plate"), Nodes("bolted")], selection=some, place=place
+    )
+    path = tmp_path / "structure.ifc"
+    write_ifc(path, produce(job), "bolts", lambda done: None)
+    model = ifcopenshell.open(path)
+    log = ifcopenshell.validate.json_logger()
+    ifcopenshell.validate.validate(model, log, express_rules=True)
+    assert log.statements == []
+    (bolts,) = job.fasteners
+    found = model.by_type("IfcMechanicalFastener")
+    assert len(found) == bolts.count > 40
+    (kind,) = model.by_type("IfcMechanicalFastenerType")
+    size = bolts.bolt
+    hexagon = size.corners**2 * np.sqrt(27) / 8
+    ring = np.pi * (size.washer_width**2 - (size.diameter + 1) ** 2) / 4
+    volume = hexagon * size.head + np.pi / 4 * size.diameter**2 * bolts.length
+    volume += bolts.washers * ring * size.washer
+    assert not bolts.nut
+    settings = geom.settings()
+    settings.set("use-world-coords", True)
+    rows = zip(found, bolts.places, bolts.directions, bolts.joins, strict=True)
+    for each, point, way, joins in list(rows)[::9]:
+        assert each.ObjectType == kind.Name == bolts.name
+        assert each.Description == f"joins {', '.join(joins)}"
+        assert elements.get_container(elements.get_aggregate(each)).is_a("IfcBuildingStorey")
+        assert elements.get_psets(kind)["Ortho_Fastener"]["Grip_mm"] == bolts.grip
+        made = geom.create_shape(settings, each)
+        assert shapes.get_volume(made.geometry) * 1e9 == pytest.approx(volume, rel=0.02)
+        points = shapes.get_vertices(made.geometry) * 1000 - job.place.points(point)
+        np.testing.assert_allclose((points @ way).min(), -size.head, rtol=0, atol=1e-3)
+        np.testing.assert_allclose((points @ way).max(), bolts.length, rtol=0, atol=1e-3)
 
 
 @needed

@@ -1,4 +1,4 @@
-"""IFC 4: site, building, an assembly for each system, and in it the parts with what is known.
+"""IFC 4: site, building, storey, an assembly for each system, in it parts and bolts.
 
 Classes, quantities and units are those of ISO 16739-1. Sides that are plane are exact, bent ones
 are triangles within ``facets.CHORD``. Parts that agree within the STEP tolerance share a geometry.
@@ -15,10 +15,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from freecad_ortho import __version__
+from freecad_ortho.fabrication.bolts import GRADE
 from freecad_ortho.fabrication.datum import Datum
 from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.exchange.facets import Facets, facets
+from freecad_ortho.fabrication.exchange.ifc_fasteners import fastener_type
 from freecad_ortho.fabrication.exchange.ifc_profiles import profile_definition
+from freecad_ortho.fabrication.fasteners import Fasteners, named
+from freecad_ortho.fabrication.hardware import bolt_frames
 from freecad_ortho.fabrication.part import Part, measure_words
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.profiled import ProfiledBody
@@ -55,6 +59,8 @@ _UNKNOWN = ("IfcBuildingElementProxy", "NOTDEFINED", "Qto_BuildingElementProxyQu
 # The same structure gives the same file: no clock.
 _TIME = "2000-01-01T00:00:00"
 _SET = "Ortho_Part"
+# Of corners in mm: far below the CAD kernel's tolerance of points, and half as long to write.
+_DIGITS = 7
 # What the coordinates of the site are called; which grid they are of is known there.
 _SITE = "site"
 
@@ -115,19 +121,24 @@ class _Model:
         body = self._project(production.workshop.datum.of_files(structure.file_origin))
         site = self._spatial("IfcSite", structure.place.origin, structure.place.rotation, None)
         building = self._spatial("IfcBuilding", np.zeros(3), np.eye(3), site)
+        storey = self._spatial("IfcBuildingStorey", np.zeros(3), np.eye(3), building)
         self._aggregate("site", self.root, [site])
         self._aggregate("building", site, [building])
+        self._aggregate("storey", building, [storey])
+        bolts = {id(each): names for each, names in named(structure.fasteners)}
         assemblies, made = [], 0
         for name, result in structure.results.items():
-            assembly, place = self._assembly(name, result.parts, building)
+            assembly, place = self._assembly(name, result.parts, storey)
             parts = self._parts(
                 result.parts, place, body, production, lambda share: say((made + share) / 2)
             )
+            for each in result.fasteners:
+                parts += self._fasteners(each, bolts.get(id(each), []), place, body)
             self._aggregate(f"assembly {name}", assembly, parts)
             assemblies.append(assembly)
         self.make(
             *("IfcRelContainedInSpatialStructure", self.guid("contained"), None, None, None),
-            *(assemblies, building),
+            *(assemblies, storey),
         )
         self._materials()
 
@@ -192,15 +203,16 @@ class _Model:
         relative = None if above is None else above.ObjectPlacement
         place = self.make("IfcLocalPlacement", relative, self._axes(origin, rotation.T))
         known = [self.guid(kind), None, kind[3:], None, None, place, None, None, "ELEMENT"]
-        return self.make(kind, *known, *[None] * (5 if kind == "IfcSite" else 3))
+        more = {"IfcSite": 5, "IfcBuilding": 3, "IfcBuildingStorey": 1}[kind]
+        return self.make(kind, *known, *[None] * more)
 
     def _aggregate(self, key: str, whole: Any, parts: list[Any]) -> None:
         self.make("IfcRelAggregates", self.guid(f"of {key}"), None, None, None, whole, parts)
 
-    def _assembly(self, name: str, parts: tuple[Part, ...], building: Any) -> tuple[Any, Any]:
+    def _assembly(self, name: str, parts: tuple[Part, ...], storey: Any) -> tuple[Any, Any]:
         """What holds the parts of a system: a curtain wall where these are panes."""
         place = self.make(
-            "IfcLocalPlacement", building.ObjectPlacement, self._axes(np.zeros(3), np.eye(3))
+            "IfcLocalPlacement", storey.ObjectPlacement, self._axes(np.zeros(3), np.eye(3))
         )
         panes = parts[0].kind == "panel" and "glass" in parts[0].material.name
         known = [self.guid(f"assembly {name}"), None, name, None, None, place, None, None]
@@ -242,8 +254,36 @@ class _Model:
             self.make("IfcRelDefinesByType", self.guid(f"of {key}"), None, None, None, users, kind)
         return found
 
+    def _fasteners(self, bolts: Fasteners, names: list[str], place: Any, body: Any) -> list[Any]:
+        """Bolts that are alike, each with what it joins."""
+        if not names:
+            return []
+        key = f"bolts from {names[0]}"
+        kind, shared = fastener_type(self.make, self.guid, key, bolts, body)
+        origin = self.make("IfcCartesianPoint", [0.0, 0.0, 0.0])
+        operator = self.make("IfcCartesianTransformationOperator3D", None, None, origin, None, None)
+        found = []
+        rows = zip(names, bolts.places, bolt_frames(bolts), bolts.joins, strict=True)
+        for name, point, frame, joins in rows:
+            item = self.make("IfcMappedItem", shared, operator)
+            shape = self.make(
+                "IfcShapeRepresentation", body, "Body", "MappedRepresentation", [item]
+            )
+            own = self.make("IfcLocalPlacement", place, self._axes(point, frame))
+            form = self.make("IfcProductDefinitionShape", None, None, [shape])
+            found.append(
+                self.make(
+                    *("IfcMechanicalFastener", self.guid(f"bolt {name}"), None, name),
+                    *(f"joins {', '.join(joins)}", bolts.name, own, form, None),
+                    *(bolts.bolt.diameter, float(bolts.length), "BOLT"),
+                )
+            )
+        self.materials.setdefault((f"bolt steel {GRADE}", ""), []).extend(found)
+        self.make("IfcRelDefinesByType", self.guid(f"of type {key}"), None, None, None, found, kind)
+        return found
+
     def _shape(self, sides: Facets, body: Any) -> Any:
-        points = self.make("IfcCartesianPointList3D", sides.points.tolist())
+        points = self.make("IfcCartesianPointList3D", np.round(sides.points, _DIGITS).tolist())
         rings = [[[int(k) + 1 for k in ring] for ring in rings] for rings in sides.sides]
         if sides.exact:
             faces = [
