@@ -138,6 +138,7 @@ class DesignSettings(TypedDict, total=False):
     material: str
     supports: str
     joints: str
+    position: str
     eccentric: float
     layers: float
     crossings: str

@@ -6,6 +6,7 @@ from freecad_ortho.fabrication import SYSTEMS
 from freecad_ortho.objects import outdated
 
 BEAMS, PANELS, NODES, EDGE_BEAM = "Beams", "Panels", "Nodes", "Edge-beam"
+LAMELLAS = "Lamellas"
 # The title of a system in documents -> its name in fabrication.
 TITLES = {name.capitalize(): name for name in SYSTEMS}
 # Systems whose parts may lie on beams that are a structure of their own.

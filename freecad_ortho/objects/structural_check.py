@@ -14,7 +14,7 @@ from freecad_ortho import __version__, answers, convert
 from freecad_ortho.objects import outdated, places
 from freecad_ortho.objects.build import material_of
 from freecad_ortho.objects.check_results import RESULTS, store
-from freecad_ortho.objects.kinds import BEAMS, TITLES, is_structure
+from freecad_ortho.objects.kinds import BEAMS, LAMELLAS, TITLES, is_structure
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.option_properties import properties, read, stored
 from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
@@ -48,7 +48,8 @@ _PROPERTIES = (
         "Members",
         _GROUP,
         QT_TRANSLATE_NOOP(
-            "App::Property", "Beams whose section and material count; empty: those given here"
+            "App::Property",
+            "Beams or lamellas whose section and material count; empty: those given here",
         ),
     ),
     Property(
@@ -242,14 +243,16 @@ def _design(feature: FreeCAD.DocumentObject) -> dict[str, Any]:
     return design
 
 
-def _members(beams: FreeCAD.DocumentObject) -> dict[str, str]:
-    """Section and material of beams.
+def _members(beams: FreeCAD.DocumentObject) -> dict[str, Any]:
+    """Section and material of beams or lamellas, and how these stand.
 
     Raises:
-        InputError: no beams, or some that are not on every edge.
+        InputError: neither, or some that are not on every edge.
     """
+    if is_structure(beams) and beams.System == LAMELLAS:
+        return _lamellas(beams)
     if not is_structure(beams) or beams.System != BEAMS:
-        raise InputError(f"{beams.Label}: has no section for members; choose beams")
+        raise InputError(f"{beams.Label}: has no section for members; choose beams or lamellas")
     system = system_of(beams, TITLES[BEAMS])
     if beams.Family != "Both" or len(beams.Lines) or not system.boundary_beams:
         raise InputError(
@@ -261,6 +264,27 @@ def _members(beams: FreeCAD.DocumentObject) -> dict[str, str]:
     return {
         "section": system.profile_name,
         "material": (material if own is None else own(material)).name,
+    }
+
+
+def _lamellas(structure: FreeCAD.DocumentObject) -> dict[str, Any]:
+    """Plates of lamellas, where they stand, and how far apart two layers of them are.
+
+    Raises:
+        InputError: some that are not on every edge.
+    """
+    if structure.Family != "Both" or len(structure.Lines):
+        raise InputError(
+            f"{structure.Label}: has no lamellas on some edges, and the check has a member on "
+            "each; give the section itself"
+        )
+    system = system_of(structure, TITLES[LAMELLAS])
+    across = system.thickness if system.position == "lying" else system.width
+    return {
+        "section": f"plate:{system.thickness:g}x{system.width:g}",
+        "material": material_of(structure).name,
+        "position": system.position,
+        "layers": across + system.clearance if system.layers == 2 else 0.0,
     }
 
 

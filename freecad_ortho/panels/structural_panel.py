@@ -8,7 +8,7 @@ import FreeCAD
 from PySide import QtGui
 
 from freecad_ortho.objects import structural_check
-from freecad_ortho.objects.kinds import BEAMS, is_structure
+from freecad_ortho.objects.kinds import BEAMS, LAMELLAS, is_structure
 from freecad_ortho.panels.check_picking import LoadPicking, SupportPicking
 from freecad_ortho.panels.fields import TextField, elided, form_rows, leave_room, shortened
 from freecad_ortho.panels.option_fields import OptionField
@@ -46,7 +46,7 @@ class StructuralPanel(WorkPanel):
         self._rows = form_rows(self.form)
         self._rows.addRow(translate("Ortho", "Net"), elided(net.Label))
         around = [item for item in net.InList if is_structure(item)]
-        self._beams = [None, *(item for item in around if item.System == BEAMS)]
+        self._beams = [None, *(item for item in around if item.System in (BEAMS, LAMELLAS))]
         self._cladding = [None, *(item for item in around if item.System != BEAMS)]
         given = translate("Ortho", "given here")
         self.beams = self._links(translate("Ortho", "Members"), self._beams, given)
@@ -145,8 +145,13 @@ class StructuralPanel(WorkPanel):
 
     def _with_beams(self, *_: Any) -> None:
         """Beams say what the members are."""
+        chosen = self._beams[self.beams.currentIndex()]
         for name in ("section", "material"):
-            self.fields[name].widget.setEnabled(self.beams.currentIndex() == 0)
+            self.fields[name].widget.setEnabled(chosen is None)
+        # Lamellas say how they stand too.
+        for name in ("position", "layers"):
+            stand = chosen is not None and chosen.System == LAMELLAS
+            self.fields[name].widget.setEnabled(not stand)
 
     def _chosen(self) -> dict[str, Any]:
         chosen: dict[str, Any] = {name: field.value for name, field in self.fields.items()}

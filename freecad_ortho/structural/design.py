@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from freecad_ortho.structural.stances import STANCES
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.quadmesh import FloatArray
 from solver.option import AXES, NOT_NEGATIVE, POSITIVE, Option, Range
@@ -33,6 +34,7 @@ class Design:
     material: str = ""
     supports: str = "boundary"
     joints: str = "rigid"
+    position: str = "beams"
     eccentric: float = 0.0
     layers: float = 0.0
     crossings: str = "rigid"
@@ -66,6 +68,12 @@ class Design:
             "Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad",
         ),
         Option(
+            "position", "beams", "choice",
+            "Sections stand as those of beams do, or as lamellas of plate:THICKNESSxWIDTH: "
+            "standing, lying or tilted as the net wants it",
+            STANCES,
+        ),
+        Option(
             "eccentric", 0.0, "distance",
             "How far the middle of sections lies above the net, along its axes",
         ),
@@ -76,8 +84,8 @@ class Design:
         ),
         Option(
             "crossings", "rigid", "text",
-            "How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness "
-            "of a spring in kNm/rad",
+            "How lines u and v turn about their axis where they cross, in slots of one layer or "
+            "about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad",
         ),
         Option(
             "self_weight", True, "flag", "Weight of the members is a load",

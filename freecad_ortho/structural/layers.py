@@ -1,5 +1,6 @@
 """Members beside the net: off it by an eccentricity, and lines u and v in two layers.
 
+Lamellas that turn in their slots are such layers too, next to each other.
 Members then run between nodes of their own, which arms along the axes join to the vertices:
 where lines cross, the arms of both are the bolt, and one layer may turn about it against the other.
 Loads and supports stay on the vertices. An arm is so much stiffer than members that it does not
@@ -24,6 +25,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 # Stiffness of an arm by that of a member of usual length.
 _STIFF = 300.0
+# How far apart lines are that turn against each other in one layer, mm: next to nothing.
+_SLOT = 1.0
 # Of a member's springs: turning about its axis at its first node.
 _TURN = 3
 
@@ -55,20 +58,17 @@ def off_the_net(frame: Frame, mesh: QuadMesh, axes: FloatArray, design: Design) 
         design: eccentricity, layers, and how these are joined.
 
     Raises:
-        InputError: layers of lines that cannot be told apart, or joints of layers without any.
+        InputError: layers, or turning crossings, of lines that cannot be told apart.
     """
     turning = design.crossing_spring()
-    if not design.layers:
-        if np.isfinite(turning):
-            raise InputError(
-                f"crossings: '{design.crossings}' is for lines in two layers; give layers, their "
-                "distance"
-            )
-        if not design.eccentric:
-            return frame
+    apart = design.layers
+    if not apart and np.isfinite(turning):
+        apart = _SLOT
+    if not apart and not design.eccentric:
+        return frame
     # Above the net is upwards, over the whole.
     up = axes if axes[:, 2].sum() >= 0 else -axes
-    places = _places(frame, mesh, design)
+    places = _places(frame, mesh, design.eccentric, apart)
     first = len(frame.nodes)
     nodes = mesh.vertices[places.vertices] + places.heights[:, None] * up[places.vertices]
     inside = np.where(places.of_ends < 0, frame.members, first + places.of_ends)
@@ -86,17 +86,18 @@ def off_the_net(frame: Frame, mesh: QuadMesh, axes: FloatArray, design: Design) 
     )
 
 
-def _places(frame: Frame, mesh: QuadMesh, design: Design) -> _Places:
+def _places(frame: Frame, mesh: QuadMesh, eccentric: float, apart: float) -> _Places:
     layer = np.zeros(len(frame.members), dtype=np.int64)
-    if design.layers:
+    if apart:
         family = ParameterLines.of(mesh).edge_family
         if (family < 0).any():
             raise InputError(
-                "layers: the lines of this net cannot be told apart into families u and v, so two "
-                "layers cannot be made; leave layers out"
+                "layers: the lines of this net cannot be told apart into families u and v, so "
+                "they cannot lie in two layers or turn where they cross; leave layers and "
+                "crossings out"
             )
         layer = np.asarray(family, dtype=np.int64)
-    height = design.eccentric + design.layers * np.array([0.5, -0.5])
+    height = eccentric + apart * np.array([0.5, -0.5])
     ends = 2 * frame.members + layer[:, None]
     kept, of_ends = np.unique(ends, return_inverse=True)
     of_ends = of_ends.reshape(ends.shape)

@@ -11,6 +11,7 @@ import numpy as np
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.groups import Group, groups_of
 from freecad_ortho.structural.layers import off_the_net
+from freecad_ortho.structural.stances import axes_of, heights_of
 from freecad_ortho.structural.supports import supports_of
 from solver.errors import InputError
 from solver.frame.model import Frame, Loads, Stiffness, Supports
@@ -18,7 +19,6 @@ from solver.frame.panels import Panels
 from solver.mesh.connectivity import IntArray
 from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.offset.axes import torsion_free_axes
 
 # Acceleration of gravity, m/s2, as EN 1991-1-1, annex A, has weights.
 GRAVITY = 9.81
@@ -142,7 +142,7 @@ def families_of(mesh: QuadMesh) -> tuple[str, ...]:
 def _frame(mesh: QuadMesh, groups: Sequence[Group], design: Design) -> Frame:
     members = np.asarray(mesh.connectivity.edges)
     count = len(members)
-    axes = torsion_free_axes(mesh).directions
+    axes = axes_of(mesh, design.position)
     springs = np.full((count, 12), np.inf)
     springs[:, [4, 5, 10, 11]] = design.joint_spring()
 
@@ -166,7 +166,7 @@ def _frame(mesh: QuadMesh, groups: Sequence[Group], design: Design) -> Frame:
     if design.panel_shear:
         faces = np.asarray(mesh.faces)
         panels = Panels.of_shear(mesh.vertices, faces, 1000.0 * design.panel_shear)
-    up = axes[members].sum(axis=1)
+    up = heights_of(mesh, axes, design.position)
     on_net = Frame(mesh.vertices, members, stiffness, up, springs, panels)
     return off_the_net(on_net, mesh, axes, design)
 

@@ -5,9 +5,16 @@ from __future__ import annotations
 from freecad_ortho.structural.check import ENOUGH, StructuralCheck
 from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import SNOW, WIND
+from freecad_ortho.structural.stances import BEAMS, bends
 from freecad_ortho.words import counted
 from solver.mesh.quadmesh import FloatArray
 
+_STANDING = {
+    BEAMS: "upright along its axes",
+    "standing": "as lamellas that stand on the net and follow its normals",
+    "lying": "as lamellas that lie in the net and follow its normals",
+    "tilted": "as lamellas that tilt and twist as the net wants it",
+}
 # Modes with factors that are no further apart, by each other, act together.
 _NEAR = 1.2
 NOT_CHECKED = (
@@ -29,7 +36,7 @@ def assumptions(check: StructuralCheck) -> list[str]:
     rules = "; ".join(dict.fromkeys(by))
     words = [
         f"Members are straight between vertices, {model.section_words}, their middle "
-        f"{_place(check)}, upright along its axes.",
+        f"{_place(check)}, {_STANDING[design.position]}.",
         *dict.fromkeys(map(_of_material, model.groups)),
         f"Joints are {_joints(design.joints)}; supports: {design.supports}, pinned where nothing "
         f"else is said, {counted(_held(check), 'node')} in all.",
@@ -39,6 +46,10 @@ def assumptions(check: StructuralCheck) -> list[str]:
         "spread evenly.",
         f"Buckling is linear, with {counted(design.pieces, 'piece')} a member.",
     ]
+    if not design.layers and design.crossings != "rigid":
+        words.append(
+            f"Lines u and v cross on one level, {_joints(design.crossings)} about their axis there."
+        )
     if design.layers:
         along, across = (force / 1e3 for force in check.arm_forces)
         words.append(
@@ -128,6 +139,7 @@ def warnings(check: StructuralCheck) -> list[str]:
             "that mode, or like a mix of modes, may take more out of the members; only one like "
             "the first is looked at."
         )
+    found += _of_lamellas(check)
     if not model.design.self_weight:
         found.append("The weight of the members is left out.")
     if not model.design.panels:
@@ -136,6 +148,31 @@ def warnings(check: StructuralCheck) -> list[str]:
     for case in model.cases:
         if case.name not in used:
             found.append(f"Load case '{case.name}' is in no combination for strength.")
+    return found
+
+
+def _of_lamellas(check: StructuralCheck) -> list[str]:
+    """What lamellas have to bear before any load, and what slots leave of them."""
+    model, design = check.model, check.model.design
+    if design.position == BEAMS:
+        return []
+    of_group, most, place = model.section_numbers, 0.0, 0
+    for member, bend in bends(model.mesh, model.bare):
+        group = model.groups[of_group[member]]
+        stress = 0.5 * group.material.youngs_modulus * group.profile.width * bend
+        if stress > most:
+            most, place = stress, member
+    limit = model.groups[of_group[place]].material.bending_limit
+    found = [
+        f"Straight lamellas that are bent into place have up to {most:.0f} MPa in them from that, "
+        f"of {limit:g} MPa (E t / 2 R, at member {place}), and more from twisting; utilisation "
+        "leaves that out."
+    ]
+    if not design.layers:
+        found.append(
+            "Where lamellas cross in slots, less than their whole height is left, often half of "
+            "it: sections are checked without slots."
+        )
     return found
 
 

@@ -176,6 +176,23 @@ class TestStructures(CheckCase):
         api.change_structural_check(check, beams=None, section="tube:60x40x4")
         self.assertEqual(check.CheckedSection, "tube:60x40x4 of steel")
 
+    def test_members_are_those_of_lamellas(self):
+        lamellas = api.add_lamellas(self.net, width=60, thickness=4, position="lying", layers=2)
+        check = api.add_structural_check(self.net, beams=lamellas, snow=1.0, crossings="hinged")
+        self.assertEqual(check.CheckedSection, "plate:4x60 of steel")
+        alone = api.check_structure(
+            convert.quad_mesh(self.net), section="plate:4x60", position="lying", snow=1.0,
+            layers=4 + lamellas.Clearance.Value, crossings="hinged",
+        )  # fmt: skip
+        self.assertAlmostEqual(check.Utilisation, 100 * alone.utilisation.max(), places=6)
+        self.assertTrue(any("bent into place" in words for words in check.Remarks))
+        api.change_structure(lamellas, layers=1, position="standing")
+        slotted = api.check_structure(
+            convert.quad_mesh(self.net), section="plate:4x60", position="standing", snow=1.0,
+            crossings="hinged",
+        )  # fmt: skip
+        self.assertAlmostEqual(check.Utilisation, 100 * slotted.utilisation.max(), places=6)
+
     def test_the_fabrication_report_tells_the_check(self):
         panels = api.add_panels(self.net, 10.0)
         check = api.add_structural_check(self.net, snow=1.0, cladding=panels)
@@ -186,9 +203,15 @@ class TestStructures(CheckCase):
 
     def test_structures_that_say_nothing_of_members_are_refused(self):
         beams = api.add_beams(self.net, family="u")
+        lamellas = api.add_lamellas(self.net, family="v")
         panels = api.add_panels(self.net)
         count = len(self.document.Objects)
-        for wrong in ({"beams": beams}, {"beams": panels}, {"cladding": self.net}):
+        for wrong in (
+            {"beams": beams},
+            {"beams": lamellas},
+            {"beams": panels},
+            {"cladding": self.net},
+        ):
             with self.assertRaises(InputError):
                 api.add_structural_check(self.net, snow=1.0, **wrong)
         self.assertEqual(len(self.document.Objects), count)

@@ -64,14 +64,14 @@
    <translation>Gleichgewicht in der verformten, imperfekten Form</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Beams or lamellas whose section and material count; empty: those given here</source>
+   <translation>Träger oder Lamellen, deren Querschnitt und Material zählen; leer: die hier angegebenen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Beams that the parts lie on or join; empty: the net</source>
    <translation>Träger, auf denen die Teile liegen oder die sie verbinden; leer: das Netz</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/structural_check.py" />
-   <source>Beams whose section and material count; empty: those given here</source>
-   <translation>Träger, deren Querschnitt und Werkstoff gelten; leer: die hier angegebenen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -505,6 +505,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Wie sich Linien u und v um ihre Achse drehen, wo sie sich kreuzen, in Schlitzen einer Lage oder um die Bolzen von zweien: rigid, hinged oder die Steifigkeit einer Feder in kNm/rad</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How many kinds there may be; 0 is as few as can be found</source>
    <translation>Wie viele Arten es geben darf; 0 heißt so wenige, wie zu finden sind</translation>
   </message>
@@ -517,11 +522,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Wie sich zwei Lagen an Kreuzungen um die Bolzen drehen: rigid (starr), hinged (gelenkig) oder die Steifigkeit einer Feder in kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1142,6 +1142,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section: the beams have this cross section, or one of the catalogue such as HEB160</source>
    <translation>Querschnitt: die Träger haben diesen Querschnitt oder einen des Katalogs wie HEB160</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sections stand as those of beams do, or as lamellas of plate:THICKNESSxWIDTH: standing, lying or tilted as the net wants it</source>
+   <translation>Querschnitte stehen wie die von Trägern oder als Lamellen plate:DICKExBREITE: stehend, liegend oder geneigt, wie das Netz es verlangt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2898,6 +2903,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Wie sich Linien u und v um ihre Achse drehen, wo sie sich kreuzen, in Schlitzen einer Lage oder um die Bolzen von zweien: rigid, hinged oder die Steifigkeit einer Feder in kNm/rad</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How many kinds there may be; 0 is as few as can be found</source>
    <translation>Wie viele Arten es geben darf; 0 heißt so wenige, wie zu finden sind</translation>
   </message>
@@ -2910,11 +2920,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Wie sich zwei Lagen an Kreuzungen um die Bolzen drehen: rigid (starr), hinged (gelenkig) oder die Steifigkeit einer Feder in kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4028,6 +4033,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sections stand as those of beams do, or as lamellas of plate:THICKNESSxWIDTH: standing, lying or tilted as the net wants it</source>
+   <translation>Querschnitte stehen wie die von Trägern oder als Lamellen plate:DICKExBREITE: stehend, liegend oder geneigt, wie das Netz es verlangt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Seed</source>
    <translation>Startwert</translation>
   </message>
@@ -5058,6 +5068,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>base plates and caps are this thick</source>
    <translation>so dick sind Fuß- und Kopfplatten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>beams</source>
+   <translation>Träger</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -64,14 +64,14 @@
    <translation>Équilibre dans la forme déformée et imparfaite</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>Beams or lamellas whose section and material count; empty: those given here</source>
+   <translation>Poutres ou lamelles dont la section et le matériau comptent ; vide : ceux donnés ici</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Beams that the parts lie on or join; empty: the net</source>
    <translation>Poutres sur lesquelles les pièces reposent ou qu'elles relient ; vide : le réseau</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/structural_check.py" />
-   <source>Beams whose section and material count; empty: those given here</source>
-   <translation>Poutres dont la section et le matériau comptent ; vide : ceux donnés ici</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -505,6 +505,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Comment les lignes u et v tournent autour de leur axe à leur croisement, dans les encoches d'une couche ou autour des boulons de deux : rigid, hinged, ou la raideur d'un ressort en kNm/rad</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How many kinds there may be; 0 is as few as can be found</source>
    <translation>Combien de types il peut y avoir ; 0 : aussi peu que possible</translation>
   </message>
@@ -517,11 +522,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Comment deux couches tournent autour des boulons là où elles se croisent : rigid (rigide), hinged (articulé) ou la raideur d'un ressort en kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1142,6 +1142,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section: the beams have this cross section, or one of the catalogue such as HEB160</source>
    <translation>Section : les poutres ont cette section, ou une du catalogue comme HEB160</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sections stand as those of beams do, or as lamellas of plate:THICKNESSxWIDTH: standing, lying or tilted as the net wants it</source>
+   <translation>Les sections se tiennent comme celles de poutres, ou en lamelles plate:ÉPAISSEURxLARGEUR : debout, couchées ou inclinées comme le réseau le demande</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2898,6 +2903,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Comment les lignes u et v tournent autour de leur axe à leur croisement, dans les encoches d'une couche ou autour des boulons de deux : rigid, hinged, ou la raideur d'un ressort en kNm/rad</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>How many kinds there may be; 0 is as few as can be found</source>
    <translation>Combien de types il peut y avoir ; 0 : aussi peu que possible</translation>
   </message>
@@ -2910,11 +2920,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>How many times as long edges of the other family of lines are</source>
    <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How two layers turn about the bolts where they cross: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Comment deux couches tournent autour des boulons là où elles se croisent : rigid (rigide), hinged (articulé) ou la raideur d'un ressort en kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4028,6 +4033,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Sections stand as those of beams do, or as lamellas of plate:THICKNESSxWIDTH: standing, lying or tilted as the net wants it</source>
+   <translation>Les sections se tiennent comme celles de poutres, ou en lamelles plate:ÉPAISSEURxLARGEUR : debout, couchées ou inclinées comme le réseau le demande</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Seed</source>
    <translation>Graine</translation>
   </message>
@@ -5058,6 +5068,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>base plates and caps are this thick</source>
    <translation>épaisseur des platines de base et de tête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>beams</source>
+   <translation>poutres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -43,12 +43,20 @@ class Pattern:
 
 
 def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:
-    """Find out, or check, what patterns the net allows.
+    """Find out, or check, what patterns the net of a site allows.
 
     Raises:
         InputError: the net is too far from what the wanted pattern needs.
     """
-    mesh = site.mesh
+    return pattern_on(site.mesh, settings)
+
+
+def pattern_on(mesh: QuadMesh, settings: LamellaSettings) -> Pattern:
+    """Find out, or check, what patterns a net allows.
+
+    Raises:
+        InputError: the net is too far from what the wanted pattern needs.
+    """
     if settings.position == "tilted":
         return _tilted(mesh, settings)
     measured = _measured(mesh, settings.standing)
