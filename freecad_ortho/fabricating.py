@@ -22,7 +22,7 @@ from freecad_ortho.structural.numbers import check_numbers
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -66,6 +66,7 @@ def fabricate(
     Raises:
         InputError: a parameter that cannot be used or does not fit the net.
     """
+    refuse_other(mesh)
     materials = fabrication.materials_of(material, system.split("+"), density)
     scale, origin = millimetres_per(unit), LocalOrigin.of_mesh(mesh)
     shift = origin.scaled(scale).shift

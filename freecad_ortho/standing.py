@@ -24,7 +24,7 @@ from freecad_ortho.structural.sizing_groups import (
 )
 from freecad_ortho.units import millimetres_per
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import QuadMesh, refuse_other
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -57,6 +57,7 @@ def check_structure(
     Raises:
         InputError: what cannot be used: a mechanism, a loose part, no supports, no loads.
     """
+    refuse_other(mesh)
     near = LocalOrigin.of_mesh(mesh).near_mesh(mesh).scaled(millimetres_per(unit))
     model = model_of(near, Design.of(design), groups)
     return check_model(model, combinations_of(combinations, model.cases), progress)
@@ -87,6 +88,7 @@ def size_structure(
     Raises:
         InputError: what cannot be used.
     """
+    refuse_other(mesh)
     refuse_unknown_grouping(groups)
     names, words = sections_of(sections, design.get("material", "")), families_of(mesh)
 

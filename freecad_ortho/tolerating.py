@@ -8,7 +8,7 @@ from freecad_ortho.fabrication.tolerances import Beams, Landed, Tolerances, bolt
 from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.units import millimetres_per
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import QuadMesh, refuse_other
 
 
 def tolerances(
@@ -41,6 +41,7 @@ def tolerances(
     Raises:
         InputError: a number that cannot be used, or nodes that the net has not.
     """
+    refuse_other(mesh)
     settings = Tolerances(tolerance, trials, seed, holes, node, play, allowed)
     near = LocalOrigin.of_mesh(mesh).near_mesh(mesh).scaled(millimetres_per(unit))
     nodes = None if held is None else list(held)

@@ -17,7 +17,7 @@ from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import QuadMesh, refuse_other
 from solver.nets import Net, net_named
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
 from solver.nets.options import NetOptions
@@ -157,6 +157,7 @@ def start_optimisation(
     Raises:
         InputError: a setting that cannot be used.
     """
+    refuse_other(mesh)
     asked = net_named(net)
     refuse_no_end(tolerance, max_steps)
     if within is not None and not (math.isfinite(within) and within > 0):

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 from solver.nets.constraints import Constraints, add_constraints, corners_that_stay, settled
 from solver.nets.settings import Weights, add_guides, fixed_vertices
 from solver.optimise import refuse_no_end
@@ -40,6 +40,7 @@ def pose(
     Raises:
         InputError: a vertex that does not exist, nothing to glide, no mirror image.
     """
+    refuse_other(mesh)
     wanted, lead = constraints or Constraints(), weights or Weights()
     fixed = fixed_vertices(mesh, fix)
     fixed[corners_that_stay(mesh, wanted)] = True

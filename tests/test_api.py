@@ -6,6 +6,7 @@ import pydoc
 from importlib.util import find_spec
 from typing import get_args, get_type_hints
 
+import numpy as np
 import pytest
 
 from freecad_ortho import api
@@ -128,3 +129,26 @@ def test_a_function_lists_its_keywords_where_one_is_unknown():
         return settings
 
     assert listing_keywords(free) is free
+
+
+def first_is_mesh(name):
+    parameters = list(inspect.signature(getattr(api, name)).parameters.values())
+    return bool(parameters) and parameters[0].annotation == "QuadMesh" and name != "LoadedMesh"
+
+
+@pytest.mark.parametrize("name", [name for name in api.__all__ if first_is_mesh(name)])
+def test_what_is_no_mesh_is_refused_with_the_way_to_one(name, barrel):
+    function = getattr(api, name)
+    others = {
+        "find_form": (np.ones(1), None),
+        "offset_mesh": (1.0,),
+        "size_structure": ("tubes",),
+    }.get(name, ())
+    loaded = api.LoadedMesh(barrel, "mm", ())
+    for given, remedy in (
+        ("roof.obj", r"got str; read the file with read_mesh first$"),
+        (loaded, r"got LoadedMesh; give its \.mesh$"),
+        (barrel.vertices, r"got ndarray; QuadMesh\(vertices, faces\) makes one of arrays$"),
+    ):
+        with pytest.raises(InputError, match=r"^mesh: expected a QuadMesh, " + remedy):
+            function(given, *others)

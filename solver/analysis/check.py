@@ -13,7 +13,7 @@ from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.grid import grid_of
 from solver.mesh.local_origin import LocalOrigin, resolution
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 from solver.mesh.seams import seams
 from solver.multinet.inverse import multi_net_residual_of
 from solver.nets import Measure, all_measures
@@ -36,6 +36,7 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
         net to optimise for, ``multi_net``, None where the mesh is not of grid type, and
         ``remarks`` on where it meets itself without being joined.
     """
+    refuse_other(mesh)
     coarse = resolution(mesh)
     mesh = LocalOrigin.of_mesh(mesh).near_mesh(mesh)
     net = mesh.connectivity

@@ -16,7 +16,7 @@ from solver.formfinding.mixing import Mixing
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.mirror import size_of
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 
 _BLOWN_UP = 1e2
 
@@ -86,6 +86,7 @@ def find_form(
     Raises:
         InputError: no support, no free vertex, or a part that no tension holds.
     """
+    refuse_other(mesh)
     origin = LocalOrigin.of_mesh(mesh)
     found = _found(
         origin.near_mesh(mesh),

@@ -13,7 +13,7 @@ from scipy.sparse.csgraph import breadth_first_order, connected_components
 
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,6 +88,7 @@ def diagonal_meshes(mesh: QuadMesh, boundary: str = "drop") -> DiagonalPair:
     Raises:
         InputError: not two-colourable, unused vertices, or a mesh too small for a diagonal face.
     """
+    refuse_other(mesh)
     if boundary not in ("drop", "fill"):
         raise InputError(f"boundary: expected drop or fill, got '{boundary}'")
     net = mesh.connectivity

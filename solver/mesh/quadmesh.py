@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -147,3 +148,20 @@ def _numbers(values: ArrayLike) -> IntArray:
             "four vertices a face, from 0"
         )
     return whole
+
+
+def refuse_other(mesh: object) -> None:
+    """Refuse what is no mesh, as the name of a file, where a function wants one.
+
+    Raises:
+        InputError: saying how a mesh is made of it.
+    """
+    if isinstance(mesh, QuadMesh):
+        return
+    if isinstance(mesh, (str, os.PathLike)):
+        remedy = "read the file with read_mesh first"
+    elif isinstance(getattr(mesh, "mesh", None), QuadMesh):
+        remedy = "give its .mesh"
+    else:
+        remedy = "QuadMesh(vertices, faces) makes one of arrays"
+    raise InputError(f"mesh: expected a QuadMesh, got {type(mesh).__name__}; {remedy}")

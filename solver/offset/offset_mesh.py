@@ -30,7 +30,7 @@ import numpy as np
 
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
-from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other, unit_rows
 from solver.offset.axes import torsion_free_axes
 from solver.offset.parallelism import apply, edge_weights, factorised, projections
 
@@ -121,6 +121,7 @@ def offset_mesh(mesh: QuadMesh, distance: float, kind: str = "parallel") -> Offs
         InputError: an unknown kind, a distance that is zero or not finite, or so large that an edge
             of the offset mesh vanishes.
     """
+    refuse_other(mesh)
     if kind not in KINDS:
         raise InputError(f"kind: expected one of {', '.join(KINDS)}, got '{kind}'")
     if isinstance(distance, bool) or not np.isfinite(distance) or distance == 0:

@@ -12,7 +12,7 @@ from scipy.sparse.linalg import spsolve
 from solver.analysis.measures import flipped
 from solver.errors import InputError
 from solver.mesh.grid import grid_of
-from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 from solver.nets.options import NetOptions
 from solver.optimise import optimise
 
@@ -61,6 +61,7 @@ def flattened(mesh: QuadMesh) -> FlatPatch:
 
     Source: Jiang et al. (2021), Using isometries for computational design and fabrication.
     """
+    refuse_other(mesh)
     grid = grid_of(mesh)
     if grid.closed_u or grid.closed_v:
         raise InputError(
