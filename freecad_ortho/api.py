@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
 
     from freecad_ortho.documents import (
+        add_arches,
         add_beams,
         add_bent_panels,
         add_drawing_page,
@@ -81,6 +82,7 @@ if TYPE_CHECKING:
 __all__ = [
     "LoadedMesh",
     "Quadric",
+    "add_arches",
     "add_beams",
     "add_bent_panels",
     "add_drawing_page",

@@ -60,6 +60,7 @@ class Sizes(TypedDict, total=False):
     k_factor: float
     least_length: Length
     rounded: bool
+    through: Literal["u", "v", "both"]
     louvre_axis: Literal["u", "v"]
     tilt: float
     width: Length

@@ -16,6 +16,7 @@ TOOLBARS = {
     "Fabricate": (
         "Beams",
         "EdgeBeam",
+        "Arches",
         "Lamellas",
         "Patches",
         "Panels",

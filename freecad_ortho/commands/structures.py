@@ -25,6 +25,17 @@ class StructureCommand(NetCommand):
         FreeCADGui.Control.showDialog(StructurePanel(context.current_net(), self.icon, title))
 
 
+class Arches(StructureCommand):
+    """Plates cut flat along the plane lines of a net."""
+
+    icon = "arches"
+    text = QT_TRANSLATE_NOOP("Ortho_Arches", "Arches")
+    tip = QT_TRANSLATE_NOOP(
+        "Ortho_Arches",
+        "Put a plate that is cut flat along every line of the selected net that lies in a plane",
+    )
+
+
 class Beams(StructureCommand):
     """Beams on the edges or along the parameter lines of a net."""
 

@@ -26,6 +26,7 @@ from freecad_ortho.documents.nets import (
 )
 from freecad_ortho.documents.pictures import save_picture
 from freecad_ortho.documents.sheet_systems import (
+    add_arches,
     add_bent_panels,
     add_lamellas,
     add_louvres,
@@ -64,6 +65,7 @@ if FreeCAD.GuiUp:
     import freecad_ortho.view.providers  # noqa: F401
 
 __all__ = [
+    "add_arches",
     "add_beams",
     "add_bent_panels",
     "add_drawing_page",

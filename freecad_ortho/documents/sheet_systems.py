@@ -76,6 +76,39 @@ def add_panels(
     return added("panels", locals())
 
 
+def add_arches(
+    net: Feature,
+    height: Length = 200.0,
+    thickness: Length = 20.0,
+    *,
+    offset: str = "centre",
+    clearance: Length = 1.0,
+    overhang: Length | None = None,
+    through: str = "both",
+    family: str = "both",
+    lines: Sequence[int] = (),
+    material: str = "steel",
+    density: float = 0.0,
+) -> Feature:
+    """Add a plate cut flat along every line of a Net that lies in a plane.
+
+    Args:
+        net: the Net, whose lines of one family or of both lie in planes of their own.
+        height: of the plates, square to the line.
+        thickness: of the plates.
+        offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
+        clearance: in the width and depth of slots.
+        overhang: beyond the last vertices, by default half the height.
+        through: ``"both"``: plates cross by half laps; ``"u"`` or ``"v"``: those of this family run
+            through, the others are pieces between them.
+        family: parameter lines that are built on.
+        lines: numbers of these lines; empty for all.
+        material: of all parts.
+        density: kg/m3, 0 for the material's own.
+    """
+    return added("arches", locals())
+
+
 def add_louvres(
     net: Feature,
     *,

@@ -6,7 +6,8 @@ Bodies hold arrays only, so that they travel between processes; solids of the CA
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
@@ -131,6 +132,11 @@ class Divided(Polyhedron):
     def pieces(self) -> tuple[Polyhedron, ...]:
         """The blocks."""
         return self.blocks
+
+    def moved(self, by: Sequence[float]) -> Divided:
+        """The same body elsewhere."""
+        blocks = tuple(replace(block, corners=block.corners + by) for block in self.blocks)
+        return replace(self, corners=self.corners + by, blocks=blocks)
 
 
 @dataclass(frozen=True, eq=False)

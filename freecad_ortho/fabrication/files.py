@@ -195,7 +195,7 @@ def write_lists(
     write_bevels(folder / "bevels.csv", production.named_patterns)
     for result in production.structure.results.values():
         for table in result.tables:
-            write_table(folder / table.name, table.columns, table.rows)
+            write_table(folder / table.name, *table.placed(production.structure.place))
     page = report_page(production, project, way, check)
     (folder / "report.html").write_text(page, encoding="utf-8")
     usual = [name for name in FILES if name not in (_FLAT, _STEP) or (folder / name).exists()]

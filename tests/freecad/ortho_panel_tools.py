@@ -30,6 +30,7 @@ PANELS = {
     "StructuralCheck": ("Net",),
     "Beams": ("Net",),
     "EdgeBeam": ("Net",),
+    "Arches": ("Net",),
     "Lamellas": ("Net",),
     "Patches": ("Net",),
     "Panels": ("Net",),

@@ -124,6 +124,10 @@ class Sequence:
     def add_louvres(self):
         return self.add_one(api.add_louvres, tilt=self.dice.uniform(0, 40))
 
+    def add_arches(self):
+        through = self.dice.choice(["both", "u", "v"])
+        return self.add_one(api.add_arches, height=self.dice.uniform(80, 300), through=through)
+
     def add_feet(self):
         return self.add_one(api.add_feet, foot_height=self.dice.uniform(300, 2000))
 

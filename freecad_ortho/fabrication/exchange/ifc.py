@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 # Class, predefined type and set of quantities by kind; what is unknown is a proxy.
 _CLASSES = {
     "beam": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
+    "arch-plate": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
     "web": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
     "edge-beam": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
     "flange": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),

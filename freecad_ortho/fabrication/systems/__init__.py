@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from freecad_ortho.fabrication.material import Material
+from freecad_ortho.fabrication.systems.arches import Arches
 from freecad_ortho.fabrication.systems.beams import Beams
 from freecad_ortho.fabrication.systems.bent_panels import BentPanels
 from freecad_ortho.fabrication.systems.edge_beam import EdgeBeam
@@ -21,11 +22,23 @@ from solver.errors import InputError
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
     system.name: system
-    for system in (EdgeBeam, Beams, Nodes, Panels, Louvres, Lamellas, BentPanels, Patches, Feet)
+    for system in (
+        EdgeBeam,
+        Beams,
+        Nodes,
+        Arches,
+        Panels,
+        Louvres,
+        Lamellas,
+        BentPanels,
+        Patches,
+        Feet,
+    )
 }
 
 __all__ = [
     "SYSTEMS",
+    "Arches",
     "Beams",
     "BentPanels",
     "EdgeBeam",

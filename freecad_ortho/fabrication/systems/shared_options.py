@@ -21,6 +21,10 @@ LEAST_WIDTH = Option(
     *("least_width", 60.0, "length"),
     "pieces of panels at the border that are narrower than this are slivers",
 )
+OVERHANG = Option(
+    *("overhang", None, "length"),
+    "the strips go this far beyond their last vertex, by default half their width",
+)
 STOCK = Option("stock", None, "length", "strips are cut from this length; longer ones are spliced")
 ROUNDED = Option(
     *("rounded", False, "flag"),

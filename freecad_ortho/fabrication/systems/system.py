@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.fasteners import Fasteners, Supply
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.site import Site
+from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
 
 
@@ -21,11 +23,36 @@ class Table:
         name: of the file, ``distortion.csv``.
         columns: names of the columns.
         rows: one a line.
+        points: (N, 3) a place of each row, mm, of which further columns tell where it stands in
+            the files.
+        normals: (N, 3) a direction of each row, likewise.
     """
 
     name: str
     columns: tuple[str, ...]
     rows: tuple[tuple[object, ...], ...]
+    points: FloatArray | None = None
+    normals: FloatArray | None = None
+
+    def placed(self, place: Place) -> tuple[tuple[str, ...], list[tuple[object, ...]]]:
+        """Columns and rows with points and directions as they stand in the files."""
+        columns, rows = self.columns, list(self.rows)
+        if self.points is not None:
+            columns = (*columns, "x_mm", "y_mm", "z_mm")
+            rows = _with(rows, place.points(self.points), 6)
+        if self.normals is not None:
+            columns = (*columns, "normal_x", "normal_y", "normal_z")
+            rows = _with(rows, place.directions(self.normals), 12)
+        return columns, rows
+
+
+def _with(
+    rows: Sequence[tuple[object, ...]], values: FloatArray, digits: int
+) -> list[tuple[object, ...]]:
+    return [
+        (*row, *(f"{value:.{digits}f}" for value in each))
+        for row, each in zip(rows, values, strict=True)
+    ]
 
 
 @dataclass(frozen=True, eq=False)

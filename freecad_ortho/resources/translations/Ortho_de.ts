@@ -1415,6 +1415,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Through: plates of this family run through where two cross, both by half laps</source>
+   <translation>Durchlaufend: Platten dieser Familie laufen durch, wo zwei sich kreuzen, beide mit Überblattung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt: the louvres are turned by this angle about their lines</source>
    <translation>Neigung: die Sonnenlamellen sind um diesen Winkel um ihre Linien gedreht</translation>
   </message>
@@ -4561,6 +4566,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Through</source>
+   <translation>Durchlaufend</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt</source>
    <translation>Neigung</translation>
   </message>
@@ -5118,6 +5128,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>border, u and v have their own</source>
    <translation>Rand, u und v haben eigene</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>both</source>
+   <translation>beide</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -5848,6 +5863,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plate</source>
    <translation>Blech</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plates of this family run through where two cross, both by half laps</source>
+   <translation>Platten dieser Familie laufen durch, wo zwei sich kreuzen, beide mit Überblattung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6826,6 +6846,19 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/commands/sources.py" />
    <source>Net along curvature</source>
    <translation>Netz entlang der Krümmung</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Arches</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Arches</source>
+   <translation>Bögen</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a plate that is cut flat along every line of the selected net that lies in a plane</source>
+   <translation>Eine flach geschnittene Platte entlang jeder Linie des gewählten Netzes setzen, die in einer Ebene liegt</translation>
   </message>
  </context>
  <context>

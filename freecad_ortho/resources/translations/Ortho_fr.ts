@@ -1415,6 +1415,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Through: plates of this family run through where two cross, both by half laps</source>
+   <translation>Continue: les plaques de cette famille passent là où deux se croisent, les deux à mi-bois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt: the louvres are turned by this angle about their lines</source>
    <translation>Inclinaison : les brise-soleil sont tournés de cet angle autour de leurs lignes</translation>
   </message>
@@ -4561,6 +4566,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Through</source>
+   <translation>Continue</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Tilt</source>
    <translation>Inclinaison</translation>
   </message>
@@ -5118,6 +5128,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/window/dialogs.py" />
    <source>border, u and v have their own</source>
    <translation>bord, u et v ont la leur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>both</source>
+   <translation>les deux</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -5848,6 +5863,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plate</source>
    <translation>plat</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plates of this family run through where two cross, both by half laps</source>
+   <translation>les plaques de cette famille passent là où deux se croisent, les deux à mi-bois</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6826,6 +6846,19 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/commands/sources.py" />
    <source>Net along curvature</source>
    <translation>Réseau selon la courbure</translation>
+  </message>
+ </context>
+ <context>
+  <name>Ortho_Arches</name>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Arches</source>
+   <translation>Arcs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/commands/structures.py" />
+   <source>Put a plate that is cut flat along every line of the selected net that lies in a plane</source>
+   <translation>Placer une plaque découpée à plat le long de chaque ligne du réseau choisi qui est dans un plan</translation>
   </message>
  </context>
  <context>

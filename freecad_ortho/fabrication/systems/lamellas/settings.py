@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from freecad_ortho.fabrication.sizes import check_options, check_size, size
-from freecad_ortho.fabrication.systems.shared_options import STOCK, plate_thickness
+from freecad_ortho.fabrication.systems.shared_options import OVERHANG, STOCK, plate_thickness
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 from solver.option import Option, Range
@@ -87,12 +87,7 @@ class LamellaSettings:
             within=Range(1, 2),
         ),
         size("hole", 9.0, "the bolt holes have this diameter"),
-        Option(
-            "overhang",
-            None,
-            "length",
-            "the strips go this far beyond their last vertex, by default half their width",
-        ),
+        OVERHANG,
         Option("strip", "auto", "choice", "the strips are made of plane faces or twisted", STRIPS),
         Option("pattern", "auto", "choice", "the axes unroll to lines of this kind", PATTERNS),
         Option("smooth", False, "flag", "the solids are smooth instead of faceted"),
