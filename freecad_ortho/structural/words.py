@@ -5,7 +5,7 @@ from __future__ import annotations
 from freecad_ortho.structural.check import ENOUGH, StructuralCheck
 from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import SNOW, WIND
-from freecad_ortho.structural.stances import BEAMS, bends
+from freecad_ortho.structural.stances import BEAMS, LYING, bends
 from freecad_ortho.words import counted
 from solver.mesh.quadmesh import FloatArray
 
@@ -168,7 +168,9 @@ def _of_lamellas(check: StructuralCheck) -> list[str]:
         f"of {limit:g} MPa (E t / 2 R, at member {place}), and more from twisting; utilisation "
         "leaves that out."
     ]
-    if not design.layers:
+    if not design.layers and design.position == LYING:
+        found.append("Lying lamellas cannot cross in one layer; give layers, their distance.")
+    elif not design.layers:
         found.append(
             "Where lamellas cross in slots, less than their whole height is left, often half of "
             "it: sections are checked without slots."

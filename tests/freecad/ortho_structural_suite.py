@@ -1,6 +1,8 @@
 """Structural checks in documents. Run by FreeCAD without a window."""
 
 import json
+import unittest
+from importlib.util import find_spec
 
 import FreeCAD
 import numpy as np
@@ -131,6 +133,23 @@ class TestCheck(CheckCase):
         self.assertIn(folder / "check.html", written)
         page = (folder / "check.html").read_text(encoding="utf-8")
         self.assertIn(check.Verdict, page)
+
+    @unittest.skipUnless(find_spec("feminout"), "needs the FEM workbench of FreeCAD")
+    def test_the_fem_workbench_opens_the_model_of_calculix(self):
+        from feminout import importInpMesh
+
+        folder = tools.SCRATCH / "check-fem"
+        for settings in ({}, {"layers": 120.0, "crossings": "hinged"}):
+            check = self.check(**settings)
+            api.write_check_files(check, folder)
+            mesh = importInpMesh.read(str(folder / "model.inp"))
+            model = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+            arms = len(model.get("arms_and_bolts", []))
+            beams = len(model["members"]) + arms + (arms // 2 if settings else 0)
+            self.assertEqual((mesh.EdgeCount, mesh.FaceCount), (4 * beams, 0))
+            places = np.array([tuple(place) for place in mesh.Nodes.values()])
+            for vertex in convert.quad_mesh(self.net).vertices:
+                self.assertLess(np.linalg.norm(places - vertex, axis=1).min(), 1e-4)
 
     def test_in_a_part_that_is_turned_down_is_down(self):
         part = self.document.addObject("App::Part", "Part")

@@ -74,6 +74,8 @@ def test_what_lamellas_are_not_checked_for_is_said(barrel):
     stress = 0.5 * 210_000 * 5 / RADIUS
     assert f"have up to {stress:.0f} MPa in them" in said and "of 235 MPa" in said
     assert "slots" not in said and "lie in the net" in assumptions(found)[0]
+    level = check(barrel, section="plate:5x80", position="lying")
+    assert "Lying lamellas cannot cross in one layer" in " ".join(warnings(level))
     slotted = check(barrel, section="plate:5x80", position="standing", crossings="hinged")
     assert "sections are checked without slots" in " ".join(warnings(slotted))
     assert "cross on one level, hinged" in " ".join(assumptions(slotted))
