@@ -73,10 +73,11 @@ class Body(ABC):
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         return (Polyhedron(np.where(BOX_CORNERS, high, low), BOX_SIDES),)
 
-    def filling(self) -> tuple[Polyhedron, ...]:
+    def filling(self, finer: int = 1) -> tuple[Polyhedron, ...]:
         """The same as exactly as the body can tell: at best these are the body without its holes.
 
-        They are where their volumes add up to its own.
+        They are where their volumes add up to its own. Bent bodies are held by ``finer`` times as
+        many of them.
         """
         return self.pieces()
 
@@ -149,7 +150,7 @@ class Hollow(Polyhedron):
 
     walls: tuple[Polyhedron, ...]
 
-    def filling(self) -> tuple[Polyhedron, ...]:
+    def filling(self, finer: int = 1) -> tuple[Polyhedron, ...]:
         """The walls."""
         return self.walls
 

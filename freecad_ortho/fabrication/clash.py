@@ -23,8 +23,10 @@ import numpy as np
 from freecad_ortho.fabrication.bodies import Body, Loops, Polyhedron
 from freecad_ortho.fabrication.convex import (
     Piece,
+    boxes_meet,
     convex_pieces,
     core,
+    overlapping,
     shared_volume,
     volume_bounds,
 )
@@ -44,6 +46,9 @@ _SAME_VOLUME = 1e-9
 # Of the bounds of the volume of a clash, the lower one as a part of the upper one, from which on
 # the middle will do: it is off by a seventh at most.
 _CLOSE = 0.75
+# How many times as many pieces bent bodies are held by where theirs leave bounds too far apart; the
+# CAD kernel takes seconds to cut two of them.
+_FINER = 8
 # Fractions done when the pairs that come near are known, and when they are clipped.
 _SORTED, _CLIPPED = 0.2, 0.5
 _BETWEEN_WORDS = 64
@@ -117,7 +122,7 @@ def check_clashes(
         if number % _BETWEEN_WORDS == 0:
             say(_SORTED + (_CLIPPED - _SORTED) * number / len(open_pairs))
         least, most = bodies.shared(*pair)
-        if least == most or least > max(bodies.contact(*pair), _CLOSE * most):
+        if bodies.will_do(*pair, least, most):
             known[pair] = (least + most) / 2
         else:
             bounds[pair] = most
@@ -167,7 +172,16 @@ class _Bodies:
 
         They are the same where that is known exactly.
         """
-        one, other = self._filling(i), self._filling(j)
+        least, most = self._bounds(i, j, self._filling(i), self._filling(j))
+        if self.will_do(i, j, least, most):
+            return least, most
+        return self._bounds(i, j, *self._finer(i, j))
+
+    def will_do(self, i: int, j: int, least: float, most: float) -> bool:
+        """Whether bounds say how much two parts share: it is known, or a clash to a seventh."""
+        return least == most or least > max(self.contact(i, j), _CLOSE * most)
+
+    def _bounds(self, i: int, j: int, one: _Filling, other: _Filling) -> tuple[float, float]:
         most = shared_volume(one.pieces, other.pieces)
         if (one.exact and other.exact) or most <= self.contact(i, j):
             return most, most
@@ -181,6 +195,22 @@ class _Bodies:
         if number not in self.fillings:
             self.fillings[number] = self._filled(self.parts[number])
         return self.fillings[number]
+
+    def _finer(self, i: int, j: int) -> list[_Filling]:
+        """Fillings of more pieces, of what is near to the other part only."""
+        one, other = self._filling(i), self._filling(j)
+        boxes = np.array([one.pieces[k].box for k, _ in overlapping(one.pieces, other.pieces)])
+        where = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+        found = []
+        for number, loose in ((i, one), (j, other)):
+            part = self.parts[number]
+            placed = self._placed(part, part.body.filling(_FINER))
+            corners = [points for points, _ in placed]
+            near = boxes_meet(np.array([[p.min(axis=0), p.max(axis=0)] for p in corners]), where)
+            pieces = convex_pieces([placed[k] for k in np.flatnonzero(near)])
+            cores = [core(piece) for piece in pieces] if loose.core else []
+            found.append(_Filling(pieces, False, cores, loose.holes))
+        return found
 
     def _filled(self, part: Part) -> _Filling:
         body: Body = part.body

@@ -91,10 +91,10 @@ def shared_volume(
     ``taken`` off both does not count, twice where these overlap: then it is a lower bound.
     """
     taken_off: dict[int, list[Piece]] = defaultdict(list)
-    for i, hole in _overlapping(one, taken):
+    for i, hole in overlapping(one, taken):
         taken_off[i].append(taken[hole])
     total = 0.0
-    for i, j in _overlapping(one, other):
+    for i, j in overlapping(one, other):
         base = one[i].corners.mean(axis=0)
         left = _shared(one[i], other[j], base)
         if left is not None:
@@ -120,24 +120,24 @@ def volume_bounds(pieces: Sequence[Piece], pairs: IntArray) -> FloatArray:
     return result
 
 
-def _overlapping(one: Sequence[Piece], other: Sequence[Piece]) -> list[tuple[int, int]]:
+def overlapping(one: Sequence[Piece], other: Sequence[Piece]) -> list[tuple[int, int]]:
     """Numbers of pieces of two bodies that neither their boxes nor their sides separate."""
     if not one or not other:
         return []
     first, second = (np.array([piece.box for piece in pieces]) for pieces in (one, other))
     # Most pieces of long bodies are far from the other body.
     here, there = (
-        np.flatnonzero(_meets(boxes, (others[:, 0].min(axis=0), others[:, 1].max(axis=0))))
+        np.flatnonzero(boxes_meet(boxes, (others[:, 0].min(axis=0), others[:, 1].max(axis=0))))
         for boxes, others in ((first, second), (second, first))
     )
-    meets = _meets(first[here, None], (second[there, 0], second[there, 1]))
+    meets = boxes_meet(first[here, None], (second[there, 0], second[there, 1]))
     rows, columns = np.nonzero(meets)
     pairs = np.column_stack([here[rows], there[columns]])
     kept = volume_bounds([*one, *other], pairs + np.array([0, len(one)])) > 0
     return [(i, j) for i, j in pairs[kept].tolist()]
 
 
-def _meets(boxes: FloatArray, others: tuple[FloatArray, FloatArray]) -> BoolArray:
+def boxes_meet(boxes: FloatArray, others: tuple[FloatArray, FloatArray]) -> BoolArray:
     """Whether boxes (..., 2, 3) overlap others, given by their least and largest coordinates."""
     low, high = others
     return np.asarray(((boxes[..., 0, :] < high) & (boxes[..., 1, :] > low)).all(axis=-1))

@@ -82,9 +82,9 @@ class DrilledBody(Body):
         """Those of the whole body."""
         return self.whole.pieces()
 
-    def filling(self) -> tuple[Polyhedron, ...]:
+    def filling(self, finer: int = 1) -> tuple[Polyhedron, ...]:
         """That of the whole body."""
-        return self.whole.filling()
+        return self.whole.filling(finer)
 
     def holes(self) -> tuple[Polyhedron, ...]:
         """Prisms that hold the holes and reach beyond the plate."""

@@ -91,7 +91,7 @@ class ProfiledBody(Body):
         """The hull of its outline, cut as it is."""
         return (self._prism(_hull(self.profile)),)
 
-    def filling(self) -> tuple[Polyhedron, ...]:
+    def filling(self, finer: int = 1) -> tuple[Polyhedron, ...]:
         """Prisms that are the body where it has no rounded corners and its holes reach the upright.
 
         Otherwise they are a little more.

@@ -69,7 +69,7 @@ class RuledBody(Body):
             found.append(Polyhedron(block, loops))
         return tuple(found)
 
-    def filling(self) -> tuple[Polyhedron, ...]:
+    def filling(self, finer: int = 1) -> tuple[Polyhedron, ...]:
         """The blocks, shorter where sides are no planes: so they hold the body more closely."""
         if all(sheet.rails is None for sheet in self.sheets):
             return self.pieces()
@@ -79,7 +79,7 @@ class RuledBody(Body):
         blocks = [
             part
             for count, some in kinds.items()
-            for part in (_shorter(np.array(some)) if count in (8, *_RING) else some)
+            for part in (_shorter(np.array(some), _PARTS * finer) if count in (8, *_RING) else some)
         ]
         return replace(self, blocks=tuple(blocks)).pieces()
 
@@ -194,7 +194,7 @@ class RuledBody(Body):
         return ruled_solid(self)
 
 
-def _shorter(blocks: FloatArray) -> FloatArray:
+def _shorter(blocks: FloatArray, parts: int) -> FloatArray:
     """Parts of blocks (B, 8 or 16, 3) along their rails, each with as many points."""
     ends = blocks[:, :8].reshape(-1, 2, 4, 3)
     inner = blocks[:, 8:].reshape(len(blocks), 2, 2, -1, 3)
@@ -208,8 +208,8 @@ def _shorter(blocks: FloatArray) -> FloatArray:
     )
     count = poles.shape[3]
     found = []
-    for start in range(_PARTS):
-        places = (start + np.linspace(0, 1, count)) / _PARTS
+    for start in range(parts):
+        places = (start + np.linspace(0, 1, count)) / parts
         part = through(blend(count, places) @ poles)
         around = np.concatenate([part[:, :, 0, [0, -1]], part[:, :, 1, [-1, 0]]], axis=2)
         handles = part[:, :, :, 1:-1].reshape(len(blocks), -1, 3)

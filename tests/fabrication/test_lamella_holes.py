@@ -103,6 +103,8 @@ def test_shorter_blocks_hold_a_plate_more_closely(some):
         assert -1e-9 < close <= loose + 1e-9
         if any(sheet.rails is not None for sheet in getattr(body, "sheets", ())):
             assert close < 0.3 * loose, part.name
+            finer = sum(ConvexHull(piece.corners).volume for piece in body.filling(4))
+            assert -1e-9 < finer / body.volume - 1 < 0.5 * close, part.name
 
 
 def test_pieces_of_plates_turn_their_sides_outwards(some):
@@ -129,15 +131,35 @@ def test_prisms_around_holes_hold_them(some):
         assert rims and max(rims) < within < 0.55 * drill.diameter, part.name
 
 
-def test_twisted_drilled_laths_that_clash_need_no_kernel(monkeypatch):
-    """Two laths that are bolted, the upper one moved into the lower."""
+@pytest.fixture(scope="module")
+def bolted():
+    """Two twisted laths that lie on each other, and the direction of their bolt."""
     settings = {"strip": "twisted", "position": "lying", "layers": 2}
     parts = build(helicoid(4, 4).scaled(3000.0), [Lamellas(60, 5, **settings)]).parts
     lower, upper = (
         next(part for part in parts if (part.family, part.line) == (family, 1)) for family in "uv"
     )
     (vertex,) = set(lower.vertices) & set(upper.vertices)
-    across = lower.body.drills[lower.vertices.index(vertex)].direction @ lower.frame
+    return lower, upper, lower.body.drills[lower.vertices.index(vertex)].direction @ lower.frame
+
+
+def test_twisted_laths_that_hardly_clash_need_no_kernel(bolted, monkeypatch):
+    """Few cubic millimetres, which whole blocks tell to a half only."""
+    lower, upper, across = bolted
+    moved = [replace(upper, origin=upper.origin + move * across) for move in (-0.6, -0.4)]
+    with monkeypatch.context() as patch:
+        patch.setattr("OCP.BRepAlgoAPI.BRepAlgoAPI_Common", None)
+        checks = [check_clashes([lower, each]) for each in moved]
+    assert [(check.cut, len(check.clashes)) for check in checks] == [(0, 1), (0, 1)]
+    common = BRepAlgoAPI_Common(lower.solid().wrapped, moved[0].solid().wrapped).Shape()
+    volume = cadquery.Shape.cast(common).Volume()
+    assert volume < 10
+    assert checks[0].clashes[0].volume == pytest.approx(volume, rel=1 / 7)
+
+
+def test_twisted_drilled_laths_that_clash_need_no_kernel(bolted, monkeypatch):
+    """Two laths that are bolted, the upper one moved into the lower."""
+    lower, upper, across = bolted
     ways = [replace(upper, origin=upper.origin + move * across) for move in (-3.0, 3.0)]
     with monkeypatch.context() as patch:
         patch.setattr("OCP.BRepAlgoAPI.BRepAlgoAPI_Common", None)
