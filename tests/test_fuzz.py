@@ -12,6 +12,7 @@ import json
 import os
 import random
 import signal
+import subprocess
 import sys
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -303,6 +304,10 @@ def test_every_reader_reads_or_refuses_in_one_line(tmp_path):
         (["fabricate", "MESH", "-o", "n" * 300], "(File name too long); choose a shorter name"),
         (["quads", "MESH", "--faces", "9", "--time-limit", "inf", "-o", "o.obj"], "finite number"),
         (["quads", "MESH", "--faces", "9", "--time-limit", "3601", "-o", "o.obj"], "3600 at most"),
+        (["optimise", "MESH", "--fix", HUGE, "-o", "o.obj"], f"vertex {HUGE} does not exist"),
+        (["optimise", "MESH", "--fix", f"0,-{HUGE}", "-o", "o.obj"], f"vertex -{HUGE} does not"),
+        (["fabricate", "MESH", "--sheet", "1e23x9" + "0" * 22, "-o", "o"], "expected WxH"),
+        (["fabricate", "MESH", "--sheet", f"{HUGE}x{HUGE}", "-o", "o"], "take 1 km at most"),
     ],
 )
 @pytest.mark.skipif(sys.platform == "win32", reason="the system says it in other words")
@@ -313,3 +318,13 @@ def test_what_the_system_says_is_repeated(tmp_path, capsys, monkeypatch, argumen
     said = capsys.readouterr().err
     assert words in said and said.count("\n") == 1
     assert [path.name for path in tmp_path.iterdir()] == ["mesh.obj"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the system says it in other words")
+def test_both_processes_of_a_command_bear_names_of_any_length(tmp_path):
+    """The one that waits for the other looks at all words, whether they are files or not."""
+    command = [sys.executable, "-m", "freecad_ortho", "check", "n" * 300 + ".obj"]
+    root = Path(__file__).resolve().parents[1]
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 2
+    assert done.stderr.count("\n") == 1 and "(File name too long)" in done.stderr

@@ -40,8 +40,9 @@ def supervised(arguments: Sequence[str] | None = None) -> int:
     """
     words = sys.argv[1:] if arguments is None else list(arguments)
     targets = _targets(words)
+    # Not a method of the path, which fails where a name is too long.
     missing = [
-        path for target in targets for path in (target, *target.parents) if not path.exists()
+        path for target in targets for path in (target, *target.parents) if not os.path.exists(path)
     ]
     for number in ENDING_SIGNALS:
         signal.signal(number, signal.default_int_handler)
@@ -103,7 +104,7 @@ def _clear(targets: Sequence[Path], missing: Sequence[Path]) -> None:
         except OSError as error:
             sys.stderr.write(f"error: {target}: cannot be cleared ({error.strerror})\n")
     for path in missing:
-        if path.is_dir() and not any(path.iterdir()):
+        if os.path.isdir(path) and not any(path.iterdir()):
             path.rmdir()
 
 

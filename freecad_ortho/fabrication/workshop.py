@@ -25,6 +25,8 @@ HARDWARE = ("list", "solids")
 STEP_FILES = ("one", "systems", "in-place")
 # Tubes that differ by more percent are not one section by any standard.
 _WIDEST = 20.0
+# No sheet, bar or cut is longer, mm.
+_LONGEST = 1e6
 # Parts that differ by more are not equal for any workshop, mm.
 _LOOSEST = 20.0
 
@@ -220,6 +222,7 @@ class Workshop:
         for side in self.sheet or ():
             positive("sheet", side, "mm")
         check_options(self, (option for option in self.options if option.name != "sheet"))
+        self._refuse_endless()
         if self.step == "in-place" and self.step_tolerance > 0:
             raise InputError(
                 "step: solids that are in-place share no product; leave the step tolerance out, or "
@@ -227,6 +230,17 @@ class Workshop:
             )
         _ = self.dxf_form, self.formats, self.datum, self.drawing_form, self.price_list
         _ = self.lengths_in_store, self.sizes_in_store, self.label_form
+
+    def _refuse_endless(self) -> None:
+        lengths = {"sheet": max(self.sheet or (0.0,)), "stock": self.stock or 0.0}
+        lengths |= {
+            name: getattr(self, name) for name in ("spacing", "saw", "trim", "rest", "kerf")
+        }
+        for name, length in lengths.items():
+            if length > _LONGEST:
+                raise InputError(
+                    f"{name}: {length:g} mm is no size of a workshop; take 1 km at most"
+                )
 
     @property
     def dxf_form(self) -> DxfForm:

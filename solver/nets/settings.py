@@ -276,13 +276,14 @@ def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
         if word == "boundary":
             return _some(around.boundary_vertices, "boundary")
         fix = _numbers(fix)
-    chosen = np.asarray(list(fix), dtype=np.int64)
-    wrong = chosen[(chosen < 0) | (chosen >= around.vertex_count)]
-    if len(wrong):
-        raise InputError(
-            f"fix: vertex {wrong[0]} does not exist; vertices are numbered 0 to "
-            f"{around.vertex_count - 1}"
-        )
+    # Before they become an array, which has no room for numbers of any length.
+    chosen = list(fix)
+    for number in chosen:
+        if not 0 <= number < around.vertex_count:
+            raise InputError(
+                f"fix: vertex {number} does not exist; vertices are numbered 0 to "
+                f"{around.vertex_count - 1}"
+            )
     mask = np.zeros(around.vertex_count, dtype=bool)
     mask[chosen] = True
     return mask
