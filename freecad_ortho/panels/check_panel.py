@@ -157,11 +157,12 @@ def _measures(result: dict[str, Any]) -> list[list[Cell]]:
 
 def _advice(result: dict[str, Any]) -> list[list[Cell]]:
     yes, no = Cell("✓", translate("Ortho", "yes")), Cell("–", translate("Ortho", "no"))
+    tip = translate("Ortho", "Beside what it is off right angles, which all these nets ask for.")
     names = net_words()
     return [
         [
             Cell(_title(advice), names[advice["net"]]),
-            Cell(f"{advice['beyond']:.1e}"),
+            Cell(f"{advice['beyond']:.1e}", tip),
             yes if advice["possible"] else no,
         ]
         for advice in result["advice"]["nets"]

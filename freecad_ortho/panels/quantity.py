@@ -10,6 +10,8 @@ from PySide import QtCore, QtGui
 
 # A number with no more than these was chosen by someone; others come out of a calculation.
 _DIGITS = 6
+# What is less is a rest of a calculation: FreeCAD would show it as so many nanometres.
+_NOTHING = 1e-6
 
 
 class Absent(QtCore.QObject):
@@ -92,11 +94,11 @@ class QuantityField(QtCore.QObject):
 
     @value.setter
     def value(self, value: float) -> None:
-        self.widget.setProperty("rawValue", float(value))
+        self.widget.setProperty("rawValue", float(value) if abs(value) >= _NOTHING else 0.0)
         rounded = self.widget.text()
         exact = f"{value:.{_DIGITS}g}"
         held = self.widget.property("rawValue")
-        if float(exact) == value and not math.isclose(held, value, rel_tol=1e-9, abs_tol=1e-12):
+        if float(exact) == value and not math.isclose(held, value, rel_tol=1e-9, abs_tol=_NOTHING):
             self._write(f"{exact} {self._unit}")
         self._show_absent()
         self._value = float(value)

@@ -13,6 +13,9 @@ from freecad_ortho.panels.fields import shortened
 from freecad_ortho.panels.structure_panel import StructurePanel
 from freecad_ortho.window import context, messages
 
+# Room beside the words of a button, in pixels.
+_BESIDE_WORDS = 14
+
 
 class StructureEditPanel(StructurePanel):
     """Apply shows what the fields say, OK keeps it as one undo step, Cancel takes it back."""
@@ -36,6 +39,13 @@ class StructureEditPanel(StructurePanel):
         """Apply beside the usual two."""
         box = QtGui.QDialogButtonBox
         return number(box.Ok) | number(box.Apply) | number(box.Cancel)
+
+    def modifyStandardButtons(self, box: QtGui.QDialogButtonBox) -> None:
+        """Make three buttons no wider than the panel was with two; FreeCAD calls this."""
+        for button in box.buttons():
+            button.setIcon(QtGui.QIcon())
+            words = button.fontMetrics().boundingRect(button.text()).width()
+            button.setMaximumWidth(words + _BESIDE_WORDS)
 
     def clicked(self, button: int) -> None:
         """Apply; FreeCAD calls this for every button."""

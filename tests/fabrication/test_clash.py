@@ -12,7 +12,7 @@ from scipy.spatial import ConvexHull, HalfspaceIntersection
 from freecad_ortho.fabrication import Beams, build
 from freecad_ortho.fabrication.bodies import BOX_CORNERS, BOX_SIDES
 from freecad_ortho.fabrication.clash import check_clashes
-from freecad_ortho.fabrication.convex import convex_pieces, shared_volume
+from freecad_ortho.fabrication.convex import convex_pieces, shared_volume, volume_bounds
 from freecad_ortho.fabrication.systems import Nodes
 from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.conftest import grid_faces
@@ -96,6 +96,16 @@ def test_shared_volume_of_random_hulls_is_that_of_their_halfspaces():
         assert found[-1] == pytest.approx(by_halfspaces(one, other), rel=1e-9)
         assert shared(other, one) == pytest.approx(found[-1], rel=1e-9)
     assert 5 < np.count_nonzero(found) < 60
+
+
+def test_pieces_that_one_side_parts_are_known_to_share_nothing():
+    """Without a cut, whichever of them is the first; no side of the other one would do."""
+    base = hull(np.array([[0, 9, 0], [0, -9, 9], [0, -9, -9], [-5, 0, 0]], dtype=float))
+    tip = hull(np.array([[0.1, 0, 0], [9, 9, 9], [9, -9, 9], [9, 0, -9]], dtype=float))
+    for far, known in ((0.0, True), (-0.2, False)):
+        pieces = convex_pieces([base, (tip[0] + (far, 0, 0), tip[1])])
+        found = volume_bounds(pieces, np.array([[0, 1], [1, 0]]))
+        assert ((found == 0) == known).all()
 
 
 @pytest.mark.parametrize("nudge", [0.0, 1e-13, -1e-13, 1e-10, -1e-10, 1e-8, -1e-8])

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import pytest
 
@@ -139,3 +140,15 @@ def test_nobody_cuts_insulating_units_from_sheets(roof):
     production = produce(structure, Workshop(sheet=(6000, 3000)))
     assert not production.sheets
     assert any("ordered to size" in words for words in production.messages)
+
+
+def test_grades_bear_what_their_names_say_and_the_stronger_ones_are_stiffer():
+    """S355 yields at 355 MPa, C24 and GL24h break in bending at 24 MPa."""
+    for family in ("S", "C", "GL"):
+        grades = [name for name in MATERIALS if re.fullmatch(rf"{family}\d+h?", name)]
+        made = sorted((MATERIALS[name] for name in grades), key=lambda each: each.bending_limit)
+        assert len(made) > 1
+        for each in made:
+            assert each.bending_limit == int(re.search(r"\d+", each.name)[0])
+        assert made == sorted(made, key=lambda each: (each.youngs_modulus, each.bending_limit))
+        assert made == sorted(made, key=lambda each: (each.density, each.bending_limit))

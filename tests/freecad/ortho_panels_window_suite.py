@@ -5,7 +5,7 @@ import json
 import FreeCAD
 import FreeCADGui
 import ortho_suite_tools as tools
-from ortho_panel_tools import PANELS, broad, cut_off, document_for_panels, open_panel, width
+from ortho_panel_tools import PANELS, broad, cut_off, document_for_panels, form, open_panel, width
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
 from PySide import QtGui
@@ -123,6 +123,15 @@ class TestUnits(WindowCase):
             self.assertAlmostEqual(field.millimetres, expected, delta=1e-9)
         field.widget.deleteLater()
 
+    def test_what_a_calculation_left_is_shown_as_nothing_and_kept(self):
+        FreeCAD.Units.setSchema(0)
+        field = LengthField(-2.8e-7)
+        field.widget.show()
+        wait(seconds=0.05)
+        self.assertEqual(field.widget.text(), "0.00 mm")
+        self.assertEqual(field.millimetres, -2.8e-7)
+        field.widget.deleteLater()
+
     def test_sources_begin_with_their_own_numbers(self):
         for name in ("sphere", "catenoid", "helicoid", "offset", "inversion"):
             for option in source(name).options:
@@ -182,6 +191,16 @@ class TestSettings(WindowCase):
                 if isinstance(old, (bool, int, float, str, list)):
                     self.assertEqual(new, old)
         self.assertEqual((self.document.UndoCount, self.lines, self.errors), (steps, [], []))
+
+    def test_three_buttons_are_no_wider_than_the_panel(self):
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        beams = api.add_structure(self.net, "beams")
+        for language in LANGUAGES:
+            FreeCADGui.setLocale(language)
+            self.opened(beams)
+            self.assertLessEqual(form().width(), width(), language)
+            FreeCADGui.Control.closeDialog()
+            wait()
 
     def test_apply_shows_cancel_restores_and_ok_is_one_step_that_replays(self):
         beams = api.add_beams(self.net, height=150.0)

@@ -1937,6 +1937,11 @@
    <translation>So gebogen, dass Kreise Kreise bleiben; Ort und Größe bleiben</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Beside what it is off right angles, which all these nets ask for.</source>
+   <translation>Neben dem, was ihm zu rechten Winkeln fehlt, die alle diese Netze verlangen.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bite</source>
    <translation>Fugenbreite</translation>

@@ -1937,6 +1937,11 @@
    <translation>Courbé de sorte que les cercles restent des cercles ; lieu et taille restent</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>Beside what it is off right angles, which all these nets ask for.</source>
+   <translation>Sans compter l'écart aux angles droits, que tous ces réseaux demandent.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Bite</source>
    <translation>Largeur de joint</translation>
