@@ -148,6 +148,12 @@ def test_ifc_is_valid_and_holds_every_part(jobs, folders, name):
         amounts = next(facts[key] for key in facts if "uantities" in key)
         assert amounts["NetVolume"] == pytest.approx(part.volume * 1e-9, rel=1e-12)
         assert amounts["NetWeight"] == pytest.approx(part.mass, rel=1e-12)
+        # Plates are told by thickness and area, bars by their length.
+        sizes = {"Length": part.length}
+        if kinds[part.kind] == "IfcPlate":
+            sizes = {"Width": part.thickness, "NetArea": part.area * 1e-6}
+        for size in ("Length", "Width", "NetArea"):
+            assert amounts.get(size, 0.0) == pytest.approx(sizes.get(size, 0.0), rel=1e-12)
         assert facts["Ortho_Part"]["Vertices"] == " ".join(map(str, part.vertices))
         matrix = placement.get_local_placement(product.ObjectPlacement)
         np.testing.assert_allclose(matrix[:3, 3], job.place.points(part.origin), rtol=0, atol=1e-6)
