@@ -100,7 +100,7 @@ def test_rows_are_cut_at_their_bends(tmp_path, thickness):
     assert pieces == [f"{one.name}-{number}" for number in (1, 2, 3)]
     for points in found.values():
         assert (smallest_box(points) <= np.array(size) - 20 + 1e-6).all()
-    joint = gap + thickness * math.tan(TURN / 10 / 2)
+    joint = gap / math.cos(TURN / 10 / 2) + thickness * math.tan(TURN / 10 / 2)
     wide = LENGTH / 7 - gap
     left = one.area - 2 * joint * wide
     assert sum(polygon_area(found[name]) for name in pieces) == pytest.approx(left, rel=1e-6)
@@ -127,6 +127,7 @@ def test_a_face_that_fits_no_sheet_is_the_only_one_that_does_not(tmp_path):
     write(structure, tmp_path, workshop=Workshop(sheet=(1200, 600)))
     report = json.loads((tmp_path / "report.json").read_text())
     assert report["sheets"]["too_large"] == [structure.parts[1].name]
+    assert any("so that all but 1 fit on" in words for words in report["messages"])
 
 
 def rows(family):

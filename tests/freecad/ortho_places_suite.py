@@ -135,6 +135,20 @@ class TestFar(PlaceCase):
             self.assertAlmostEqual(volume / found[0][3], 1.0, places=5)
         self.assertFalse(found[0][2].any())
 
+    def test_parts_in_place_open_in_freecad_with_their_names(self):
+        import Import
+
+        expected, _ = self.written(api.add_structure(self.imported(), "beams"), step="in-place")
+        for group in ("", "/hSTEP"):
+            chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Import" + group)
+            # FreeCAD 0.20 crashes where groups have no shape of their own.
+            chosen.SetBool("UseLinkGroup", FreeCAD.Version()[0] != "0")
+            self.addCleanup(chosen.RemBool, "UseLinkGroup")
+        Import.open(str(tools.SCRATCH / "files" / "structure.step"))
+        parts = [thing for thing in FreeCAD.ActiveDocument.Objects if hasattr(thing, "Shape")]
+        found = {part.Label: tuple(part.Shape.CenterOfMass) for part in parts}
+        self.assertSamePlaces(found, expected)
+
     def test_kept_coordinates_in_files_and_far_nets_baked(self):
         net = api.import_net(self.far_file(), self.document)
         beams = api.add_structure(net, "beams")

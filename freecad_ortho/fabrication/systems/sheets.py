@@ -61,12 +61,13 @@ def split_words(
     whole: Sequence[object],
     parts: Sequence[object],
     sheet: str | tuple[float, float] | None,
+    too_large: int = 0,
 ) -> tuple[str, ...]:
-    """What is to be said where parts were cut to fit a sheet."""
+    """What is to be said where parts were cut to fit a sheet, which some may still not."""
     if len(parts) <= len(whole):
         return ()
     size = sheet if isinstance(sheet, str) else "{:g}x{:g}".format(*(sheet or (0.0, 0.0)))
     return (
         f"sheet: {counted(len(whole), kind)} cut along lines of the net into {len(parts)} parts, "
-        f"so that each fits on {size} mm",
+        f"so that {f'all but {too_large} fit' if too_large else 'each fits'} on {size} mm",
     )

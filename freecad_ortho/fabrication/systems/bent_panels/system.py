@@ -129,7 +129,7 @@ class BentPanels(System):
         corner = site.mesh.vertices[site.mesh.faces]
         side = np.roll(corner, -1, axis=1) - corner
         bend = half_angle_tangents(site.mesh.connectivity, site.mesh.face_normals, side)
-        insets = self.thickness / 2 * np.abs(np.nan_to_num(bend))
+        insets = self._insets(np.abs(np.nan_to_num(bend)))
         chosen = [row for row in rows if _beside_chosen_line(site, row)]
         plates = [plate for row in chosen for plate in self._plates(site, row, insets)]
         cuts, left_out = self._cuts(site, plates)
@@ -138,13 +138,27 @@ class BentPanels(System):
             names |= dict.fromkeys(cut.plate.row.faces[list(cut.faces)].tolist(), cut.name)
         parts = tuple(self._part(site, family, cut, gaps, names) for cut in cuts)
         report = self._report(family, plates, parts)
-        words = split_words("row", chosen, plates, self.sheet)
+        room = self._room
+        large = 0 if room is None else sum(not room.holds(plate.outline) for plate in plates)
+        words = split_words("row", chosen, plates, self.sheet, large)
         if site.trimming is not None:
             trimmed = sum(cut.piece is not None for cut in cuts)
             areas = {name: piece.outline.area for name, piece in left_out.items()}
             report |= trimming_report(trimmed, areas)
             words += tuple(left_out_words(self.name, areas, self.least_width))
         return SystemParts(parts, report, words, geometry=plates)
+
+    def _insets(self, bend: FloatArray) -> FloatArray:
+        """(F, 4) by how much more than half of the gap sides move inwards, mm.
+
+        Two plates that meet at an angle are nearest on the side to which they lean: corners half a
+        thickness off the net approach by its part of the tangent, and the gap between them is
+        measured straight across, not along the plates.
+
+        Args:
+            bend: (F, 4) tangents of half the angle between the normals of faces across a side.
+        """
+        return self.thickness / 2 * bend + self.gap / 2 * (np.hypot(1.0, bend) - 1.0)
 
     def _cuts(self, site: Site, plates: Sequence[Plate]) -> tuple[list[_Cut], dict[str, CutPiece]]:
         """The plates, or what a border leaves of them; by their names pieces too narrow to make."""
