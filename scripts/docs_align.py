@@ -206,12 +206,22 @@ class Attempt(NamedTuple):
         exact: whether the net is exact, without folded faces.
         off: its largest distance from the surface without noise where it lies over that, in percent
             of the diagonal; None without a net.
+        triangles: of the surface.
+        faces: of the net.
+        irregular: vertices of the net.
+        zigzag: how evenly its lines bend.
+        seconds: processor time until it was aligned.
     """
 
     seed: int
     words: str
     exact: bool = False
     off: float | None = None
+    triangles: int = 0
+    faces: int = 0
+    irregular: int = 0
+    zigzag: float = 0.0
+    seconds: float = 0.0
 
 
 def random_row(seed: int) -> Attempt:
@@ -235,7 +245,8 @@ def random_row(seed: int) -> Attempt:
         f"off {over:.3f} %, with what is trimmed {found.off_surface.percent:.3f} %, zigzag "
         f"{found.zigzag:.2f}, folded {outcome.report.flipped_faces} {'; '.join(made.remarks)}"
     )
-    return Attempt(seed, words, exact, over)
+    counts = len(triangles), len(made.mesh.faces), len(made.irregular)
+    return Attempt(seed, words, exact, over, *counts, found.zigzag, spent)
 
 
 def off_over(mesh: QuadMesh, surface: TriangleSurface) -> float:

@@ -19,6 +19,9 @@ from solver.problem import Detail, Problem
 from solver.report import Spread
 from solver.tuning import Tuning
 
+# Evenness of lines, or part of the shortest edge, that being nearer to a surface may cost.
+_DEAR = 0.01
+
 
 @dataclass(frozen=True)
 class Candidate:
@@ -98,6 +101,10 @@ class Candidate:
         """Nothing but a plane or a line is left of the shape, and that was not asked for."""
         solid = self.thickness_start >= self.tuning.solid and not self.may_flatten
         return solid and self.thickness < self.tuning.gone * self.thickness_start
+
+    def dearer_than(self, other: Candidate) -> bool:
+        """Whether lines bend less evenly, or short edges are shorter, than those of another."""
+        return max(other.smoothness - self.smoothness, other.kept - self.kept) > _DEAR
 
     @property
     def creased(self) -> bool:

@@ -62,6 +62,13 @@ _NEAR_NET = 1e-4
 _WORTH = 3e-4
 # Part of an allowed distance from which on it weighs so much more.
 _INSIDE, _FORBIDDEN = 0.8, 100.0
+# Part of the shortest edge from which on edges are pushed back.
+_ROOM = 0.85
+# Edges over which the surface rises by more than this part of their length cut across.
+_ACROSS = 0.2
+# Part of the diagonal that a net may be off where nobody says how much, and how many times as far
+# off it may be for another last phase to be worth its time.
+_OFF, _IN_REACH = 4.5e-4, 5.0
 # Corrections at the end, to the last digit.
 _LAST, _ROUNDING = 5, 1e-15
 # More of them where the residual is larger than that still.
@@ -89,7 +96,8 @@ def nearness(
 ) -> list[Wish]:
     """Wish for a net on a surface whose lines run as evenly as those of the start did.
 
-    Most weighs the distance from the surface. Evenness of the lines, and a little of the motion,
+    Most weighs the distance from the surface, halfway between vertices and what lies between
+    them. Evenness of the lines, and a little of the motion,
     keeps them from zigzagging for the last millimetre; the border stays about where it was, though
     a net across the surface's curvature has to leave it; faces are not sheared where the net lets
     them; short edges and crossed faces are pushed
@@ -107,9 +115,11 @@ def nearness(
     used = np.flatnonzero(net.referenced)
     shortest = np.linalg.norm(np.diff(points[net.edges], axis=1), axis=2).min()
     ground = TriangleSurface(_in_units_of(problem, surface.vertices), surface.triangles)
+    lifts = halfway(net, points, ground)
+    lifts = halfway(net, points, ground)
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
-        Wish(OnSurface(used, ground, name="close to surface"), 1.0),
+        Wish(OnSurface(used, ground, name="close to surface", lifts=lifts[used]), 1.0),
         *_not_beyond(problem, ground, within),
         Wish(Evenness(net.line_quadruples), evenness),
         Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
@@ -118,6 +128,34 @@ def nearness(
         *(Wish(border, 1e-2) for border in borders),
         *_guards(net, shortest),
     ]
+
+
+def halfway(net: Connectivity, points: FloatArray, surface: TriangleSurface) -> FloatArray:
+    """How far beside a curved surface vertices lie for whole faces to be off it the least.
+
+    The surface rises over an edge with both ends on it, and over the middle of a face by as much as
+    over two of its edges together. The mean rise of the edges at a vertex is half of that: lifted
+    by it, vertices are off on one side by what the middles are off on the other.
+
+    Args:
+        net: the connectivity.
+        points: (V, 3) vertices near the surface.
+        surface: in the same unit.
+
+    Returns:
+        (V, 3) from the surface to where a vertex is wanted.
+    """
+    ends = surface.closest(points)[0][net.edges]
+    middles = ends.mean(axis=1)
+    rises = surface.closest(middles)[0] - middles
+    # Over a crease, a step or a hole edges cut across, and no lift would help.
+    rises[length(rises) > _ACROSS * length(ends[:, 1] - ends[:, 0])] = 0.0
+    sides, sums = net.face_edges.ravel(), np.zeros_like(points)
+    # By faces: edges inside, which run across the border, count twice, those along it once.
+    np.add.at(sums, net.edges[sides].ravel(), np.repeat(rises[sides], 2, axis=0))
+    counts = np.bincount(net.edges[sides].ravel(), minlength=len(points))
+    found: FloatArray = sums / np.maximum(counts, 1)[:, None]
+    return found
 
 
 def drawn(problem: Problem, start: QuadMesh, pull: Pull) -> list[Wish]:
@@ -139,6 +177,17 @@ def drawn(problem: Problem, start: QuadMesh, pull: Pull) -> list[Wish]:
     ]
 
 
+def limit_in_reach(far: float, start: QuadMesh) -> float | None:
+    """How far off a surface a net may be where nobody says so; None where it is far from that.
+
+    Args:
+        far: how far it is, in model units.
+        start: the mesh as it was drawn.
+    """
+    limit = _OFF * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
+    return limit if far <= _IN_REACH * limit else None
+
+
 def missing(problem: Problem, x: FloatArray) -> FloatArray:
     """(n,) distances of the handles of a problem from their goals, in model units."""
     pull = pull_of(problem)
@@ -157,7 +206,7 @@ def pull_of(problem: Problem) -> Pull | None:
 def _guards(net: Connectivity, shortest: float) -> list[Wish]:
     """Edges stay long and faces open, and what is so already feels nothing."""
     return [
-        Wish(EdgeGuard(net.edges, 0.6 * shortest), 0.3),
+        Wish(EdgeGuard(net.edges, _ROOM * shortest), 0.3),
         Wish(FaceGuard(net.faces, 0.3), 0.3),
     ]
 

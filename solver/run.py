@@ -17,7 +17,7 @@ from solver.linear.backends import default_backend
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nearest import NearestNet, drawn, missing, nearness, pull_of
+from solver.nearest import NearestNet, drawn, limit_in_reach, missing, nearness, pull_of
 from solver.plan import Attempt, Way, alone
 from solver.problem import Problem
 from solver.repetition import Repeat, Repetition
@@ -28,7 +28,7 @@ from solver.summary import Course, summarise
 # more of them where to be near is what was asked for.
 _NEARER_STEPS, _NEAREST_STEPS = 24, 60
 # Weight of lines that bend evenly in the last phase, and in another where they zigzag then.
-_EVENNESS, _EVENER = 0.04, 1.0
+_EVENNESS, _EVENER = 0.055, 1.0
 # A net that is nearer but has less than this part of the area is less of what was drawn.
 _STILL_WHOLE = 0.85
 # Nor is one that is flatter than this part of its thickness, where the start itself was meant.
@@ -38,7 +38,7 @@ _GIVEN_UP = 2
 # Handles that lack more than this part of their way were lost, and are pulled along the nets:
 # others are near where they were dragged, and the mesh is not to jump when they are let go.
 _LOST = 0.5
-# Its edges are pushed back at 0.6 of the shortest, and give way where the surface asks for it.
+# Its edges are pushed back at the shortest, and give way where the surface asks for it.
 _STILL_ROOMY = 0.4
 
 
@@ -385,12 +385,16 @@ class Optimisation:
         far = self._far(before)
         if sound and found.area_ratio >= _STILL_WHOLE * before.area_ratio:
             near = self._far(found)
-            if near < far:
+            asked = self.within is not None or not self._pressed
+            if near < far and (asked or not found.dearer_than(before)):
                 self._best, far = Best(self.original.tuning.worth), near
                 self._best.consider(found)
-        if again and not self._pressed and self.within is not None and far > self.within:
+        limit = self.within
+        if self.surface is not None and not (limit or self.nearest or self.descent.pulled):
+            limit = limit_in_reach(far, self.original.mesh)
+        if again and not self._pressed and limit is not None and far > limit:
             self._pressed = True
-            self._begin_nearest(self._found(), self._evenness, self.within)
+            self._begin_nearest(self._found(), self._evenness, limit)
         else:
             self._end(self._found(), goes_on=again)
 

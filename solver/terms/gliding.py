@@ -39,9 +39,10 @@ class OnPlane(OnVertices):
 class OnSurface(OnVertices):
     """Vertices stay on a triangle surface, measured from the tangent plane at the closest point.
 
-        r = n . (v - foot)
+        r = n . (v - foot - lift)
 
-    One row a vertex. Foot and normal are looked up anew after every step.
+    One row a vertex. Foot and normal are looked up anew after every step. ``lifts`` (n, 3) says how
+    far beside the surface vertices are to lie, in the solver's units; on it by default.
     """
 
     surface: TriangleSurface
@@ -49,6 +50,7 @@ class OnSurface(OnVertices):
     normals: FloatArray | None = None
     name: str = "glide"
     linear: bool = False
+    lifts: FloatArray | None = None
 
     def follow(self, x: FloatArray) -> OnSurface:
         """Look up the closest points at the current shape."""
@@ -59,7 +61,8 @@ class OnSurface(OnVertices):
         """Return (n, 1) and (n, 1, 3)."""
         if self.feet is None or self.normals is None:
             return self.follow(x).linearise(x)
-        residual = np.einsum("ni,ni->n", x[self.unknowns] - self.feet, self.normals)
+        places = self.feet if self.lifts is None else self.feet + self.lifts
+        residual = np.einsum("ni,ni->n", x[self.unknowns] - places, self.normals)
         return Linearisation(residual[:, None], self.normals[:, None, :])
 
 

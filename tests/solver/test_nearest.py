@@ -7,8 +7,8 @@ from solver import Constraints, NetOptions, QuadMesh, optimise, start_optimisati
 from solver.analysis import measures
 from solver.analysis.form import off_surface, surface_of
 from solver.mesh.closest import TriangleSurface
-from solver.mesh.grid import grid_faces
-from solver.nearest import NearestNet, Wish, nearness
+from solver.mesh.grid import grid_faces, grid_mesh
+from solver.nearest import NearestNet, Wish, halfway, nearness
 from solver.nets import NETS
 from solver.problem import Problem
 from solver.report import CONVERGED
@@ -157,7 +157,44 @@ def test_wishes_measure_in_the_units_of_the_problem(start, surface):
     x = problem.start
     for name in ("smooth motion", "closeness", "edge guard", "face guard"):
         assert np.abs(wishes[name].term.linearise(x).residual).max() == 0
-    assert np.abs(wishes["close to surface"].term.linearise(x).residual).max() <= 1e-2
+    near = wishes["close to surface"].term
+    lifted = x + near.lifts.ravel()
+    assert np.abs(near.linearise(lifted).residual).max() <= 1e-2
+
+
+def test_vertices_are_wanted_halfway_between_a_surface_and_the_middles_of_faces():
+    radius, edge = 10.0, 1.0
+
+    def tube(around, along):
+        angles, heights = np.meshgrid(around / radius, along, indexing="ij")
+        x, y = radius * np.sin(angles), radius * np.cos(angles)
+        return grid_mesh(np.stack([x, y, heights], axis=-1))
+
+    fine = TriangleSurface.from_quads(tube(np.linspace(-6, 6, 601), np.linspace(-6, 6, 3)))
+    net = tube(edge * np.arange(-5, 6), edge * np.arange(-5, 6))
+    lifts = halfway(net.connectivity, net.vertices, fine)
+    outwards = np.einsum("ij,ij->i", lifts, net.vertices * [1 / radius, 1 / radius, 0])
+    # An arc over an edge is that high, one along the axis not at all.
+    rise = radius * (1 - np.cos(edge / radius / 2))
+    np.testing.assert_allclose(outwards, rise / 2, rtol=0.01)
+    middles = (net.vertices + lifts)[net.faces].mean(axis=1)
+    off = radius - np.linalg.norm(middles[:, :2], axis=1)
+    np.testing.assert_allclose(off, rise / 2, rtol=0.02)
+
+
+@pytest.mark.parametrize(("slope", "lifted"), [(0.2, 0.05), (2.0, 0.0)])
+def test_edges_that_cut_across_a_steep_ridge_lift_nothing(slope, lifted):
+    def roof(x, y):
+        x, y = np.meshgrid(x, y, indexing="ij")
+        return grid_mesh(np.stack([x, y, -slope * np.abs(x)], axis=-1))
+
+    ridge = TriangleSurface.from_quads(roof(np.linspace(-3, 3, 13), np.array([-3.0, 3.0])))
+    net = roof(np.array([-1.5, -0.5, 0.5, 1.5]), np.arange(-2.0, 3))
+    lifts = halfway(net.connectivity, net.vertices, ridge)
+    # Of the four edges at a vertex beside the ridge one crosses it, half a unit under the top.
+    beside = np.abs(net.vertices[:, 0]) < 1
+    assert lifts[beside, 2] == pytest.approx(lifted * 0.5, rel=0.1)
+    assert not lifts[~beside].any()
 
 
 def test_a_last_phase_that_is_stopped_is_not_tried_again(start, surface, monkeypatch):
