@@ -62,13 +62,13 @@ _NEAR_NET = 1e-4
 _WORTH = 3e-4
 # Part of an allowed distance from which on it weighs so much more.
 _INSIDE, _FORBIDDEN = 0.8, 100.0
-# Part of the shortest edge from which on edges are pushed back.
-_ROOM = 0.85
+# Part of the shortest edge from which on edges are pushed back, and where little is left to do.
+_ROOM, _ROOMY = 0.6, 0.85
 # Edges over which the surface rises by more than this part of their length cut across.
 _ACROSS = 0.2
 # Part of the diagonal that a net may be off where nobody says how much, and how many times as far
 # off it may be for another last phase to be worth its time.
-_OFF, _IN_REACH = 4.5e-4, 5.0
+_OFF, _IN_REACH = 4.5e-4, 6.0
 # Corrections at the end, to the last digit.
 _LAST, _ROUNDING = 5, 1e-15
 # More of them where the residual is larger than that still.
@@ -93,6 +93,7 @@ def nearness(
     surface: TriangleSurface,
     evenness: float,
     within: float | None = None,
+    near: bool = False,
 ) -> list[Wish]:
     """Wish for a net on a surface whose lines run as evenly as those of the start did.
 
@@ -109,6 +110,7 @@ def nearness(
         surface: in the units of the problem's mesh.
         evenness: weight of lines that bend evenly, where that of the distance is one.
         within: distance from the surface, in model units, from which on it weighs more.
+        near: the net nearly is on the surface: short edges need not give way.
     """
     net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
     rest = problem.at(start)
@@ -126,7 +128,7 @@ def nearness(
         Wish(Closeness(used, points[used]), 1e-5),
         Wish(Orthogonality(net.faces, name="right angles"), 0.3 * evenness),
         *(Wish(border, 1e-2) for border in borders),
-        *_guards(net, shortest),
+        *_guards(net, shortest, _ROOMY if near else _ROOM),
     ]
 
 
@@ -203,10 +205,10 @@ def pull_of(problem: Problem) -> Pull | None:
     return next((term for term in terms if isinstance(term, Pull)), None)
 
 
-def _guards(net: Connectivity, shortest: float) -> list[Wish]:
+def _guards(net: Connectivity, shortest: float, room: float = _ROOM) -> list[Wish]:
     """Edges stay long and faces open, and what is so already feels nothing."""
     return [
-        Wish(EdgeGuard(net.edges, _ROOM * shortest), 0.3),
+        Wish(EdgeGuard(net.edges, room * shortest), 0.3),
         Wish(FaceGuard(net.faces, 0.3), 0.3),
     ]
 

@@ -27,8 +27,9 @@ from solver.summary import Course, summarise
 # The last phase takes as many steps as there were before it, and so many where those were fewer:
 # more of them where to be near is what was asked for.
 _NEARER_STEPS, _NEAREST_STEPS = 24, 60
-# Weight of lines that bend evenly in the last phase, and in another where they zigzag then.
-_EVENNESS, _EVENER = 0.055, 1.0
+# Weight of lines that bend evenly in the last phase, in another where they zigzag then, and where
+# the net is nearly on the surface already.
+_EVENNESS, _EVENER, _NEARLY = 0.04, 1.0, 0.07
 # A net that is nearer but has less than this part of the area is less of what was drawn.
 _STILL_WHOLE = 0.85
 # Nor is one that is flatter than this part of its thickness, where the start itself was meant.
@@ -38,7 +39,7 @@ _GIVEN_UP = 2
 # Handles that lack more than this part of their way were lost, and are pulled along the nets:
 # others are near where they were dragged, and the mesh is not to jump when they are let go.
 _LOST = 0.5
-# Its edges are pushed back at the shortest, and give way where the surface asks for it.
+# Its edges are pushed back near the shortest, and give way where the surface asks for it.
 _STILL_ROOMY = 0.4
 
 
@@ -98,7 +99,7 @@ class Optimisation:
         self._repeat = repeat
         self.repetition: Repeated | None = None
         self._most, self._given_up = 0, 0
-        self._evenness, self._pressed = _EVENNESS, False
+        self._evenness, self._near, self._pressed = _EVENNESS, False, False
         self._way = self._begin_way()
         attempt = next(self._way)
         self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
@@ -289,7 +290,8 @@ class Optimisation:
     def _conclude(self, status: str) -> None:
         best = self._best.consider(self._judged())
         if status == STALLED and best.valid and not best.gone and self._may_go_nearer:
-            self._begin_nearest(best, _EVENNESS)
+            self._near = self._is_near(best)
+            self._begin_nearest(best, _NEARLY if self._near else _EVENNESS)
         elif best.valid:
             self._end(best, goes_on=status == STALLED)
         else:
@@ -339,7 +341,7 @@ class Optimisation:
             wishes = drawn(best.problem, start, pull)
         else:
             assert self.surface is not None
-            wishes = nearness(best.problem, start, self.surface, evenness, within)
+            wishes = nearness(best.problem, start, self.surface, evenness, within, self._near)
         self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
         self._evenness, done = evenness, len(self.history)
         least = _NEARER_STEPS if within is None and not self.nearest else _NEAREST_STEPS
@@ -390,13 +392,19 @@ class Optimisation:
                 self._best, far = Best(self.original.tuning.worth), near
                 self._best.consider(found)
         limit = self.within
-        if self.surface is not None and not (limit or self.nearest or self.descent.pulled):
+        if limit is None and self._near:
             limit = limit_in_reach(far, self.original.mesh)
         if again and not self._pressed and limit is not None and far > limit:
             self._pressed = True
             self._begin_nearest(self._found(), self._evenness, limit)
         else:
             self._end(self._found(), goes_on=again)
+
+    def _is_near(self, net: Candidate) -> bool:
+        """Whether a net is so near to its surface that little is left for the last phase to do."""
+        if self.surface is None or self.nearest or self.descent.pulled:
+            return False
+        return limit_in_reach(self._far(net), self.original.mesh) is not None
 
     def _far(self, net: Candidate) -> float:
         """What the last phase lowers: the largest distance of handles, else from the surface."""
