@@ -345,7 +345,8 @@ class Optimisation:
         self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
         self._evenness, done = evenness, len(self.history)
         least = _NEARER_STEPS if within is None and not self.nearest else _NEAREST_STEPS
-        self._most = min(self.max_steps, done + max(done, least))
+        unasked = self._pressed and self.within is None
+        self._most = min(self.max_steps, done + (least if unasked else max(done, least)))
         self.attempts += 1
 
     def _step_nearer(self, nearest: NearestNet | Repetition) -> StepRecord:
