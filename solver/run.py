@@ -344,9 +344,11 @@ class Optimisation:
             wishes = nearness(best.problem, start, self.surface, evenness, within, self._near)
         self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
         self._evenness, done = evenness, len(self.history)
-        least = _NEARER_STEPS if within is None and not self.nearest else _NEAREST_STEPS
-        unasked = self._pressed and self.within is None
-        self._most = min(self.max_steps, done + (least if unasked else max(done, least)))
+        # Nobody asked for what is tried beside a surface, so that it may not take long.
+        asked = within is not None and self.within is not None
+        least = _NEAREST_STEPS if asked or self.nearest else _NEARER_STEPS
+        more = least if self._pressed and not asked else max(done, least)
+        self._most = min(self.max_steps, done + more)
         self.attempts += 1
 
     def _step_nearer(self, nearest: NearestNet | Repetition) -> StepRecord:
