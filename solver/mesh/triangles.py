@@ -41,11 +41,12 @@ def sound_triangles(vertices: ArrayLike, triangles: ArrayLike) -> tuple[FloatArr
     kept, numbers = np.unique(corners, return_inverse=True)
     points, corners = points[kept], numbers.reshape(-1, 3)
     sides = np.sort(np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
-    counts = np.unique(sides, axis=0, return_counts=True)[1]
+    edges, counts = np.unique(sides, axis=0, return_counts=True)
     if (counts > 2).any():
+        place = ", ".join(f"{x:.4g}" for x in points[edges[counts > 2][0]].mean(axis=0))
         raise InputError(
-            f"triangles: {int((counts > 2).sum())} edges have more than two triangles; separate "
-            "the sheets that meet there first"
+            f"triangles: more than two of them share an edge, {int((counts > 2).sum())} times, "
+            f"near ({place}) for one; separate the sheets that meet there first"
         )
     if (counts == 1).sum() > 0.75 * 3 * len(corners) and len(corners) > 2:
         raise InputError(
