@@ -98,6 +98,7 @@ class Design:
         Option(
             "panel_shear", 0.0, "number",
             "Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only",
+            within=NOT_NEGATIVE,
         ),
         Option(
             *("snow", 0.0, "pressure", "Snow by the plan, kN/m2"),
@@ -121,6 +122,7 @@ class Design:
             "deflection", 200.0, "number",
             "Largest displacement that passes, as a part of the second longest side of the net's "
             "box: 200 for 1/200",
+            within=POSITIVE,
         ),
         Option("second_order", False, "flag", "Balance in the deformed, imperfect shape"),
         Option(
