@@ -76,6 +76,7 @@ class Sizes(TypedDict, total=False):
     saw: Length
     border_cut: Literal["square", "along"]
     cutter: Length | None
+    cleats: bool
     sheet: str | None
     spacing: Length
     grain: Literal["none", "along"]

@@ -62,6 +62,7 @@ class Detail(NamedTuple):
 
 
 TUBES = {"section": "tube:100x60x5"}
+LAMELLAS = {"width": 100.0, "thickness": 8.0, "hole": 11.0, "strip": "twisted"}
 DETAILS = {
     "bolted": Detail("beams+nodes+panels", {"node": "bolted", **TUBES}),
     "star": Detail("beams+nodes+panels", {"node": "star", "section": "I", "thickness": 10.0}),
@@ -110,6 +111,21 @@ DETAILS = {
     ),
     "crossing": Detail(
         "lamellas", {"width": 100.0, "thickness": 8.0}, reach=240.0, lifted=90.0, above=20.0
+    ),
+    "cleat": Detail(
+        "lamellas",
+        {**LAMELLAS, "cleats": True},
+        place=(0, 3),
+        reach=260.0,
+        camera=(0.5, 1.0, 0.9),
+    ),
+    "lamella-foot": Detail(
+        "lamellas+feet",
+        {**LAMELLAS, "cleats": True, "foot_at": "boundary", "foot_height": 400.0},
+        place=(0, 3),
+        reach=330.0,
+        above=-60.0,
+        camera=(1.0, -0.7, 0.5),
     ),
 }
 # Nodes have pictures of their own, by docs_nodes.py.

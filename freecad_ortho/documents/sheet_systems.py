@@ -157,6 +157,7 @@ def add_lamellas(
     saw: Length = 3.0,
     border_cut: str = "square",
     cutter: Length | None = None,
+    cleats: bool = False,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -181,6 +182,7 @@ def add_lamellas(
         saw: width of a saw cut.
         border_cut: at the border of the surface, ``"square"`` before it or ``"along"`` it.
         cutter: diameter of the milling cutter that slots have round corners for.
+        cleats: angles with bolts join strips where these end.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

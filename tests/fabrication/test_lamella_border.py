@@ -71,7 +71,7 @@ def test_they_end_at_the_border_and_not_beyond(net, border, position):
     across = 60.0 if position == "lying" else 4.0
     line = np.concatenate(border)
     ends = []
-    for lamella in structure.results["lamellas"].geometry:
+    for lamella in structure.results["lamellas"].geometry.lamellas:
         ends += lamella.ribbon.strip.points[[0, -1]].tolist()
         assert len(lamella.vertices) >= 1
     away = np.linalg.norm(np.array(ends)[:, None] + structure.site.shift - line, axis=2)
@@ -112,7 +112,7 @@ def test_along_the_border_they_are_cut_by_what_the_axes_along_it_span(net, borde
     for structure in (square, along):
         walls = wall_of(structure, border)
         ends = []
-        for lamella in structure.results["lamellas"].geometry:
+        for lamella in structure.results["lamellas"].geometry.lamellas:
             ribbon = lamella.ribbon
             for station, face in ((0, 0), (-1, len(ribbon.strip.lengths) - 1)):
                 edges = [ribbon.edge(level)[station] for level in (ribbon.lower, ribbon.upper)]

@@ -94,7 +94,7 @@ def test_the_file_alone_leads_back_to_the_nodes(mesh, settings, tmp_path):
         for row in csv.DictReader(stream):
             rows[row["part"]].append(row)
     checked = 0
-    for lamella in structure.results["lamellas"].geometry:
+    for lamella in structure.results["lamellas"].geometry.lamellas:
         bent = np.abs(lamella.ribbon.strip.bends) > 1e-9
         nodes = [
             vertex

@@ -113,7 +113,9 @@ def test_lamellas_of_a_cmc_net_unroll_to_arcs_of_one_radius(round_net):
 
 def test_plane_faces_fold_back_and_are_as_large_as_their_pattern():
     structure = build(rounded(), [Lamellas(120, 8, strip="developable")])
-    for lamella, part in zip(structure.results["lamellas"].geometry, structure.parts, strict=True):
+    for lamella, part in zip(
+        structure.results["lamellas"].geometry.lamellas, structure.parts, strict=True
+    ):
         strip = lamella.ribbon.strip
         place = strip.refolded()
         assert np.abs(place[:, 0] - strip.points).max() <= 1e-8
@@ -372,7 +374,7 @@ def test_rulings_with_few_digits_do_not_make_lamellas_lean(strip):
     settings = Lamellas(60.0, 4.0, strip=strip)
     one, two = (build(mesh, [settings]).results["lamellas"] for mesh in (exact, rounded_off))
     assert two.report["pattern"] == "straight" and two.report["lean_max_deg"] < 0.5
-    assert {lamella.pattern for lamella in two.geometry} == {"straight"}
+    assert {lamella.pattern for lamella in two.geometry.lamellas} == {"straight"}
     torsion = one.report["torsion_max_deg_per_m"]
     assert two.report["torsion_max_deg_per_m"] == pytest.approx(torsion, rel=1e-3)
     for part in two.parts:
@@ -414,7 +416,9 @@ def test_a_helicoid_may_stand_in_two_layers():
 
 def test_bends_are_positive_where_the_sides_rise_to_the_side_that_is_seen():
     structure = build(rounded(), [Lamellas(120, 8, strip="developable")])
-    for lamella, part in zip(structure.results["lamellas"].geometry, structure.parts, strict=True):
+    for lamella, part in zip(
+        structure.results["lamellas"].geometry.lamellas, structure.parts, strict=True
+    ):
         along, (across, _) = lamella.ribbon.strip.along, lamella.ribbon.strip.across
         rises = np.einsum("fk,fk->f", along[1:], np.cross(along, across)[:-1])
         bent = np.abs(lamella.ribbon.strip.bends[1:-1]) > 1e-9

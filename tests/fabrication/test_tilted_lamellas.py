@@ -35,7 +35,7 @@ def test_they_unroll_straight_fold_back_and_pass_each_other():
     assert report["tilt_deg"]["u"] == pytest.approx(40.0, abs=1e-6)
     assert report["tilt_deg"]["v"] == pytest.approx(40.0, abs=1e-6)
     inner = 0
-    for lamella in structure.results["lamellas"].geometry:
+    for lamella in structure.results["lamellas"].geometry.lamellas:
         strip = lamella.ribbon.strip
         assert np.abs(strip.refolded()[:, 0] - strip.points).max() <= 1e-6
         border = mesh.connectivity.boundary_vertices[list(lamella.vertices)].all()

@@ -169,6 +169,11 @@
    <translation>Spiel: die Schlitze lassen so viel Luft</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cleats: angles with bolts join strips where these end</source>
+   <translation>Winkel: Winkel mit Schrauben verbinden Streifen an ihren Enden</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Colour of the edges</source>
    <translation>Farbe der Kanten</translation>
@@ -2135,6 +2140,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clearance</source>
    <translation>Spiel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cleats</source>
+   <translation>Winkel</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
@@ -4958,6 +4968,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>aluminium</source>
    <translation>Aluminium</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>angles with bolts join strips where these end</source>
+   <translation>Winkel mit Schrauben verbinden Streifen an ihren Enden</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

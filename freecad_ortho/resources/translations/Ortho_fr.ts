@@ -169,6 +169,11 @@
    <translation>Jeu : les encoches laissent ce jeu</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cleats: angles with bolts join strips where these end</source>
+   <translation>Équerres : des équerres boulonnées joignent les bandes à leurs bouts</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Colour of the edges</source>
    <translation>Couleur des arêtes</translation>
@@ -2135,6 +2140,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Clearance</source>
    <translation>Jeu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Cleats</source>
+   <translation>Équerres</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
@@ -4958,6 +4968,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>aluminium</source>
    <translation>aluminium</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>angles with bolts join strips where these end</source>
+   <translation>des équerres boulonnées joignent les bandes à leurs bouts</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -35,12 +35,14 @@ class FootSizes:
         wall: of the post.
         plate: thickness of the base plate and the cap.
         bolt: size of the four anchor bolts.
+        beside: from the middle of the cap to what stands on it besides, 0 for nothing.
     """
 
     diameter: float
     wall: float
     plate: float
     bolt: Bolt
+    beside: float = 0.0
 
     @cached_property
     def arm(self) -> float:
@@ -58,8 +60,8 @@ class FootSizes:
 
     @cached_property
     def cap(self) -> float:
-        """Side of the cap: it stands out beside the post for a weld."""
-        return _rounded_up(self.diameter + 2 * self.wall)
+        """Side of the cap: it stands out beside the post for a weld, and beside fins."""
+        return _rounded_up(max(self.diameter + 2 * self.wall, 2 * self.beside))
 
     @property
     def reach(self) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from freecad_ortho.fabrication.cleat import OnCleats
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
@@ -100,8 +101,13 @@ def undersides(
         deepest = edge_beam.height - edge_beam.top + float(edge_beam.drop.max())
         level = np.maximum(level, np.where(down < 0, deepest, edge_beam.top))
     hubs = site.geometry_of("nodes", dict) or {}
+    lamellas = site.geometry_of("lamellas", OnCleats)
     for row, vertex in enumerate(numbers.tolist()):
         axis = down[row] * site.axes.directions[vertex]
+        if lamellas is not None:
+            arms = lamellas.around[vertex] - site.mesh.vertices[vertex]
+            level[row] = float((arms @ axis).max())
+            continue
         steepest = _steepest(site, vertex, axis)
         level[row] += reach * steepest
         if vertex in hubs:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from freecad_ortho.fabrication.bolts import BOLTS, GRADE, NUTS, WASHERS, bolt_of
+from freecad_ortho.fabrication.cleat import Cleat, OnCleats
 from freecad_ortho.fabrication.fasteners import Supply
-from freecad_ortho.fabrication.part import part_names
+from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_options, check_size, offset_levels, size
+from freecad_ortho.fabrication.systems.feet.fins import WELD, fin_parts
 from freecad_ortho.fabrication.systems.feet.parts import FootSizes, foot_parts
 from freecad_ortho.fabrication.systems.feet.places import standing, undersides
 from freecad_ortho.fabrication.systems.shared_options import CLEARANCE, HEIGHT, OFFSET
@@ -57,8 +59,8 @@ class Feet(System):
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "feet"
     excludes: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("lamellas", "bent-panels", "patches"),
-        "cannot be built together: feet stand below nodes and beams; leave the feet out",
+        ("bent-panels", "patches"),
+        "cannot be built together: feet stand below nodes, beams and lamellas; leave the feet out",
     )
     options: ClassVar[tuple[Option, ...]] = (
         Option(
@@ -102,14 +104,26 @@ class Feet(System):
         """Of every foot."""
         return FootSizes(self.diameter, self.wall, self.plate, bolt_of(self.anchor))
 
+    def _fins(self, site: Site, cleat: Cleat, name: str, level: float) -> tuple[Part, Part]:
+        """The fins on the cap that lies at a level below the vertex, along its axis."""
+        axis = site.axes.directions[cleat.vertex]
+        axis = axis if axis[2] > 0 else -axis
+        top = site.mesh.vertices[cleat.vertex] - level * axis
+        return fin_parts(site, cleat, name, top, axis)
+
     def build(self, site: Site) -> SystemParts:
         """Work out the feet.
 
         Raises:
             InputError: no such vertices, axes that lie flat there, or a height without room.
         """
-        sizes = self.sizes
+        sizes, cleats = self.sizes, {}
         numbers = standing(site, self.places)
+        lamellas = site.geometry_of("lamellas", OnCleats)
+        if lamellas is not None:
+            cleats = _cleats_at(lamellas, numbers.tolist())
+            beside = max(cleat.sizes.beside for cleat in cleats.values()) + WELD
+            sizes = replace(sizes, beside=beside)
         levels = offset_levels(self.offset, self.height)
         below = undersides(site, numbers, levels, sizes.reach) + self.clearance
         names = part_names("FT", len(site.mesh.vertices))
@@ -117,7 +131,13 @@ class Feet(System):
             foot_parts(site, vertex, names[vertex], sizes, level, self.foot_height)
             for vertex, level in zip(numbers.tolist(), below.tolist(), strict=True)
         ]
-        parts = tuple(part for foot in feet for part in foot)
+        fins = [
+            part
+            for vertex, level in zip(numbers.tolist(), below.tolist(), strict=True)
+            if vertex in cleats
+            for part in self._fins(site, cleats[vertex], names[vertex], level)
+        ]
+        parts = tuple(part for foot in feet for part in foot) + tuple(fins)
         bolts = self.anchor, GRADE, _ANCHORS, f"{sizes.bolt.hole:g}"
         rows = tuple(
             (post.name, vertex, *bolts, f"{post.length:.3f}")
@@ -125,6 +145,7 @@ class Feet(System):
         )
         report = {
             "feet": len(feet),
+            "fins": len(fins),
             "base_mm": sizes.base,
             "cap_mm": sizes.cap,
             "anchors": _ANCHORS * len(feet),
@@ -141,3 +162,19 @@ class Feet(System):
         )
         table = Table("anchors.csv", _COLUMNS, rows)
         return SystemParts(parts, report, tables=(table,), supplies=supplies)
+
+
+def _cleats_at(lamellas: OnCleats, vertices: Sequence[int]) -> dict[int, Cleat]:
+    """The cleats that fins share their bolts with.
+
+    Raises:
+        InputError: a vertex where no two lamellas are joined by one.
+    """
+    for vertex in vertices:
+        if vertex not in lamellas.cleats or vertex not in lamellas.around:
+            raise InputError(
+                f"foot at: at vertex {vertex} no two lamellas cross with room for a cleat, which "
+                "the foot shares its bolts with; name other vertices, take smaller holes, or "
+                "strip twisted"
+            )
+    return {vertex: lamellas.cleats[vertex] for vertex in vertices}

@@ -65,7 +65,8 @@ class Lamella:
         aim: what the patterns of the structure are.
         twisted: true where its faces may twist.
         closed: true where the first face of the ribbon is the last one too, to be cut there.
-        bolts: of its spliced ends: a face of the ribbon and (N, 2) places in the pattern.
+        bolts: of spliced ends and cleats: a face of the ribbon and (N, 2) places in the pattern.
+        legs: where legs of cleats end on it: the number of the face, and the share of its length.
     """
 
     name: str
@@ -80,6 +81,7 @@ class Lamella:
     twisted: bool
     closed: bool
     bolts: tuple[tuple[int, FloatArray], ...] = ()
+    legs: tuple[float, ...] = ()
 
     @property
     def exact(self) -> bool:

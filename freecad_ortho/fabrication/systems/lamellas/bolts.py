@@ -8,7 +8,7 @@ from freecad_ortho.fabrication.systems.lamellas.settings import EDGE_DISTANCE, L
 from solver.mesh.quadmesh import FloatArray
 
 # Distance between bolts, in diameters of their holes (EN 1993-1-8, table 3.3, asks for 2.2).
-_BOLT_DISTANCE = 2.4
+BOLT_DISTANCE = 2.4
 # Thicknesses that a plate keeps away from a crossing, as it stands out on one side.
 _ROOM = 3.0
 
@@ -16,15 +16,15 @@ _ROOM = 3.0
 def bolts(settings: LamellaSettings) -> FloatArray:
     """(N, 2) bolts of one end of a lamella: distance from the end, and level from its middle."""
     first = EDGE_DISTANCE * settings.hole
-    along = [first, first + _BOLT_DISTANCE * settings.hole]
-    two_rows = settings.width >= (2 * EDGE_DISTANCE + _BOLT_DISTANCE) * settings.hole
+    along = [first, first + BOLT_DISTANCE * settings.hole]
+    two_rows = settings.width >= (2 * EDGE_DISTANCE + BOLT_DISTANCE) * settings.hole
     levels = (-settings.width / 4, settings.width / 4) if two_rows else (0.0,)
     return np.array([(distance, level) for distance in along for level in levels])
 
 
 def half_length(settings: LamellaSettings) -> float:
     """Half the length of a splice plate, mm."""
-    ends = 2 * EDGE_DISTANCE + _BOLT_DISTANCE
+    ends = 2 * EDGE_DISTANCE + BOLT_DISTANCE
     return settings.clearance / 2 + ends * settings.hole
 
 

@@ -75,17 +75,22 @@ def slot_side(ribbon: Ribbon, slot: Slot, levels: FloatArray, sign: int) -> Floa
 
 
 def hulls(
-    ribbon: Ribbon, slots: Sequence[Slot], smooth: bool, plated: float = 0.0
+    ribbon: Ribbon,
+    slots: Sequence[Slot],
+    smooth: bool,
+    plated: float = 0.0,
+    legs: Sequence[float] = (),
 ) -> tuple[FloatArray, ...]:
     """Hulls of the cells, long ones in three so that they are nearly plane where others cross.
 
-    Those at the ends are cut where splice plates end, so that a plate's sides part it from them.
+    They are cut where splice plates and cleats end, so that a plate's sides part it from them.
 
     Args:
         ribbon: that may twist.
         slots: in it.
         smooth: its edges are cubic splines.
         plated: length at the ends that splice plates lie on, mm.
+        legs: places at which cleats on the sides end, as in ``Grid``.
     """
     grid = grid_of(ribbon, slots)
     rails, width = Rails(ribbon, grid.levels, smooth), ribbon.width
@@ -98,6 +103,7 @@ def hulls(
             cuts.append(plated / (_edges(rails, first, last, row) @ rails.along[0]))
         if plated and cell == len(grid.full) - 1:
             cuts.append(1 - plated / (_edges(rails, first, last, row) @ rails.along[1]))
+        cuts += [np.stack([(leg - first) / (last - first)] * 2, axis=1) for leg in legs]
         cuts = sorted((cut for cut in cuts if 0 <= cut.min() and cut.max() <= 1), key=np.mean)
         for low, high in pairwise(cuts):
             # (end, level, side)

@@ -119,7 +119,7 @@ def _bodies(
         return whole, folded_body(ribbon, edge, holes) if holes else whole
     smooth, name = settings.smooth, lamella.name
     plated = half_length(settings) - settings.clearance / 2 if lamella.bolts else 0.0
-    blocks = hulls(ribbon, slots, smooth, plated)
+    blocks = hulls(ribbon, slots, smooth, plated, lamella.legs)
     whole = span_body(ribbon, slots, (), smooth, name, blocks)
     # Slots and the ends under splice plates are cut across the lines that sweep the sides.
     whole = replace(whole, cells=not (slots or smooth or plated))

@@ -44,6 +44,8 @@ class LamellaSettings:
         saw: width of the saw cut behind a piece, mm.
         cutter: diameter of the milling cutter that slots have round corners for, in flat patterns,
             mm; None for sharp corners, as lasers and water cut them.
+        cleats: angles join lamellas at their last crossings, with bolts of ``hole``.
+        feet: what stands on feet, as ``Feet`` names it; filled in where these are built too.
         border_cut: at the border of the surface strips end "square" before it, or "along" it where
             that leaves their crossings room, square through the plate.
 
@@ -66,6 +68,8 @@ class LamellaSettings:
     saw: float = Workshop.saw
     border_cut: str = "square"
     cutter: float | None = None
+    cleats: bool = False
+    feet: str = ""
 
     options: ClassVar[tuple[Option, ...]] = (
         size("width", 80.0, "the strips are this wide"),
@@ -108,6 +112,7 @@ class LamellaSettings:
             "slots have round corners for a milling cutter of this diameter",
             absent="sharp corners",
         ),
+        Option("cleats", False, "flag", "angles with bolts join strips where these end"),
     )
 
     def __post_init__(self) -> None:
@@ -141,6 +146,17 @@ class LamellaSettings:
             raise InputError(
                 f"clearance: slots of half the width and {self.clearance:g} mm are deeper than "
                 f"three quarters of {self.width:g} mm; take a clearance below {self.width / 2:g} mm"
+            )
+        if (self.cleats or self.feet) and (self.layers == 2 or self.position != "standing"):
+            raise InputError(
+                "cleats: they and feet join lamellas that stand in one layer; take position "
+                "standing and layers 1"
+            )
+        if (self.cleats or self.feet) and self.width < 2 * EDGE_DISTANCE * self.hole:
+            raise InputError(
+                f"hole: cleats with holes of {self.hole:g} mm need lamellas at least "
+                f"{2 * EDGE_DISTANCE * self.hole:.3g} mm wide, these are {self.width:g} mm; take a "
+                "smaller hole or wider lamellas"
             )
         if not self.standing and self.width < 2 * EDGE_DISTANCE * self.hole:
             raise InputError(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -16,6 +16,7 @@ from freecad_ortho.fabrication.systems.lamellas.bolts import (
     least_edge,
     least_width,
 )
+from freecad_ortho.fabrication.systems.lamellas.cleat_sizes import edge_for_splice
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from solver.errors import InputError
@@ -62,17 +63,21 @@ class Splice:
         return self.lamella.closed and self.joint.face == 0
 
 
-def spliced(lamella: Lamella, settings: LamellaSettings) -> tuple[list[Lamella], list[Splice]]:
+def spliced(
+    lamella: Lamella, settings: LamellaSettings, taken: Collection[int] = ()
+) -> tuple[list[Lamella], list[Splice]]:
     """Cut a lamella that is longer than the stock or closed; others come back as they are.
 
     Pieces are of about one length; in every second line the joints lie in the middle between those
-    of its neighbours.
+    of its neighbours. Beside vertices that are ``taken``, by
+    cleats, they take longer edges.
 
     Raises:
         InputError: no room for splices where they would be needed.
     """
-    begin, end = _ends(lamella, settings)
-    joints = _joints(lamella, settings, begin, end)
+    beside = _beside(lamella, taken)
+    begin, end = _ends(lamella, settings, beside)
+    joints = _joints(lamella, settings, (begin, end), beside)
     if not (joints or lamella.closed):
         return [lamella], []
     bounds = [begin, *joints, end] if lamella.closed else [None, *joints, None]
@@ -91,7 +96,15 @@ def spliced(lamella: Lamella, settings: LamellaSettings) -> tuple[list[Lamella],
     return pieces, splices
 
 
-def _ends(lamella: Lamella, settings: LamellaSettings) -> tuple[Joint, Joint]:
+def _beside(lamella: Lamella, taken: Collection[int]) -> set[int]:
+    """Faces beside vertices that are taken."""
+    pairs = zip(lamella.vertices, lamella.stations, strict=True)
+    return {face for vertex, station in pairs if vertex in taken for face in (station - 1, station)}
+
+
+def _ends(
+    lamella: Lamella, settings: LamellaSettings, beside: Collection[int]
+) -> tuple[Joint, Joint]:
     """Where a lamella begins and ends: a closed one in the middle of its first and last face."""
     strip = lamella.ribbon.strip
     last = len(strip.lengths) - 1
@@ -102,13 +115,22 @@ def _ends(lamella: Lamella, settings: LamellaSettings) -> tuple[Joint, Joint]:
     ribbon = lamella.ribbon
     askew = max(abs(ribbon.lower), abs(ribbon.upper)) * float(np.linalg.norm(first - second))
     plated = askew <= settings.clearance / 2
+    plated &= all(
+        joint.face not in beside or float(strip.lengths[joint.face]) >= edge_for_splice(settings)
+        for joint in (begin, end)
+    )
     plated &= all(_has_room(lamella, joint.face, settings) for joint in (begin, end))
     return replace(begin, plated=plated), replace(end, plated=plated)
 
 
-def _joints(lamella: Lamella, settings: LamellaSettings, begin: Joint, end: Joint) -> list[Joint]:
+def _joints(
+    lamella: Lamella,
+    settings: LamellaSettings,
+    ends: tuple[Joint, Joint],
+    beside: Collection[int],
+) -> list[Joint]:
     """Where to cut, in order: as few pieces as the stock and the room for splices allow."""
-    strip = lamella.ribbon.strip
+    strip, (begin, end) = lamella.ribbon.strip, ends
     reached = np.concatenate([[0.0], np.cumsum(strip.lengths)]) - begin.place
     total, stock = float(reached[end.face]) + end.place, settings.longest
     if total <= stock * (1 + 1e-9):
@@ -116,7 +138,9 @@ def _joints(lamella: Lamella, settings: LamellaSettings, begin: Joint, end: Join
     faces = [
         face
         for face in range(len(strip.lengths))
-        if {face, face + 1} <= set(lamella.stations) and _has_room(lamella, face, settings)
+        if {face, face + 1} <= set(lamella.stations)
+        and (face not in beside or strip.lengths[face] >= edge_for_splice(settings))
+        and _has_room(lamella, face, settings)
     ]
     places = np.array([0.5 * (reached[face] + reached[face + 1]) for face in faces])
     shift = 0.5 * (lamella.line % 2)
@@ -128,12 +152,14 @@ def _joints(lamella: Lamella, settings: LamellaSettings, begin: Joint, end: Join
         lengths = np.diff([0.0, *places[chosen], total])
         if lengths.min() > 0 and lengths.max() <= stock:
             return [Joint(faces[k], float(strip.lengths[faces[k]]) / 2) for k in chosen]
+    apart = float(np.diff([0.0, *places, total]).max())
+    needed = edge_for_splice(settings) if beside else least_edge(settings)
     raise InputError(
         f"stock: {lamella.name} is {total:.1f} mm long, a bar gives {stock:g} mm, and it has no "
         f"room for splices {2 * half_length(settings):.3g} mm long often enough: they need plane "
-        f"edges of {least_edge(settings):.3g} mm between crossings, the middles of two of them no "
-        f"further apart than the stock ({np.diff([0.0, *places, total]).max():.0f} mm here), and a "
-        f"width of {least_width(settings):.3g} mm; take longer stock, smaller holes or other lines"
+        f"edges of {needed:.3g} mm between crossings, the middles of two of them no further apart "
+        f"than the stock ({apart:.0f} mm here), and a width of {least_width(settings):.3g} mm; "
+        "take longer stock, smaller holes or other lines"
     )
 
 
@@ -232,9 +258,9 @@ def _end_bolts(ribbon: Ribbon, end: Joint, inwards: float, settings: LamellaSett
 
 
 def pieces_of(
-    lamellas: Sequence[Lamella], settings: LamellaSettings
+    lamellas: Sequence[Lamella], settings: LamellaSettings, taken: Collection[int] = ()
 ) -> tuple[list[Lamella], list[Splice]]:
-    """Pieces of all lamellas in order, and the plates that join them.
+    """Pieces of all lamellas in order, and the plates that join them, beside cleats at ``taken``.
 
     Raises:
         InputError: no room for splices where they would be needed.
@@ -242,7 +268,7 @@ def pieces_of(
     pieces: list[Lamella] = []
     splices: list[Splice] = []
     for lamella in lamellas:
-        cut, joined = spliced(lamella, settings)
+        cut, joined = spliced(lamella, settings, taken)
         pieces += cut
         splices += joined
     return pieces, splices

@@ -11,12 +11,16 @@ import numpy as np
 
 from freecad_ortho.fabrication.assembly import judged
 from freecad_ortho.fabrication.bolts import SMALL, bolt_in
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.cleat import Cleat, OnCleats
+from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.feet.places import standing
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, lamella_on
 from freecad_ortho.fabrication.systems.lamellas.bolted import crossing_bolts, splice_bolts
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
 from freecad_ortho.fabrication.systems.lamellas.border import Border
+from freecad_ortho.fabrication.systems.lamellas.cleat_parts import cleat_bolts, cleat_part
+from freecad_ortho.fabrication.systems.lamellas.cleats import around, cleats_of, ends_of
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
     Crossing,
     crossings,
@@ -33,6 +37,20 @@ from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.lines import ParameterLine, ParameterLines
 
+# Names that a message shows.
+_SHOWN = 5
+
+
+@dataclass(frozen=True, eq=False)
+class LamellaGeometry(OnCleats):
+    """What lamellas leave to lie on.
+
+    Attributes:
+        lamellas: the pieces, in the order of their parts.
+    """
+
+    lamellas: list[Lamella]
+
 
 @dataclass(frozen=True)
 class Lamellas(LamellaSettings, System):
@@ -44,6 +62,10 @@ class Lamellas(LamellaSettings, System):
         "nodes": "cannot be built together: lamellas run through their crossings, where slots or "
         "bolts join them; leave the nodes out"
     }
+
+    def beside(self, others: Mapping[str, System]) -> Lamellas:
+        """With holes for the fins of feet, where these are built too."""
+        return replace(self, feet=getattr(others.get("feet"), "places", ""))
 
     def build(self, site: Site) -> SystemParts:
         """Work out the lamellas.
@@ -73,22 +95,29 @@ class Lamellas(LamellaSettings, System):
             border.trim(lamella_on(site, run.line, self, pattern, name, ends), run, self)
             for run, name, ends in zip(runs, names, beyond, strict=True)
         ]
-        lamellas, splices = pieces_of(whole, self)
+        ends = ends_of(whole) if self.cleats else set()
+        on_feet = set(standing(site, self.feet).tolist()) if self.feet else set()
+        lamellas, splices = pieces_of(whole, self, ends | on_feet)
         met = crossings(lamellas, self)
+        count = len(site.mesh.vertices)
+        cleats, lamellas, lost = cleats_of(lamellas, met, ends | on_feet, self, count)
         cuts = [cut(each, here, self) for each, here in zip(lamellas, met, strict=True)]
         parts = tuple(lamella_part(made, site) for made in cuts)
         parts, doubts = judged(parts, slot_ways(lamellas, met, self, site.material))
         plates = tuple(splice_part(splice, site, self) for splice in splices)
         bolts = splice_bolts(splices, plates, self) + crossing_bolts(site, lamellas, met, self)
-        parts += plates
+        bolts += cleat_bolts(cleats.values(), site, on_feet, part_names("FT", count))
+        parts += plates + tuple(cleat_part(cleat, site) for cleat in cleats.values())
         report = self._report(lamellas, met, parts, pattern)
-        report["splices"] = len(splices)
+        report |= {"splices": len(splices), "cleats": len(cleats)}
         report["not_put_on"] = sum(bool(part.assembly) for part in parts)
         messages = self._messages(lamellas, pattern) + self._said(whole, splices)
         messages += self._said_of_layers(lamellas, met) + border.words() + doubts
+        messages += self._said_of_cleats(lost, list(cleats.values()))
+        geometry = LamellaGeometry(cleats, around(lamellas, on_feet, self), lamellas)
         if site.trimming is not None:
             report |= {"trimmed": border.trimmed, "left_out": border.left_out}
-        return SystemParts(parts, report, tuple(messages), lamellas, fasteners=bolts)
+        return SystemParts(parts, report, tuple(messages), geometry, fasteners=bolts)
 
     def _report(
         self,
@@ -146,6 +175,24 @@ class Lamellas(LamellaSettings, System):
                 f"{' ...' if len(rings) > 4 else ''}: it would need a plane edge of "
                 f"{least_edge(self):.3g} mm between crossings and a width of "
                 f"{least_width(self):.3g} mm; take smaller holes, or weld the ends"
+            )
+        return messages
+
+    def _said_of_cleats(self, lost: list[str], cleats: list[Cleat]) -> list[str]:
+        """What a user should know about cleats that have no room, or less than the others."""
+        messages = []
+        single = [cleat.name for cleat in cleats if len(cleat.sizes.levels) == 1]
+        if single and len(single) < len(cleats):
+            messages.append(
+                f"lamellas: {len(single)} of {len(cleats)} cleats have one bolt in a leg, "
+                f"{single[0]} for one, where edges leave no room for two; wider lamellas make room"
+            )
+        if lost:
+            shown = ", ".join(lost[:_SHOWN]) + (" ..." if len(lost) > _SHOWN else "")
+            messages.append(
+                f"lamellas: {len(lost)} of {len(cleats) + len(lost)} cleats are left out, as bend "
+                "lines, edges or the next crossing leave their legs no room, or lamellas cross too "
+                f"flat: {shown}; smaller holes, wider lamellas or strip twisted may make room"
             )
         return messages
 

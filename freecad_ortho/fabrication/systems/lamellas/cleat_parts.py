@@ -1,0 +1,119 @@
+"""Cleats as parts: their flat patterns and their bolts."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+
+import numpy as np
+
+from freecad_ortho.fabrication.cleat import Cleat
+from freecad_ortho.fabrication.fasteners import Fasteners, gathered
+from freecad_ortho.fabrication.material import MATERIALS, Material
+from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Hole, Mark, fitted_text_size
+from freecad_ortho.fabrication.site import Site
+from solver.mesh.quadmesh import FloatArray
+
+# Lighter than this a material is none that angles are folded from, kg/m3.
+_LIGHT = 2000.0
+# Bolts whose grips differ by less, mm, are of one.
+_STEP = 0.5
+_Placed = tuple[FloatArray, FloatArray, tuple[str, ...]]
+
+
+def angle_material(material: Material) -> Material:
+    """What cleats are folded from: the lamellas' own metal, steel for those of wood."""
+    return material if material.density > _LIGHT and not material.layers else MATERIALS["steel"]
+
+
+def cleat_part(cleat: Cleat, site: Site) -> Part:
+    """Return the part.
+
+    Its flat pattern is that of the middle of the plate, without an allowance for the fold, seen
+    from inside the corner.
+    """
+    body, sizes = cleat.body(), cleat.sizes
+    pattern = _pattern(cleat)
+    length, width = pattern.size.tolist()
+    return Part(
+        name=cleat.name,
+        kind="cleat",
+        body=body,
+        origin=cleat.origin + site.shift,
+        frame=cleat.frame,
+        pattern=pattern,
+        length=length,
+        width=width,
+        thickness=sizes.thickness,
+        area=pattern.area,
+        volume=body.volume,
+        material=angle_material(site.material),
+        vertices=(cleat.vertex,),
+    )
+
+
+def _pattern(cleat: Cleat) -> FlatPattern:
+    """Both legs beside each other with the fold between them."""
+    sizes, half = cleat.sizes, cleat.developed
+    height = sizes.height
+    outline = np.array([[0.0, 0.0], [2 * half, 0.0], [2 * half, height], [0.0, height]])
+    off = half - (sizes.reach - sizes.back)
+    # Seen from inside the corner, the fold upright, the first leg is on the left.
+    holes = tuple(
+        Hole(np.array([half + side * off, height / 2 + level]), sizes.hole)
+        for side in (-1.0, 1.0)
+        for level in sizes.levels
+    )
+    fold = Bend(
+        np.array([[half, 0.0], [half, height]]),
+        180.0 - float(np.degrees(cleat.angle)),
+    )
+    room = 2 * off - sizes.hole
+    size = fitted_text_size(cleat.name, 0.45 * room, height / 4, 8.0)
+    marks = []
+    for leg, side in zip(cleat.legs, (-1.0, 1.0), strict=True):
+        place = np.array([[half + side * 0.25 * room, height / 4]])
+        words = fitted_text_size(leg.part, 0.45 * room, height / 4, 8.0)
+        marks.append(Mark(place, leg.part, words))
+    label = np.array([half + 0.25 * room, 0.6 * height])
+    return FlatPattern(
+        outline, tuple(marks), label, size, holes=holes, bends=(fold,), seen="corner"
+    )
+
+
+def cleat_bolts(
+    cleats: Iterable[Cleat], site: Site, standing: Collection[int], feet: Sequence[str]
+) -> tuple[Fasteners, ...]:
+    """Bolts through lamellas and legs, and at feet through their fins, heads on the far side.
+
+    Args:
+        cleats: in their places.
+        site: the net.
+        standing: vertices on feet.
+        feet: names that feet would have, one a vertex.
+    """
+    by_grip: dict[tuple[float, float, bool], list[_Placed]] = {}
+    kinds: dict[tuple[float, float, bool], Cleat] = {}
+    for cleat in cleats:
+        sizes = cleat.sizes
+        if sizes.bolt is None:
+            continue
+        stands = cleat.vertex in standing
+        for number, leg in enumerate(cleat.legs):
+            below = sizes.plate + 2 * leg.gap + (sizes.thickness if stands else 0.0)
+            thick = _STEP * np.ceil((below + sizes.thickness) / _STEP - 1e-6)
+            key = float(thick), sizes.bolt.diameter, stands
+            kinds[key] = cleat
+            fin = (f"{feet[cleat.vertex]}-fin-{number + 1}",) if stands else ()
+            for place in cleat.bolts(number):
+                under = place + site.shift - (below + sizes.bolt.washer) * leg.out
+                joins = *fin, leg.part, cleat.name
+                by_grip.setdefault(key, []).append((under, leg.out, joins))
+    found = []
+    for key, placed in sorted(by_grip.items(), key=lambda each: each[0]):
+        bolt = kinds[key].sizes.bolt
+        assert bolt is not None
+        holds = "feet, lamellas and cleats" if key[2] else "lamellas and cleats"
+        grip = key[0] + 2 * bolt.washer
+        found.append(gathered(bolt, bolt.through(key[0]), grip, 2, True, holds, placed))
+    return tuple(found)

@@ -1,0 +1,54 @@
+"""How large the cleats of lamellas are."""
+
+from __future__ import annotations
+
+import math
+
+from freecad_ortho.fabrication.bolts import bolt_in, plate_of
+from freecad_ortho.fabrication.cleat import CleatSizes
+from freecad_ortho.fabrication.systems.lamellas.bolts import BOLT_DISTANCE, bolts, half_length
+from freecad_ortho.fabrication.systems.lamellas.settings import EDGE_DISTANCE, LamellaSettings
+
+# Angle of crossings for which room is left where splices are laid out, radians.
+_USUAL = math.radians(60.0)
+
+
+def sizes_of(settings: LamellaSettings, angle: float, *, spread: int = 0) -> CleatSizes:
+    """Of a cleat between lamellas that cross at an angle, radians.
+
+    A wrench turns beside each bolt, in the corner of the legs and in that on the other side of the
+    lamella, where a fin of a foot may be; bolts keep 1.2 holes from edges and slots. They are
+    ``spread`` over the width (0), as near to each other as the rule and a wrench allow (1), or
+    there is one in the middle (2).
+    """
+    hole, bolt = settings.hole, bolt_in(settings.hole)
+    thickness = plate_of(settings.thickness)
+    edge = EDGE_DISTANCE * hole
+    levels = tuple(sorted({level for _, level in bolts(settings).tolist()}))
+    least = max(BOLT_DISTANCE * hole, 0.0 if bolt is None else bolt.spacing) / 2
+    if spread == 1 and least < max(levels):
+        levels = (-least, least)
+    elif spread == 2:
+        levels = (0.0,)
+    sine, cosine = math.sin(angle), abs(math.cos(angle))
+    stands = 0.0 if bolt is None else bolt.washer + max(bolt.head, bolt.nut + 2 * bolt.pitch)
+    wrench = 0.0 if bolt is None else bolt.wrench
+    beside = (wrench + thickness + settings.thickness + (thickness + stands) * cosine) / sine
+    slot = (settings.thickness / 2 + settings.clearance) / sine + edge
+    back = float(math.ceil(max(beside, slot)))
+    return CleatSizes(
+        bolt,
+        hole,
+        thickness,
+        2.0 * math.ceil(max(levels) + edge),
+        levels,
+        back,
+        back + math.ceil(edge),
+        settings.thickness,
+    )
+
+
+def edge_for_splice(settings: LamellaSettings) -> float:
+    """Length of an edge that takes a splice plate between two cleats, mm."""
+    beside = sizes_of(settings, _USUAL).reach + settings.clearance
+    return 2 * (half_length(settings) + beside)

@@ -1,0 +1,195 @@
+"""Cleats and feet of lamellas: in the corners of last crossings, bolted, clear of all else."""
+
+import math
+
+import numpy as np
+import pytest
+
+from freecad_ortho.fabrication import build
+from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.cleat import corner_of
+from freecad_ortho.fabrication.limits import OK
+from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.systems import Feet, Lamellas
+from freecad_ortho.fabrication.systems.lamellas.cleat_sizes import sizes_of
+from solver.errors import InputError
+from tests.fabrication.test_lamellas import flat_grid, helicoid
+
+SIZES = {"width": 60.0, "thickness": 4.0, "strip": "twisted"}
+
+
+@pytest.fixture(scope="module")
+def net():
+    return helicoid(5, 5).scaled(6000.0)
+
+
+@pytest.fixture(scope="module")
+def standing(net):
+    """Twisted lamellas with cleats on feet at the corners."""
+    return build(net, [Lamellas(cleats=True, **SIZES), Feet(foot_height=900.0)])
+
+
+def of_kind(structure, kind):
+    return [part for part in structure.parts if part.kind == kind]
+
+
+def test_every_last_crossing_has_a_cleat(net, standing):
+    boundary = np.flatnonzero(net.connectivity.boundary_vertices)
+    cleats = of_kind(standing, "cleat")
+    assert [part.vertices[0] for part in cleats] == boundary.tolist()
+    assert standing.report()["lamellas"]["cleats"] == len(boundary)
+    # At corners, where edges are far from square to the fold, legs have one bolt.
+    single = [part for part in cleats if len(part.pattern.holes) == 2]
+    assert 0 < len(single) < len(cleats)
+    [words] = [word for word in standing.report()["messages"] if "one bolt" in word]
+    assert f"{len(single)} of {len(cleats)} cleats" in words
+    assert single[0].name in words
+    assert set(standing.verdicts) == {OK}
+
+
+def test_nothing_clashes(standing):
+    found = check_clashes(standing.parts)
+    assert found.near > len(of_kind(standing, "cleat"))
+    assert (found.clashes, found.open) == ((), ())
+
+
+def test_solids_have_the_volume_of_the_formula(standing):
+    for part in (*of_kind(standing, "cleat")[::3], *of_kind(standing, "fin")):
+        holes = sum(np.pi / 4 * hole.diameter**2 for hole in part.pattern.holes)
+        assert part.solid().isValid()
+        assert part.solid().Volume() == pytest.approx(part.volume, rel=1e-9)
+        if part.kind == "cleat":
+            # The middle of a sharp fold keeps area times thickness.
+            assert part.volume == pytest.approx(part.pattern.area * part.thickness, rel=1e-9)
+        else:
+            whole = part.body.whole.volume
+            assert part.volume == pytest.approx(whole - holes * part.thickness, rel=1e-9)
+
+
+def test_patterns_of_cleats_fold_back_onto_their_bolts(standing):
+    geometry = standing.results["lamellas"].geometry
+    for part in of_kind(standing, "cleat"):
+        cleat = geometry.cleats[part.vertices[0]]
+        [fold] = part.pattern.bends
+        angle, at = math.radians(fold.angle_deg), fold.points[0, 0]
+        middle = part.thickness / 2
+        places = []
+        for hole in part.pattern.holes:
+            x, y = hole.centre
+            beyond = max(x - at, 0.0)
+            flat = [min(x, at) + beyond * math.cos(angle), y, middle + beyond * math.sin(angle)]
+            places.append(part.origin + np.array(flat) @ part.frame - standing.site.shift)
+        wanted = [
+            place + middle * leg.out
+            for number, leg in enumerate(cleat.legs)
+            for place in cleat.bolts(number)
+        ]
+        assert np.abs(np.array(places) - np.array(wanted)).max() < 1e-6
+
+
+def test_bolts_go_through_fin_lamella_and_leg(standing):
+    drilled = {}
+    for part in standing.parts:
+        if hasattr(part.body, "drills"):
+            centres = np.array([drill.centre for drill in part.body.drills])
+            drilled[part.name] = part.origin + centres @ part.frame
+    counted = 0
+    for each in standing.fasteners:
+        for place, way, names in zip(each.places, each.directions, each.joins, strict=True):
+            counted += 1
+            depths = []
+            for name in names:
+                arms = drilled[name] - place
+                depth = arms @ way
+                off = np.linalg.norm(arms - depth[:, None] * way, axis=1)
+                # Between two edges a lamella leans a little off the plane of the leg.
+                assert off.min() < (0.2 if name.startswith("L-") else 1e-6)
+                depths.append(depth[int(off.argmin())])
+            assert each.bolt.washer < depths[0] < depths[-1] < each.grip - each.bolt.washer
+            assert depths == sorted(depths)
+    holes = sum(len(part.pattern.holes) for part in of_kind(standing, "cleat"))
+    assert counted == holes
+    fins = [part.name for part in of_kind(standing, "fin")]
+    joined = {names[0] for each in standing.fasteners for names in each.joins if len(names) == 3}
+    assert joined == set(fins)
+    assert len(fins) == 8
+
+
+def test_fins_stand_on_their_caps(standing):
+    caps = {part.name[:6]: part for part in standing.parts if part.name.endswith("cap")}
+    for fin in of_kind(standing, "fin"):
+        cap = caps[fin.name[:6]]
+        corners = (fin.origin + fin.body.points @ fin.frame - cap.origin) @ cap.frame.T
+        assert corners[:, 2].min() == pytest.approx(cap.thickness, abs=1e-9)
+        on_it = corners[np.abs(corners[:, 2] - cap.thickness) < 1e-6]
+        assert len(on_it) == 4
+        assert on_it[:, :2].min() > 9.9
+        assert on_it[:, :2].max() < cap.length - 9.9
+
+
+@pytest.mark.parametrize("angle", [50.0, 70.0, 90.0, 120.0])
+def test_bolts_keep_their_distances_at_any_angle(angle):
+    settings = Lamellas(60.0, 4.0)
+    sizes = sizes_of(settings, math.radians(angle))
+    assert sizes.bolt.name == "M8"
+    assert sizes.reach - sizes.back >= 1.2 * 9
+    assert sizes.height / 2 - max(sizes.levels) >= 1.2 * 9
+    # From the slot that the other lamella passes, and for a wrench in both corners.
+    assert sizes.back - (4.0 / 2 + 1.0) / math.sin(math.radians(angle)) >= 1.2 * 9
+    for corner in (angle, 180.0 - angle):
+        sine, cosine = math.sin(math.radians(corner)), math.cos(math.radians(corner))
+        free = sizes.back * sine - sizes.thickness * cosine - sizes.thickness
+        assert free >= sizes.bolt.wrench
+
+
+def test_planes_cross_in_the_corner():
+    rng = np.random.default_rng(3)
+    normals = rng.normal(size=(2, 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    points, near = rng.normal(size=(2, 3)), rng.normal(size=3)
+    corner, along = corner_of((points[0], points[1]), (normals[0], normals[1]), near)
+    assert np.abs(((corner - points) * normals).sum(axis=1)).max() < 1e-12
+    assert abs((corner - near) @ along) < 1e-12
+
+
+def test_splices_keep_clear_of_cleats(net):
+    # Along the border every crossing has one: splices need longer edges there.
+    made = build(net, [Lamellas(cleats=True, stock=5000.0, **SIZES)])
+    assert made.report()["lamellas"]["splices"] > 0
+    found = check_clashes(made.parts)
+    assert (found.clashes, found.open) == ((), ())
+    short = flat_grid().scaled(0.4)
+    without = Lamellas(60, 4, stock=400.0)
+    assert build(short, [without]).report()["lamellas"]["splices"] > 0
+    with pytest.raises(InputError, match=r"stock: L-\w000 .* plane edges of 1\d\d mm"):
+        build(short, [Lamellas(60, 4, stock=400.0, cleats=True)])
+
+
+def test_wood_has_cleats_of_steel(net):
+    made = build(net, [Lamellas(cleats=True, **SIZES)], material=MATERIALS["plywood"])
+    assert {part.material.name for part in of_kind(made, "cleat")} == {"steel"}
+    aluminium = build(net, [Lamellas(cleats=True, **SIZES)], material=MATERIALS["aluminium"])
+    assert {part.material.name for part in of_kind(aluminium, "cleat")} == {"aluminium"}
+
+
+def test_cleats_without_room_are_left_out_and_named():
+    made = build(flat_grid().scaled(0.08), [Lamellas(60, 4, cleats=True)])
+    report = made.report()
+    assert report["lamellas"]["cleats"] == 0
+    [words] = [word for word in report["messages"] if "cleats are left out" in word]
+    assert "C0000" in words
+    with pytest.raises(InputError, match="foot at: at vertex 0 no two lamellas"):
+        build(flat_grid().scaled(0.08), [Lamellas(60, 4), Feet()])
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"layers": 2}, "cleats: they and feet join lamellas that stand in one layer"),
+        ({"layers": 2, "position": "lying"}, "take position standing and layers 1"),
+        ({"width": 20.0}, r"hole: cleats with holes of 9 mm need lamellas at least 21.6 mm wide"),
+    ],
+)
+def test_what_cannot_have_cleats_says_so(values, words):
+    with pytest.raises(InputError, match=words):
+        Lamellas(cleats=True, **values)
