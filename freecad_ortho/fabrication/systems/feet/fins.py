@@ -14,8 +14,8 @@ from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from solver.mesh.quadmesh import FloatArray
 
-# The cap stands out beside the fins for their welds, mm.
-WELD = 10.0
+# The cap stands out beside the fins for their welds, as these lean a little more than it, mm.
+WELD = 15.0
 
 
 def fin_parts(
