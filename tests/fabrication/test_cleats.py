@@ -187,6 +187,7 @@ def test_cleats_without_room_are_left_out_and_named():
     [
         ({"layers": 2}, "cleats: they and feet join lamellas that stand in one layer"),
         ({"layers": 2, "position": "lying"}, "take position standing and layers 1"),
+        ({"smooth": True}, "smooth: legs of cleats lie on faceted lamellas"),
         ({"width": 20.0}, r"hole: cleats with holes of 9 mm need lamellas at least 21.6 mm wide"),
     ],
 )

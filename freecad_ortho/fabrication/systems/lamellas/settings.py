@@ -152,6 +152,11 @@ class LamellaSettings:
                 "cleats: they and feet join lamellas that stand in one layer; take position "
                 "standing and layers 1"
             )
+        if (self.cleats or self.feet) and self.smooth:
+            raise InputError(
+                "smooth: legs of cleats lie on faceted lamellas, smooth ones leave them; leave smooth "
+                "out"
+            )
         if (self.cleats or self.feet) and self.width < 2 * EDGE_DISTANCE * self.hole:
             raise InputError(
                 f"hole: cleats with holes of {self.hole:g} mm need lamellas at least "
