@@ -154,8 +154,8 @@ class LamellaSettings:
             )
         if (self.cleats or self.feet) and self.smooth:
             raise InputError(
-                "smooth: legs of cleats lie on faceted lamellas, smooth ones leave them; leave smooth "
-                "out"
+                "smooth: legs of cleats lie on faceted lamellas, smooth ones leave them; leave "
+                "smooth out"
             )
         if (self.cleats or self.feet) and self.width < 2 * EDGE_DISTANCE * self.hole:
             raise InputError(
