@@ -98,7 +98,10 @@ class QuantityField(QtCore.QObject):
         rounded = self.widget.text()
         exact = f"{value:.{_DIGITS}g}"
         held = self.widget.property("rawValue")
-        if float(exact) == value and not math.isclose(held, value, rel_tol=1e-9, abs_tol=_NOTHING):
+        kept = math.isclose(held, value, rel_tol=1e-9, abs_tol=_NOTHING)
+        # A millimetre is 0 in US building units, though the field holds it.
+        seen = abs(value) < _NOTHING or any(figure in rounded for figure in "123456789")
+        if float(exact) == value and not (kept and seen):
             self._write(f"{exact} {self._unit}")
         self._show_absent()
         self._value = float(value)

@@ -123,6 +123,15 @@ class TestUnits(WindowCase):
             self.assertAlmostEqual(field.millimetres, expected, delta=1e-9)
         field.widget.deleteLater()
 
+    def test_what_the_units_would_show_as_nothing_is_shown_in_mm(self):
+        for length, words in ((1.0, "1 mm"), (0.5, "0.5 mm"), (0.0, "0")):
+            field = LengthField(length)
+            field.widget.show()
+            wait(seconds=0.05)
+            self.assertEqual(field.widget.text(), words)
+            self.assertEqual(field.millimetres, length)
+            field.widget.deleteLater()
+
     def test_what_a_calculation_left_is_shown_as_nothing_and_kept(self):
         FreeCAD.Units.setSchema(0)
         field = LengthField(-2.8e-7)
