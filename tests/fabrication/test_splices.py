@@ -133,6 +133,21 @@ def test_lying_lamellas_are_spliced_on_their_outer_sides():
     check_solids(structure)
 
 
+@pytest.mark.parametrize("size", [(5, 13), (13, 5)])
+def test_plates_of_either_layer_lie_away_from_the_other_one(size):
+    structure = build(flat_grid(*size), [Lamellas(60, 4, stock=2000.0, position="lying", layers=2)])
+    pieces = [part for part in structure.parts if part.kind == "lamella"]
+    heights = {
+        family: np.mean([part.origin[2] for part in pieces if part.family == family])
+        for family in "uv"
+    }
+    plates = [part for part in structure.parts if part.kind == "splice"]
+    assert plates
+    for plate in plates:
+        own, other = heights[plate.family], heights["uv".replace(plate.family, "")]
+        assert abs(plate.origin[2] - other) > abs(own - other) > 4
+
+
 def test_short_lamellas_stay_whole_and_names_do_not_change():
     names = [part.name for part in build(flat_grid(), [Lamellas(60, 4)]).parts]
     assert [part.name for part in build(flat_grid(), [Lamellas(60, 4, stock=9e4)]).parts] == names
