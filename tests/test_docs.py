@@ -92,7 +92,7 @@ def test_every_option_is_named(capsys):
 
 
 def test_options_that_are_named_exist(capsys):
-    of_scripts = "--mesh --surface --help --write --quick --check --follow"
+    of_scripts = "--mesh --surface --help --write --quick --check --follow --part"
     known = set(of_scripts.split())
     for command in every_command(capsys):
         known |= options_of(command, capsys)
