@@ -301,7 +301,8 @@ class NearestNet:
                 except SingularSystemError:
                     # Rounding is larger than what is added: nothing nearer is to be found.
                     break
-                point = point.moved(move)
+                # Loads and closest points are those of the shape that is kept.
+                point = point.moved(move).followed(weighty=True)
                 if np.abs(move).max(initial=0.0) <= _ROUNDING:
                     break
         return point.x
@@ -342,7 +343,7 @@ class NearestNet:
         self, net: Point, move: FloatArray, back: Callable[[FloatArray], FloatArray]
     ) -> Point:
         """Where a move leads after corrections back onto the net, all terms linearised there."""
-        there = net.moved(move)
+        there = net.moved(move).followed(weighty=True)
         for _ in range(_CORRECTIONS):
             if not _ON_NET < self._worst(there) < np.inf:
                 break
@@ -352,6 +353,7 @@ class NearestNet:
                 for new, old in zip(there.linearisations, net.linearisations, strict=True)
             ]
             there = there.moved(back(-replace(there, linearisations=mixed).gradient))
+            there = there.followed(weighty=True)
         return there.standing_at(there.x).followed()
 
     def _back(self, net: Point, tangent: float) -> Callable[[FloatArray], FloatArray]:

@@ -87,11 +87,15 @@ class Point:
         parts = [term.linearise(x) for term in self.terms]
         return replace(self, x=x, linearisations=parts)
 
-    def followed(self) -> Point:
-        """Let terms that depend on where the mesh is (closest points, loads) look again."""
+    def followed(self, weighty: bool = False) -> Point:
+        """Let terms that depend on where the mesh is (closest points, loads) look again.
+
+        Args:
+            weighty: only those that weigh anything.
+        """
         terms, parts = list(self.terms), list(self.linearisations)
         for k, term in enumerate(terms):
-            if follows(term):
+            if follows(term) and (self.weights[k] > 0 or not weighty):
                 terms[k] = term.follow(self.x)
                 parts[k] = terms[k].linearise(self.x)
         return replace(self, terms=terms, linearisations=parts)
