@@ -131,6 +131,7 @@ class WorkshopSettings(TypedDict, total=False):
     stock_lengths: str
     sheet_sizes: str
     label_sheet: str
+    rhino_parts: Literal["meshes", "solids"]
 
 
 class DesignSettings(TypedDict, total=False):

@@ -72,7 +72,7 @@ FORMATS = {
         ),
         Format(
             *("3dm", "structure.3dm", "rhino3dm", "rhino3dm"),
-            "Rhino: parts as meshes, the net, its lines and axes, on layers",
+            "Rhino: parts, the net, its lines and axes, on layers",
         ),
         Format(
             *("assembly", "assembly/*", "", ""),

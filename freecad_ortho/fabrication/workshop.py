@@ -22,6 +22,7 @@ from solver.option import Option, Range
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
 HARDWARE = ("list", "solids")
+RHINO_PARTS = ("meshes", "solids")
 STEP_FILES = ("one", "systems", "in-place")
 # Tubes that differ by more percent are not one section by any standard.
 _WIDEST = 20.0
@@ -70,6 +71,7 @@ class Workshop:
         date: in the title block of drawings, as it is written there; empty for none, as with a
             clock the same structure would not give the same file.
         label_sheet: a name or a description of ``label_form``.
+        rhino_parts: in Rhino's files as "meshes", or as "solids" where their sides are plane.
 
     Raises:
         InputError: a size that cannot be used, an unknown word.
@@ -102,6 +104,7 @@ class Workshop:
     stock_lengths: str = ""
     sheet_sizes: str = ""
     label_sheet: str = "3x8"
+    rhino_parts: str = "meshes"
 
     options: ClassVar[tuple[Option, ...]] = (
         Option("sheet", None, "text", "parts are nested on sheets of this size", written="WxH"),
@@ -215,6 +218,13 @@ class Workshop:
             *("label_sheet", "3x8", "text"),
             "labels are printed on this sheet: columns x rows, a4 or letter-3x10",
             written="COLSxROWS",
+        ),
+        Option(
+            *("rhino_parts", "meshes", "choice"),
+            "parts in 3DM are meshes, or solids where their sides are plane",
+            RHINO_PARTS,
+            title="Parts in 3DM",
+            shown={"meshes": "meshes", "solids": "solids"},
         ),
     )
 

@@ -136,9 +136,17 @@ def test_pictures_show_what_stands_and_what_comes(job, folder):
         stands = [int(k) for k in re.findall(r'<use href="#s(\d+)" class="stands"/>', figure)]
         assert sorted(stands) == list(range(stood))
         assert sorted(comes) == list(range(stood, stood + len(comes)))
-        assert re.findall(r"<text [^>]*>([^<]+)</text>", figure) == [
-            order[k] for k in sorted(comes)
+        shown = re.findall(r'<text x="([^"]+)" y="([^"]+)">([^<]+)</text>', figure)
+        assert [name for *_, name in shown] == [
+            order[k] for k in sorted(comes) if order[k] in {name for *_, name in shown}
         ]
+        left_out = re.search(r"Names of (\d+) that have no room", figure)
+        assert len(shown) == len(comes) - (int(left_out[1]) if left_out else 0)
+        places = np.array([(float(x), float(y)) for x, y, _ in shown])
+        apart = np.abs(places[:, None] - places)
+        # A letter is at least half as wide as a line is high, 13.
+        touch = (apart[..., 0] < 6.5 * len(shown[0][2])) & (apart[..., 1] < 12.9)
+        assert touch.sum() == len(shown)
         assert len({rings[k] for k in comes}) == 1
         stood += len(comes)
         came += comes

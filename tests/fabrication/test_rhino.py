@@ -7,13 +7,17 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import trimesh
+from scipy.spatial import ConvexHull
 
 from freecad_ortho import api, rhino_files
 from freecad_ortho.__main__ import main
 from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
+from freecad_ortho.fabrication.exchange.rhino import write_3dm
 from freecad_ortho.fabrication.place import Place
+from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.site import Selection
+from freecad_ortho.fabrication.systems.nodes import Nodes
 from solver import read_mesh, write_mesh
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
@@ -65,6 +69,43 @@ def test_parts_are_closed_meshes_on_layers_by_kind(made):
         corners = job.place.points(part.points)
         np.testing.assert_allclose(points.min(axis=0), corners.min(axis=0), rtol=0, atol=1e-5)
         np.testing.assert_allclose(points.max(axis=0), corners.max(axis=0), rtol=0, atol=1e-5)
+
+
+@needed
+def test_parts_are_solids_where_their_sides_are_plane(roof, tmp_path):
+    """Plates and hubs are extrusions, bevelled panels B-reps, a drilled tube stays a mesh."""
+    import rhino3dm
+
+    some = Selection(family="u", lines=(3,))
+    systems = [Beams(200, 20, ends="end-plate"), Nodes("bolted"), Panels(20, 15, edge="bevel")]
+    job = build(roof, systems, selection=some, place=Place(origin=FAR))
+    model = {}
+    for words in ("solids", "meshes"):
+        path = tmp_path / f"{words}.3dm"
+        shop = Workshop(rhino_parts=words)
+        write_3dm(path, produce(job, shop), "Dach", lambda done: None)
+        model[words] = by_layer(rhino3dm.File3dm.Read(str(path)))
+    kinds = {"beam": "Extrusion", "end-plate": "Extrusion", "panel": "Brep", "node": "Mesh"}
+    for part in job.parts:
+        found = model["solids"][part.kind][part.name].Geometry
+        assert type(found).__name__ == kinds[part.kind]
+        assert type(model["meshes"][part.kind][part.name].Geometry).__name__ == "Mesh"
+        if part.kind == "node":
+            continue
+        body = found.ToBrep(True) if part.kind != "panel" else found
+        assert body.IsValid
+        assert body.IsSolid
+        holes = len(part.pattern.holes)
+        assert (holes > 0) == (part.kind == "end-plate")
+        if part.kind != "panel":
+            assert len(body.Faces) == len(part.pattern.outline) + holes + 2
+        places = (body.Vertices[k].Location for k in range(len(body.Vertices)))
+        seen = np.array([[p.X, p.Y, p.Z] for p in places]) - FAR
+        for end in (np.min, np.max):
+            np.testing.assert_allclose(end(seen, axis=0), end(part.points, axis=0), atol=1e-4)
+        drilled = sum(hole.diameter**2 for hole in part.pattern.holes) * np.pi / 4
+        volume = part.volume + drilled * part.thickness
+        assert ConvexHull(seen).volume == pytest.approx(volume, rel=1e-6)
 
 
 @needed

@@ -306,7 +306,7 @@ class TestStock(WindowCase):
         changes = {"saw": 4.0, "trim": 25.0, "rest": 900.0, "section_tolerance": 3.0}
         changes |= {"step": "systems", "site_origin": "1000,2000,30", "site_rotation": 15.0}
         changes |= {"stock_lengths": "3000,12000", "equal": 1.0}
-        changes |= {"paper": "a1", "date": "1 May", "label_sheet": "4x10"}
+        changes |= {"paper": "a1", "date": "1 May", "label_sheet": "4x10", "rhino_parts": "solids"}
         for changed in (False, True):
             FreeCADGui.runCommand("Ortho_ExportFabrication")
             wait()

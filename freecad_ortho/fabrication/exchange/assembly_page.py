@@ -25,6 +25,10 @@ from solver.mesh.quadmesh import FloatArray
 
 # Of pictures, in their own units; height of names in them; room for names beside a node.
 _WIDE, _NAME, _SKETCH = 800.0, 13.0, 62.0
+# Width of a letter of a name, parts of its height.
+_LETTER = 0.6
+# Longer lists stand in columns.
+_ROWS = 12
 # A picture has no more new parts, nor has a structure more pictures.
 _PARTS, _PICTURES = 24, 60
 _KINDS = ("stands", "comes", "later")
@@ -34,6 +38,7 @@ _STYLE = f"""
 .comes {{ fill: {GOOD}; stroke: {INK}; stroke-width: .8; }}
 .later {{ fill: none; stroke: #dde2e6; stroke-width: .5; }}
 .steps text {{ font: {_NAME}px sans-serif; text-anchor: middle; fill: {BAD}; }}
+.many {{ columns: 3 15rem; }} .many table {{ width: 100%; margin: 0; }}
 .book {{ display: flex; flex-wrap: wrap; gap: .5rem; }}
 .book figure {{ margin: 0; width: 11.5rem; }} .book text {{ font: 8px sans-serif; fill: {INK}; }}
 """
@@ -106,10 +111,13 @@ def _steps(order: Sequence[Part], stages: Sequence[int], held: Sequence[Sequence
             f'<use href="#s{k}" class="{_KINDS[int(k >= start) + int(k >= end)]}"/>'
             for k in (*(k for k in behind if k >= end), *(k for k in behind if k < end))
         )
+        shown = _apart(range(start, end), middles, order)
         names = "".join(
             f'<text x="{middles[k][0]:.1f}" y="{middles[k][1]:.1f}">{escape(order[k].name)}</text>'
-            for k in range(start, end)
+            for k in shown
         )
+        left_out = end - start - len(shown)
+        more = f" Names of {left_out} that have no room are in the list." if left_out else ""
         mass = sum(part.mass for part in order[start:end])
         placed += mass
         rows = [
@@ -122,10 +130,24 @@ def _steps(order: Sequence[Part], stages: Sequence[int], held: Sequence[Sequence
             f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{words}" '
             f'viewBox="-24 -24 {size[0] + 48:.0f} {size[1] + 48:.0f}">{uses}{names}</svg>'
             "<figcaption>blue: what comes; grey: what stands; pale: what comes later. Then "
-            f"{placed:,.1f} kg stand.</figcaption></figure>"
-            + table(["step", "name", "kind", "stands on", "mass, kg"], rows)
+            f"{placed:,.1f} kg stand.{more}</figcaption></figure>"
+            f'<div class="{"many" if len(rows) > _ROWS else "few"}">'
+            f"{table(['step', 'name', 'kind', 'stands on', 'mass, kg'], rows)}</div>"
         )
     return "".join(drawn)
+
+
+def _apart(numbers: Sequence[int], middles: FloatArray, order: Sequence[Part]) -> list[int]:
+    """Those of some parts whose names do not cover those before them."""
+    found: list[int] = []
+    boxes = np.empty((0, 4))
+    for k in numbers:
+        half = np.array([_LETTER * _NAME * len(order[k].name), _NAME]) / 2
+        low, high = middles[k] - half, middles[k] + half
+        if not ((low < boxes[:, 2:]) & (boxes[:, :2] < high)).all(axis=1).any():
+            found.append(k)
+            boxes = np.concatenate([boxes, [[*low, *high]]])
+    return found
 
 
 def _shapes(order: Sequence[Part]) -> tuple[list[str], FloatArray, list[int], FloatArray]:

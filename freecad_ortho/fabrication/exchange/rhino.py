@@ -1,4 +1,4 @@
-"""3DM (Rhino 7): the net, its lines and axes, and all parts as meshes, on layers by kind; in mm."""
+"""3DM (Rhino 7): the net, its lines and axes, and all parts, on layers by kind; in mm."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.exchange.facets import facets
+from freecad_ortho.fabrication.exchange.rhino_solids import solid_of
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.production import Production
 from solver.mesh.quadmesh import FloatArray
@@ -115,21 +116,32 @@ class _Model:
             self.line(np.array([points[node.vertex], tip]), names[node.vertex], layer)
 
     def part(self, part: Part, verdict: str, production: Production) -> None:
-        """A part as a closed mesh, with what is known of it as texts."""
-        corners = facets(part).triangles.reshape(-1, 3)
-        keys = np.round(corners, _SAME_DIGITS)
-        _, first, numbers = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-        place = production.structure.place
-        points = place.points(part.origin + corners[first] @ part.frame)
-        triangles = numbers.reshape(-1, 3)
-        made = self.mesh(points, triangles.tolist())
+        """A part as a closed mesh or a solid, with what is known of it as texts."""
         attributes = self.attributes(part.name, self.layer(part.kind, colour_of(part.material)))
         facts = {"material": part.material.name, "verdict": verdict, "mass_kg": f"{part.mass:.3f}"}
         if part.line is not None:
             facts["line"] = f"{part.family}{part.line}"
         for name, value in facts.items():
             attributes.SetUserString(name, value)
-        self.file.Objects.AddMesh(made, attributes)
+        solid = None
+        if production.workshop.rhino_parts == "solids":
+            solid = solid_of(self.rhino, part, production.structure.place)
+        if solid is None:
+            self.file.Objects.AddMesh(self._closed(part, production), attributes)
+        elif isinstance(solid, self.rhino.Extrusion):
+            self.file.Objects.AddExtrusion(solid, attributes)
+        else:
+            self.file.Objects.AddBrep(solid, attributes)
+
+    def _closed(self, part: Part, production: Production) -> Any:
+        """A part as a closed mesh of triangles."""
+        corners = facets(part).triangles.reshape(-1, 3)
+        keys = np.round(corners, _SAME_DIGITS)
+        _, first, numbers = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+        place = production.structure.place
+        points = place.points(part.origin + corners[first] @ part.frame)
+        triangles = numbers.reshape(-1, 3)
+        return self.mesh(points, triangles.tolist())
 
     def data(self) -> bytes:
         """The bytes of the file, without a clock: the same structure gives the same."""
