@@ -3633,6 +3633,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts in 3DM</source>
+   <translation>Teile in 3DM</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Parts of which few kinds are wanted, once the net is reached</source>
    <translation>Teile, von denen es wenige Arten geben soll, sobald das Netz erreicht ist</translation>
   </message>
@@ -5641,6 +5646,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>meshes</source>
+   <translation>Netze</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>mirror</source>
    <translation>spiegeln</translation>
   </message>
@@ -5823,6 +5833,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>parts are nested on sheets of this size</source>
    <translation>Teile werden auf Tafeln dieser Größe geschachtelt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts in 3DM are meshes, or solids where their sides are plane</source>
+   <translation>Teile in 3DM sind Netze, oder Körper, wo ihre Seiten eben sind</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6038,6 +6053,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>socket</source>
    <translation>Hülse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids</source>
+   <translation>Körper</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -3633,6 +3633,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts in 3DM</source>
+   <translation>Pièces en 3DM</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Parts of which few kinds are wanted, once the net is reached</source>
    <translation>Pièces dont peu de types sont voulus, une fois le réseau atteint</translation>
   </message>
@@ -5641,6 +5646,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>meshes</source>
+   <translation>maillages</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>mirror</source>
    <translation>miroir</translation>
   </message>
@@ -5823,6 +5833,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>parts are nested on sheets of this size</source>
    <translation>les pièces sont imbriquées sur des plaques de cette taille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>parts in 3DM are meshes, or solids where their sides are plane</source>
+   <translation>les pièces en 3DM sont des maillages, ou des solides si leurs faces sont planes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6038,6 +6053,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>socket</source>
    <translation>douille</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>solids</source>
+   <translation>solides</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
