@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -62,7 +62,7 @@ class Detail(NamedTuple):
 
 
 TUBES = {"section": "tube:100x60x5"}
-LAMELLAS = {"width": 100.0, "thickness": 8.0, "hole": 11.0, "strip": "twisted"}
+LAMELLAS: dict[str, Any] = {"width": 100.0, "thickness": 8.0, "hole": 11.0, "strip": "twisted"}
 DETAILS = {
     "bolted": Detail("beams+nodes+panels", {"node": "bolted", **TUBES}),
     "star": Detail("beams+nodes+panels", {"node": "star", "section": "I", "thickness": 10.0}),
@@ -206,6 +206,7 @@ def dimensions() -> Iterator[Dimension]:
     yield Dimension("star", "bolt to bolt", apart(drilled), 2.2 * 18, EC3)
     yield from _of_balls(made["ball"])
     yield from _of_feet(made["foot"])
+    yield from _of_lamellas(made)
     bearing = [part.measures.bearing_mm or 0.0 for part in of_kind(made["edge"], "panel")]
     yield Dimension("edge", "panel on beams", min(bearing), 5.0, "of metal, see workshop.md")
     frame = made["frame"].report()["panels"]["frame"]
@@ -271,6 +272,16 @@ def _of_feet(made: Structure) -> Iterator[Dimension]:
         for hole in base.pattern.holes
     )
     yield Dimension("foot", "anchor to the post, for a wrench", beside, BOLT.wrench, "ISO 7738")
+
+
+def _of_lamellas(made: Mapping[str, Structure]) -> Iterator[Dimension]:
+    """Bolts in cleats, and in fins of feet."""
+    least = 1.2 * LAMELLAS["hole"]
+    for detail, kind, words in (
+        ("cleat", "cleat", "bolt to the edge of a cleat"),
+        ("lamella-foot", "fin", "bolt to the edge of a fin"),
+    ):
+        yield Dimension(detail, words, edges(of_kind(made[detail], kind)), least, EC3)
 
 
 def of_kind(made: Structure, kind: str) -> list[Part]:
