@@ -152,6 +152,7 @@ VIEWS = {
     "principal": View("demo roof", demo_roof),
     "planar": View("waved shell", lambda: deformed(primitive("translational", 21, 15), 0.02)),
     "circular": View("waved catenoid", lambda: deformed(primitive("catenoid", 33, 15)), tilt=25),
+    "isothermic": View("waved shell", lambda: deformed(primitive("translational", 21, 15), 0.04)),
     "geodesic": View(
         "waved cylinder", lambda: deformed(primitive("cylinder", 25, 15, angles=(0, 200)), 0.08)
     ),

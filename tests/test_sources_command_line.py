@@ -151,7 +151,7 @@ def test_fit_finds_the_multi_net_that_a_mesh_nearly_is(tmp_path, capsys):
     assert is_multi_net(fine, 1e-13)
 
 
-def test_primitives_and_changes_of_meshes(tmp_path, wave):
+def test_primitives_and_changes_of_meshes(tmp_path, wave, capsys):
     sphere = call(tmp_path, "primitive", "sphere", "--sampling", "12x7", "--set", "radius=3").mesh
     np.testing.assert_allclose(np.linalg.norm(sphere.vertices, axis=1), 3)
     half = call(tmp_path, "primitive", "sphere", "--sampling", "7x5", "--set", "angles=-90,90").mesh
@@ -169,6 +169,8 @@ def test_primitives_and_changes_of_meshes(tmp_path, wave):
     assert len(call(tmp_path, "diagonal", wave, "--which", "second").mesh.faces) == 18
     assert len(call(tmp_path, "medial", wave).mesh.vertices) == 48
     assert len(call(tmp_path, "checkerboard", wave).mesh.faces) == 48 + 35
+    assert len(call(tmp_path, "dual", wave).mesh.faces) == 48
+    assert "note: dual: the net has none, its edges would miss by" in capsys.readouterr().err
     swapped = call(tmp_path, "orient", wave, "--swap", "--reverse").mesh
     assert grid_of(swapped).numbers.shape == (7, 9)
 

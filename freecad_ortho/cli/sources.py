@@ -35,6 +35,7 @@ _CHANGES = {
     "diagonal": "diagonal mesh",
     "medial": "medial mesh",
     "checkerboard": "checkerboard",
+    "dual": "Christoffel dual",
     "subdivide": "subdivide",
     "coarsen": "coarsen",
     "trim": "trim",
@@ -106,7 +107,10 @@ def _changer(
         told = arguments.given(entry.options, options, loaded.unit)
         placed = name in _PLACED
         mesh = loaded.mesh if placed else loaded.near
-        made = entry.make(untold | told, loaded.unit, meshes=[mesh]).mesh
+        source_made = entry.make(untold | told, loaded.unit, meshes=[mesh])
+        for remark in source_made.remarks:
+            sys.stderr.write(f"note: {remark}\n")
+        made = source_made.mesh
         made = loaded.origin.near_mesh(made) if placed else made
         border = loaded.near_border if entry.stays else ()
         if loaded.border and not border:

@@ -135,13 +135,14 @@ class FormNet(SourceCommand):
 
 
 class Derived(SourceCommand):
-    """Make the diagonal, medial or checkerboard mesh."""
+    """Make the diagonal, medial or checkerboard mesh, or the Christoffel dual."""
 
     group = "derived"
     icon = "derived"
     text = QT_TRANSLATE_NOOP("Ortho_Derived", "Derived mesh")
     tip = QT_TRANSLATE_NOOP(
-        "Ortho_Derived", "The diagonal, medial or checkerboard mesh of the selected net"
+        "Ortho_Derived",
+        "The diagonal, medial or checkerboard mesh of the selected net, or its Christoffel dual",
     )
 
 

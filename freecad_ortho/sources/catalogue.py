@@ -25,7 +25,7 @@ GROUPS: dict[str, tuple[str, ...]] = {
     "faces": (FACES.name,),
     "along curvature": (ALIGNED.name,),
     "form-finding": (FORM.name,),
-    "derived": ("diagonal mesh", "medial mesh", "checkerboard"),
+    "derived": ("diagonal mesh", "medial mesh", "checkerboard", "Christoffel dual"),
     "refine": ("subdivide", "coarsen", "trim"),
     "transform": ("transform", "mirror", "Moebius transformation", "inversion", "orient"),
     "offset": ("offset",),

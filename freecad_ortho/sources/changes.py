@@ -12,10 +12,13 @@ from numpy.typing import ArrayLike
 from freecad_ortho.sources.source import Made, Source
 from solver.errors import InputError
 from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
+from solver.mesh.dual import christoffel_dual
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.offset_mesh import KINDS, offset_mesh
 from solver.option import POSITIVE, Former, Option, Range
 
+# Edges of a dual that miss by this part of the mean one are rounding.
+_DUAL = 1e-7
 _CENTRE = Option("centre", (0.0, 0.0, 0.0), "distance", "This point stays where it is")
 
 
@@ -32,6 +35,19 @@ def _diagonal(mesh: QuadMesh, which: str, border: str) -> QuadMesh:
     pair = diagonal.diagonal_meshes(mesh, border)
     part = pair.first if which == "first" else pair.second
     return coarsen.compact(part, part.faces)
+
+
+def _dual(meshes: Sequence[QuadMesh], unit: str) -> Made:
+    found = christoffel_dual(meshes[0])
+    if found.misfit <= _DUAL:
+        return Made(found.mesh)
+    first, second = meshes[0].connectivity.edges[found.edge]
+    words = (
+        f"dual: the net has none, its edges would miss by {100 * found.misfit:.2g} % of the mean "
+        f"one (edge {first} - {second}), and this is the nearest mesh; optimise to an isothermic "
+        "net first, and cut open what closes around"
+    )
+    return Made(found.mesh, (words,))
 
 
 def _subdivided(mesh: QuadMesh, levels: int, rule: str) -> QuadMesh:
@@ -126,6 +142,13 @@ CHANGES = (
         _one(diagonal.checkerboard),
         "net",
         stays=True,
+    ),
+    Source(
+        "Christoffel dual",
+        "Parallel edges, each diagonal parallel to the other one; of a sphere a minimal surface",
+        (),
+        _dual,
+        "net",
     ),
     Source(
         "subdivide",

@@ -2108,6 +2108,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Christoffel dual</source>
+   <translation>Christoffel-Dual</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Circular</source>
    <translation>Zirkular</translation>
   </message>
@@ -2383,6 +2388,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Dual ratio</source>
+   <translation>Dualverhältnis</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Each time four faces are made of one</source>
    <translation>Jedes Mal werden aus einer Masche vier</translation>
   </message>
@@ -2645,6 +2655,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces of any angles, near the surface that was drawn.</source>
    <translation>Ebene Flächen mit beliebigen Winkeln, nahe an der entworfenen Fläche.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat faces of steady proportions, and a dual net with parallel edges.</source>
+   <translation>Ebene Flächen mit stetigen Proportionen und ein duales Netz mit parallelen Kanten.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3605,6 +3620,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Paper</source>
    <translation>Papier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parallel edges, each diagonal parallel to the other one; of a sphere a minimal surface</source>
+   <translation>Parallele Kanten, jede Diagonale parallel zur anderen; von einer Kugel eine Minimalfläche</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -5560,6 +5580,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>isometrisch: formtreu</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isothermic</source>
+   <translation>isotherm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isothermic: has a dual</source>
+   <translation>isotherm: hat ein Dual</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>its own boundary</source>
    <translation>sein eigener Rand</translation>
@@ -6975,8 +7005,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>The diagonal, medial or checkerboard mesh of the selected net</source>
-   <translation>Das Diagonal-, Mittel- oder Schachbrettnetz des gewählten Netzes</translation>
+   <source>The diagonal, medial or checkerboard mesh of the selected net, or its Christoffel dual</source>
+   <translation>Das Diagonal-, Mittellinien- oder Schachbrettnetz des gewählten Netzes oder sein Christoffel-Dual</translation>
   </message>
  </context>
  <context>

@@ -2108,6 +2108,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Christoffel dual</source>
+   <translation>dual de Christoffel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Circular</source>
    <translation>Circulaire</translation>
   </message>
@@ -2383,6 +2388,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Dual ratio</source>
+   <translation>Rapport dual</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Each time four faces are made of one</source>
    <translation>Chaque fois, quatre faces sont faites d'une</translation>
   </message>
@@ -2645,6 +2655,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Flat faces of any angles, near the surface that was drawn.</source>
    <translation>Faces planes d'angles quelconques, près de la surface dessinée.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Flat faces of steady proportions, and a dual net with parallel edges.</source>
+   <translation>Faces planes aux proportions régulières, et un réseau dual aux arêtes parallèles.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3605,6 +3620,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Paper</source>
    <translation>Papier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parallel edges, each diagonal parallel to the other one; of a sphere a minimal surface</source>
+   <translation>Arêtes parallèles, chaque diagonale parallèle à l'autre ; d'une sphère une surface minimale</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -5560,6 +5580,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>isométrique : mêmes faces</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isothermic</source>
+   <translation>isotherme</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isothermic: has a dual</source>
+   <translation>isotherme : a un dual</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>its own boundary</source>
    <translation>son propre bord</translation>
@@ -6975,8 +7005,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/sources.py" />
-   <source>The diagonal, medial or checkerboard mesh of the selected net</source>
-   <translation>Le maillage diagonal, médian ou en damier du réseau sélectionné</translation>
+   <source>The diagonal, medial or checkerboard mesh of the selected net, or its Christoffel dual</source>
+   <translation>Le maillage diagonal, médian ou en damier du réseau choisi, ou son dual de Christoffel</translation>
   </message>
  </context>
  <context>

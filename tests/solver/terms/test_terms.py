@@ -30,6 +30,7 @@ from solver.terms.flatness import FlatWithin
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
 from solver.terms.in_plane import InPlane
 from solver.terms.isometry import Isometry
+from solver.terms.koenigs_star import KoenigsStar
 from solver.terms.medial_angle import MedialAngle
 from solver.terms.multi import multi_net
 from solver.terms.orthogonality import Orthogonality
@@ -120,6 +121,9 @@ CASES = {
     "multi-net 2 x 2": Case(lambda m: multi_net(m.connectivity, 2, 2), RECTANGLES),
     "circular": Case(lambda m: CircularFace(m.faces), BARREL),
     "conical": Case(lambda m: ConicalStar(m.connectivity.stars), RECTANGLES),
+    "koenigs": Case(
+        lambda m: KoenigsStar(m.connectivity.stars, m.connectivity.diagonal_stars[:, 1:]), BARREL
+    ),
     "geodesic": Case(lambda m: GeodesicStar(m.connectivity.stars), RHOMBI),
     "equal angles": Case(lambda m: EqualAngleStar(m.connectivity.stars), RECTANGLES),
     "equal edges": Case(lambda m: EqualEdges(m.connectivity.edges, length=1.3), SQUARES),
