@@ -118,7 +118,6 @@ def nearness(
     shortest = np.linalg.norm(np.diff(points[net.edges], axis=1), axis=2).min()
     ground = TriangleSurface(_in_units_of(problem, surface.vertices), surface.triangles)
     lifts = halfway(net, points, ground)
-    lifts = halfway(net, points, ground)
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
         Wish(OnSurface(used, ground, name="close to surface", lifts=lifts[used]), 1.0),

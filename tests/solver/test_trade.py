@@ -83,7 +83,7 @@ def test_it_is_the_same_in_any_unit(start, wanted):
     ("settings", "words"),
     [
         ({"flatness": 0.0}, "flatness: expected a positive length, got 0; leave it out"),
-        ({"flatness": -1.0}, "flatness: expected a positive length"),
+        ({"flatness": -1.0}, "flatness: expected a number above 0, got -1"),
         ({"flatness": float("nan")}, "flatness: expected a number"),
     ],
 )
