@@ -15,6 +15,7 @@ from solver.analysis.form import surface_of
 from solver.analysis.kinds import ALIKE, ALIKE_DEG, NODES, refuse_unknown_parts
 from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
+from solver.last_phase import Aim
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh, refuse_other
@@ -225,6 +226,7 @@ def start_optimisation(
     )
     _refuse_contradictions(plan.original)
     stay = not once and not wanted.handles and wanted.close_to is None
+    late = asked.nearest or wanted.close_to is not None
     return Optimisation(
         plan.original,
         plan.way,
@@ -235,9 +237,7 @@ def start_optimisation(
         remarks,
         held,
         origin,
-        surface=surface,
-        within=within,
-        nearest=asked.nearest,
+        aim=Aim(surface, within, asked.nearest, asked.way.early, late),
         repeat=wish,
     )
 
@@ -287,7 +287,7 @@ def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface
         InputError: it lies farther from the mesh than that is large.
     """
     if wanted.close_to is None:
-        return surface_of(mesh) if asked.nearest else None
+        return surface_of(mesh) if asked.nearest or asked.way.early else None
     surface, points = TriangleSurface(*wanted.close_to), mesh.vertices[mesh.connectivity.referenced]
     far = float(np.linalg.norm(points - surface.closest(points)[0], axis=1).mean())
     size = float(np.linalg.norm(np.ptp(points, axis=0)))

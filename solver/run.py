@@ -8,7 +8,8 @@ from functools import partial
 
 import numpy as np
 
-from solver.analysis.form import off_surface, surface_of
+from solver import last_phase
+from solver.analysis.form import surface_of
 from solver.analysis.start import Remark
 from solver.best import Best
 from solver.candidate import Candidate, judge
@@ -17,30 +18,15 @@ from solver.linear.backends import default_backend
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nearest import NearestNet, drawn, limit_in_reach, missing, nearness, pull_of
+from solver.nearest import NearestNet
 from solver.plan import Attempt, Way, alone
 from solver.problem import Problem
 from solver.repetition import Repeat, Repetition
-from solver.report import COLLAPSED, CONVERGED, STALLED, STOPPED, Outcome, Repeated, StepRecord
+from solver.report import CONVERGED, STALLED, STOPPED, Outcome, Repeated, StepRecord
 from solver.summary import Course, summarise
 
-# The last phase takes as many steps as there were before it, and so many where those were fewer:
-# more of them where to be near is what was asked for.
-_NEARER_STEPS, _NEAREST_STEPS = 24, 60
-# Weight of lines that bend evenly in the last phase, in another where they zigzag then, and where
-# the net is nearly on the surface already.
-_EVENNESS, _EVENER, _NEARLY = 0.04, 1.0, 0.07
-# A net that is nearer but has less than this part of the area is less of what was drawn.
-_STILL_WHOLE = 0.85
-# Nor is one that is flatter than this part of its thickness, where the start itself was meant.
-_STILL_THICK = 0.5
 # A net that so many attempts have given up is.
 _GIVEN_UP = 2
-# Handles that lack more than this part of their way were lost, and are pulled along the nets:
-# others are near where they were dragged, and the mesh is not to jump when they are let go.
-_LOST = 0.5
-# Its edges are pushed back near the shortest, and give way where the surface asks for it.
-_STILL_ROOMY = 0.4
 
 
 class Optimisation:
@@ -60,11 +46,7 @@ class Optimisation:
         held: what keeps vertices from moving freely, such as "fixed vertices", for the advice.
         origin: what the problems' coordinates are measured from; what comes out is in the model's.
         descent: the first attempt where it is under way already.
-        surface: the design surface, about the origin. Where the net is
-            reached, the last phase moves along the nets to the one nearest to it.
-        within: how far from it the result may be, in model units. Where it is farther, another last
-            phase weighs what is beyond that.
-        nearest: of all such nets the one nearest to the surface is what was asked for.
+        aim: which of all such nets is wanted.
         repeat: parts of which few kinds are wanted, once the net is reached.
     """
 
@@ -80,9 +62,7 @@ class Optimisation:
         held: Sequence[str] = (),
         origin: LocalOrigin | None = None,
         descent: Descent | None = None,
-        surface: TriangleSurface | None = None,
-        within: float | None = None,
-        nearest: bool = False,
+        aim: last_phase.Aim | None = None,
         repeat: Repeat | None = None,
     ) -> None:
         begin = time.perf_counter()
@@ -94,12 +74,14 @@ class Optimisation:
         self.history: list[StepRecord] = []
         self.status: str | None = None
         self.attempts, self._solved, self._best = 1, 0, Best(original.tuning.worth)
-        self.surface, self.within, self.nearest = surface, within, nearest
+        self.aim = aim or last_phase.Aim()
         self._nearest: NearestNet | Repetition | None = None
         self._repeat = repeat
         self.repetition: Repeated | None = None
         self._most, self._given_up = 0, 0
-        self._evenness, self._near, self._pressed = _EVENNESS, False, False
+        self._evenness, self._near, self._pressed = last_phase.EVENNESS, False, False
+        self._hope: Candidate | None = None
+        self._neared: Candidate | None = None
         self._way = self._begin_way()
         attempt = next(self._way)
         self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
@@ -128,9 +110,7 @@ class Optimisation:
             self.held,
             self.origin,
             descent,
-            self.surface,
-            self.within,
-            self.nearest,
+            self.aim,
             self._repeat,
         )
 
@@ -221,8 +201,8 @@ class Optimisation:
             self.remarks,
             self.held,
             self.origin,
-            self.surface,
-            self.within,
+            self.aim.surface,
+            self.aim.within,
             self._given_up > 0,
             self.repetition,
         )
@@ -259,8 +239,17 @@ class Optimisation:
         good = candidate.valid if self.descent.pulled else candidate.good
         enough = good or self._solved >= self.original.tuning.enough or steps_left <= 0
         enough = enough or self._given_up >= _GIVEN_UP
-        if enough or not self._go_on(reached):
+        if not enough and self._solved == 1 and self._hopeful(candidate):
+            # Along the nets lines turn even and edges long in less time than another attempt takes.
+            self._hope = reached
+            self._begin_nearest(candidate, last_phase.EARLY)
+        elif enough or not self._go_on(reached):
             self._conclude(STALLED)
+
+    def _hopeful(self, net: Candidate) -> bool:
+        """Whether a net that is not good may become so along the nets, which is tried once."""
+        tried = self.descent.pulled or self._neared is not None or not self.aim.early
+        return not tried and net.valid and not net.flattened and self._may_go_nearer
 
     def _go_on(self, reached: Candidate) -> bool:
         """Begin the next attempt of the way; return whether there is one."""
@@ -289,9 +278,14 @@ class Optimisation:
 
     def _conclude(self, status: str) -> None:
         best = self._best.consider(self._judged())
-        if status == STALLED and best.valid and not best.gone and self._may_go_nearer:
-            self._near = self._is_near(best)
-            self._begin_nearest(best, _NEARLY if self._near else _EVENNESS)
+        # Where one came early in vain, the attempts after it led to what is good.
+        wanted = self._neared is None and (self.aim.late or self.descent.pulled)
+        sound = wanted and best.valid and not best.gone
+        if status == STALLED and sound and self._may_go_nearer:
+            rough = self.aim.nearest or self.aim.early
+            self._near = not rough and self._in_reach(best) is not None
+            evenness = last_phase.NEARLY if self._near else last_phase.EVENNESS
+            self._begin_nearest(best, evenness)
         elif best.valid:
             self._end(best, goes_on=status == STALLED)
         else:
@@ -299,11 +293,11 @@ class Optimisation:
 
     def _end(self, net: Candidate, goes_on: bool = True) -> None:
         """End with a net, or go on from it to one with few kinds of parts."""
-        self.status = self._verdict(net)
+        self.status = last_phase.verdict(net, self.aim.meant and not self.original.may_flatten)
         if self.status != CONVERGED or not goes_on or self._repeat is None:
             return
-        ground = self.surface or surface_of(self.original.mesh)
-        limits = self.tolerance, self.within
+        ground = self.aim.surface or surface_of(self.original.mesh)
+        limits = self.tolerance, self.aim.within
         phase = Repetition(net, self.original, ground, self._repeat, *limits, self.backend)
         self._nearest, self.status, self.attempts = phase, None, self.attempts + 1
         if phase.finished or len(self.history) >= self.max_steps:
@@ -315,40 +309,23 @@ class Optimisation:
         self._best.consider(repetition.judged())
         self.repetition, self.status = repetition.report(), CONVERGED
 
-    def _verdict(self, net: Candidate) -> str:
-        """Whether a net is what was asked for: where that was the nearest, no flatter one is."""
-        meant = self.surface is not None and not self.original.may_flatten
-        thick = net.thickness_start >= net.tuning.thick
-        lost = meant and thick and net.thickness < _STILL_THICK * net.thickness_start
-        return COLLAPSED if net.gone or lost else CONVERGED
-
     @property
     def _may_go_nearer(self) -> bool:
-        steps_left = self.max_steps - len(self.history)
-        if not steps_left or not self.original.free.any():
+        if len(self.history) >= self.max_steps or not self.original.free.any():
             return False
-        best = self._found()
-        pull = pull_of(best.problem)
-        if pull is None:
-            return self.surface is not None
-        before = missing(best.problem, best.problem.at(self.original.mesh)).max()
-        return bool(missing(best.problem, best.x).max() > _LOST * before)
+        return last_phase.has_a_wish(self._found(), self.original, self.aim.surface)
 
     def _begin_nearest(self, best: Candidate, evenness: float, within: float | None = None) -> None:
-        """Begin the last phase, of no more steps than there were, but for a few."""
-        start, pull = self.original.mesh, pull_of(best.problem)
-        if pull is not None:
-            wishes = drawn(best.problem, start, pull)
-        else:
-            assert self.surface is not None
-            wishes = nearness(best.problem, start, self.surface, evenness, within, self._near)
+        """Begin the last phase."""
+        asks = self.original, self.aim.surface, evenness, within, self._near
+        wishes = last_phase.wishes_of(best.problem, *asks)
         self._nearest = NearestNet(best.problem, best.x, wishes, self.backend)
         self._evenness, done = evenness, len(self.history)
         # Nobody asked for what is tried beside a surface, so that it may not take long.
-        asked = within is not None and self.within is not None
-        least = _NEAREST_STEPS if asked or self.nearest else _NEARER_STEPS
-        more = least if self._pressed and not asked else max(done, least)
-        self._most = min(self.max_steps, done + more)
+        asked = within is not None and self.aim.within is not None
+        before = done if asked or not self._pressed else 0
+        wanted, hoped = asked or self.aim.nearest, self._hope is not None
+        self._most = min(self.max_steps, done + last_phase.most_steps(before, wanted, hoped))
         self.attempts += 1
 
     def _step_nearer(self, nearest: NearestNet | Repetition) -> StepRecord:
@@ -380,37 +357,45 @@ class Optimisation:
         """
         before = self._found()
         found = judge(nearest.problem, nearest.exact(), self.tolerance, self.original)
-        creased = found.creased and not before.creased
-        smooth = not (creased or (found.uneven and not before.uneven))
-        sound = found.valid and found.kept >= _STILL_ROOMY and smooth
+        better = found.good and not before.good
+        sound = last_phase.is_sound(found, before)
         again = again and len(self.history) < self.max_steps and not self.descent.pulled
-        if again and not sound and self._evenness < _EVENER and not self._pressed:
-            self._begin_nearest(before, _EVENER)
+        once = self._pressed or self._hope is not None
+        if again and not sound and self._evenness < last_phase.EVENER and not once:
+            self._begin_nearest(before, last_phase.EVENER)
             return
         far = self._far(before)
-        if sound and found.area_ratio >= _STILL_WHOLE * before.area_ratio:
+        if sound and last_phase.is_whole(found, before):
             near = self._far(found)
-            asked = self.within is not None or not self._pressed
-            if near < far and (asked or not found.dearer_than(before)):
+            asked = self.aim.within is not None or not self._pressed
+            if better or (near < far and (asked or not found.dearer_than(before))):
                 self._best, far = Best(self.original.tuning.worth), near
                 self._best.consider(found)
-        limit = self.within
+        limit = self.aim.within
         if limit is None and self._near:
-            limit = limit_in_reach(far, self.original.mesh)
+            limit = self._in_reach(self._found())
         if again and not self._pressed and limit is not None and far > limit:
             self._pressed = True
             self._begin_nearest(self._found(), self._evenness, limit)
-        else:
+        elif not (again and self._resumes()):
             self._end(self._found(), goes_on=again)
 
-    def _is_near(self, net: Candidate) -> bool:
-        """Whether a net is so near to its surface that little is left for the last phase to do."""
-        if self.surface is None or self.nearest or self.descent.pulled:
+    def _resumes(self) -> bool:
+        """Take up the way again where a last phase that came early led to no good net."""
+        hope, self._hope, self._neared = self._hope, None, self._found()
+        if hope is None or last_phase.is_enough(self._neared) or not self._go_on(hope):
             return False
-        return limit_in_reach(self._far(net), self.original.mesh) is not None
+        self._nearest = None
+        return True
+
+    def _in_reach(self, net: Candidate) -> float | None:
+        """How near a net may come that is nearly on its surface already."""
+        return last_phase.in_reach(net, self._ground, self.original)
 
     def _far(self, net: Candidate) -> float:
         """What the last phase lowers: the largest distance of handles, else from the surface."""
-        if self.descent.pulled or self.surface is None:
-            return float(missing(net.problem, net.x).max(initial=0.0))
-        return float(off_surface(net.mesh, self.surface).max())
+        return last_phase.far_off(net, self._ground)
+
+    @property
+    def _ground(self) -> TriangleSurface | None:
+        return None if self.descent.pulled else self.aim.surface

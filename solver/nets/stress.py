@@ -147,6 +147,7 @@ NETS = (
                 Easier("orthogonal"),
             ),
             guarded=True,
+            early=True,
         ),
     ),
 )

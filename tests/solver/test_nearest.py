@@ -204,7 +204,7 @@ def test_a_last_phase_that_is_stopped_is_not_tried_again(start, surface, monkeyp
     while run.attempts == 1:
         run.step()
     # No result of the last phase is roomy enough, so that each would be tried again.
-    monkeypatch.setattr("solver.run._STILL_ROOMY", 10.0)
+    monkeypatch.setattr("solver.last_phase._STILL_ROOMY", 10.0)
     run.step()
     run.stop()
     assert run.finished and run.outcome().report.status == CONVERGED

@@ -1,0 +1,145 @@
+"""What the last phase of an optimisation lowers, how long it goes on, and what it has to keep."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from solver.analysis.form import off_surface
+from solver.candidate import Candidate
+from solver.mesh.closest import TriangleSurface
+from solver.nearest import Wish, drawn, limit_in_reach, missing, nearness, pull_of
+from solver.problem import Problem
+from solver.report import COLLAPSED, CONVERGED
+
+# Weight of lines that bend evenly in the last phase, in another where they zigzag then, and where
+# the net is nearly on the surface already; in one that comes early because lines zigzag.
+EVENNESS, EVENER, NEARLY, EARLY = 0.04, 1.0, 0.07, 0.1
+# The last phase takes as many steps as there were before it, and so many where those were fewer:
+# more of them where to be near is what was asked for.
+_NEARER_STEPS, _NEAREST_STEPS = 24, 60
+# One that comes early takes at least so many.
+_EARLY_STEPS = 40
+# One that comes early makes other attempts needless where it kept this part of the area.
+_ALIKE = 0.95
+# A net that is nearer but has less than this part of the area is less of what was drawn.
+_STILL_WHOLE = 0.85
+# Nor is one that is flatter than this part of its thickness, where the start itself was meant.
+_STILL_THICK = 0.5
+# Its edges are pushed back near the shortest, and give way where the surface asks for it.
+_STILL_ROOMY = 0.4
+# Handles that lack more than this part of their way were lost, and are pulled along the nets:
+# others are near where they were dragged, and the mesh is not to jump when they are let go.
+_LOST = 0.5
+
+
+@dataclass(frozen=True)
+class Aim:
+    """Which of all the nets that there are is wanted.
+
+    Attributes:
+        surface: the design surface, about the origin. Where the net is reached, the last phase
+            moves along the nets to the one nearest to it.
+        within: how far from it the result may be, in model units. Where it is farther, another last
+            phase weighs what is beyond that.
+        nearest: of all such nets the one nearest to the surface is what was asked for.
+        early: a net that is not good is first led on by the last phase, then by other attempts.
+        late: a good net is led on too, as one near to the surface is wanted.
+    """
+
+    surface: TriangleSurface | None = None
+    within: float | None = None
+    nearest: bool = False
+    early: bool = False
+    late: bool = True
+
+    @property
+    def meant(self) -> bool:
+        """Whether it is the surface that is wanted, so that no flatter net will do."""
+        return self.surface is not None and self.late
+
+
+def wishes_of(
+    problem: Problem,
+    original: Problem,
+    surface: TriangleSurface | None,
+    evenness: float,
+    within: float | None,
+    near: bool,
+) -> list[Wish]:
+    """Handles at their goals where there are any, else the surface.
+
+    Args:
+        problem: of the net from which the last phase sets out.
+        original: as posed from the start.
+        surface: the design surface, about the origin.
+        evenness: weight of lines that bend evenly.
+        within: distance from the surface from which on it weighs more.
+        near: the net nearly is on the surface.
+    """
+    pull = pull_of(problem)
+    if pull is not None:
+        return drawn(problem, original.mesh, pull)
+    assert surface is not None
+    return nearness(problem, original.mesh, surface, evenness, within, near)
+
+
+def has_a_wish(net: Candidate, original: Problem, surface: TriangleSurface | None) -> bool:
+    """Whether there is a surface to come near to, or handles that were lost on the way."""
+    problem = net.problem
+    if pull_of(problem) is None:
+        return surface is not None
+    before = missing(problem, problem.at(original.mesh)).max()
+    return bool(missing(problem, net.x).max() > _LOST * before)
+
+
+def far_off(net: Candidate, surface: TriangleSurface | None) -> float:
+    """What it lowers: the largest distance from the surface, without one that of handles."""
+    if surface is None:
+        return float(missing(net.problem, net.x).max(initial=0.0))
+    return float(off_surface(net.mesh, surface).max())
+
+
+def in_reach(net: Candidate, surface: TriangleSurface | None, original: Problem) -> float | None:
+    """How near a net may come that is nearly on the surface; None where it is not."""
+    return None if surface is None else limit_in_reach(far_off(net, surface), original.mesh)
+
+
+def is_sound(found: Candidate, before: Candidate) -> bool:
+    """Whether it kept what made the net before it good."""
+    creased = found.creased and not before.creased
+    uneven = found.uneven and not before.uneven
+    return found.valid and found.kept >= _STILL_ROOMY and not creased and not uneven
+
+
+def is_whole(found: Candidate, before: Candidate) -> bool:
+    """Whether it kept the area of the net before it."""
+    return found.area_ratio >= _STILL_WHOLE * before.area_ratio
+
+
+def is_enough(found: Candidate) -> bool:
+    """Whether other attempts are needless after a last phase that came early."""
+    return found.good and _ALIKE <= found.area_ratio <= 1 / _ALIKE
+
+
+def verdict(net: Candidate, meant: bool) -> str:
+    """Whether a net is what was asked for.
+
+    Args:
+        net: that was reached.
+        meant: no flatter one than the start was asked for.
+    """
+    thick = net.thickness_start >= net.tuning.thick
+    lost = meant and thick and net.thickness < _STILL_THICK * net.thickness_start
+    return COLLAPSED if net.gone or lost else CONVERGED
+
+
+def most_steps(done: int, wanted: bool, hoped: bool) -> int:
+    """How many steps it takes.
+
+    Args:
+        done: steps before it.
+        wanted: to be near is what was asked for.
+        hoped: it comes early.
+    """
+    least = _EARLY_STEPS if hoped else _NEAREST_STEPS if wanted else _NEARER_STEPS
+    return max(done, least)
