@@ -302,8 +302,8 @@ def test_size_that_no_chosen_system_has_is_refused(mesh_file, tmp_path, capsys):
     words = ["fabricate", str(mesh_file), "--system", "panels", "-o", str(tmp_path / "files")]
     assert main([*words, "--height", "60", "--gap", "12"]) == 2
     refusal = (
-        "error: height: panels has no such size, it is of edge-beam, beams, nodes, feet; "
-        "leave it out"
+        "error: height: panels has no such size, it is of edge-beam, beams, nodes, arches, "
+        "feet; leave it out"
     )
     assert one_line(capsys) == refusal
     assert not (tmp_path / "files").exists()

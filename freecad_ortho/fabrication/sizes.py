@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable
+from dataclasses import fields
+from typing import TYPE_CHECKING
 
 from solver.errors import InputError
 from solver.option import POSITIVE, Option
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
 
 OFFSETS = ("above", "centre", "below")
 # Below it, mm, the CAD kernel takes the corners of a plate for one point.
@@ -42,11 +47,11 @@ def check_size(name: str, value: float) -> None:
         )
 
 
-def check_options(settings: object, options: Iterable[Option], **names: str) -> None:
+def check_options(settings: DataclassInstance, options: Iterable[Option], **names: str) -> None:
     """Refuse settings that their options do not allow.
 
     Args:
-        settings: a dataclass.
+        settings: a dataclass; None is allowed where it is a field's default.
         options: any; those that no field holds are left out.
         names: of options by fields that are called otherwise.
 
@@ -54,12 +59,16 @@ def check_options(settings: object, options: Iterable[Option], **names: str) -> 
         InputError: naming the option.
     """
     by_name = {option.name: option for option in options}
-    for name, value in vars(settings).items():
-        option = by_name.get(names.get(name, name))
-        if option is not None and value is not None:
-            option.check(value)
-            if option.kind == "length" and option.range is POSITIVE:
-                check_size(option.words_of_name, value)
+    for field in fields(settings):
+        option, value = (
+            by_name.get(names.get(field.name, field.name)),
+            getattr(settings, field.name),
+        )
+        if option is None or (value is None and field.default is None):
+            continue
+        option.check(value)
+        if option.kind == "length" and option.range is POSITIVE:
+            check_size(option.words_of_name, value)
 
 
 def one_of(name: str, word: str, words: Collection[str]) -> None:

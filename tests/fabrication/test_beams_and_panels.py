@@ -208,8 +208,8 @@ def test_masses_follow_the_density(roof):
 @pytest.mark.parametrize(
     ("name", "make"),
     [
-        ("beam height", lambda value: Beams(value, 12)),
-        ("beam thickness", lambda value: Beams(200, value)),
+        ("height", lambda value: Beams(value, 12)),
+        ("thickness", lambda value: Beams(200, value)),
         ("panel thickness", lambda value: Panels(value, 10)),
         ("gap", lambda value: Panels(12, value)),
     ],

@@ -177,7 +177,7 @@ def test_bolts_that_cannot_be_reached_are_said_in_the_verdict(dodecahedron):
             {"height": 60},
             r"has .* mm of height for bolts, one of M16 takes 43.2 mm; take bolts of M12",
         ),
-        ({"bolts": 3}, "bolts: expected 1 or 2 of an end plate, got 3"),
+        ({"bolts": 3}, "bolts: expected a whole number, 1 to 2, got 3"),
         ({"bolt": "M17"}, "bolt: expected M12, .* or M30, got 'M17'"),
         ({"hub_wall": 80.5, "hub_diameter": 300}, "hub wall: of M16x100 a wall of 80.5 mm"),
         ({"hub_diameter": 50}, "hub diameter: 50 mm leave no room for a bolt M16"),

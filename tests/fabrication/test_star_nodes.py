@@ -141,7 +141,7 @@ def test_beams_too_short_for_their_cover_plates_are_refused(roof):
         ({"hub_diameter": 100}, "hub: at N.* degrees, where the cover plates of a star of 100 mm"),
         ({"height": 90}, "bolts: the lowest web is .* 2 of M16 take 83.6 mm"),
         ({"section": "tube:100x60x5"}, "ends: cover plates join webs of plates, got section tube"),
-        ({"bolts": 0}, "bolts: expected 1 or 2 above each other, got 0"),
+        ({"bolts": 0}, "bolts: expected a whole number, 1 to 2, got 0"),
         ({"thickness": 100}, "bolt: M16 through 200 mm would be .* take thinner plates"),
     ],
 )

@@ -97,7 +97,7 @@ def crossing(
     if sine < np.sin(np.radians(_LEAST)):
         raise InputError(
             f"arches: the planes of {pair} meet at {np.degrees(np.arcsin(sine)):.0f} degrees, "
-            f"plates with slots need {_LEAST:g}; take one family (--family u)"
+            f"plates with slots need {_LEAST:g}; take lines of one family"
         )
     along = meeting / sine * (1.0 if meeting @ (mine.up + its.up) >= 0 else -1.0)
     half = (thickness + clearance + thickness * abs(cosine)) / 2 / sine
@@ -252,7 +252,7 @@ def _refuse_flat_slots(plane: LinePlane, line: FloatArray, slots: Mapping[int, _
             raise InputError(
                 f"arches: at vertex {vertex} the slot in line {plane.line.number} of "
                 f"{plane.line.family} would run along the plate, as the planes lean together; "
-                "take one family (--family u)"
+                "take lines of one family"
             )
 
 

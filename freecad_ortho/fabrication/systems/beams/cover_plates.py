@@ -53,8 +53,6 @@ class CoverPlates:
     diameter: float | None = None
 
     def __post_init__(self) -> None:
-        if self.count not in (1, 2):
-            raise InputError(f"bolts: expected 1 or 2 above each other, got {self.count}")
         if self.diameter is not None:
             check_size("hub diameter", self.diameter)
         needed = 2 * self.bolt.edge + (self.count - 1) * self.bolt.spacing

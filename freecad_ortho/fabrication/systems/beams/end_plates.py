@@ -50,8 +50,6 @@ class EndPlates:
     own_wall: float | None = None
 
     def __post_init__(self) -> None:
-        if self.count not in (1, 2):
-            raise InputError(f"bolts: expected 1 or 2 of an end plate, got {self.count}")
         if self.own_wall is not None:
             check_size("hub wall", self.own_wall)
         if self.thread < self.bolt.thread:

@@ -89,7 +89,8 @@ class Patches(System):
     )
 
     def __post_init__(self) -> None:
-        check_options(self, self.options)
+        # Those of the sheet are checked where the room on it is worked out.
+        check_options(self, set(self.options).difference(SHEET_OPTIONS))
         _ = self._room
 
     @property
