@@ -22,6 +22,7 @@ from freecad_ortho.fabrication.systems.panels.layers import Layered, layers_tabl
 from freecad_ortho.fabrication.systems.panels.slivers import Pieces, join_slivers
 from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, trimmed, trimmed_pattern
 from freecad_ortho.fabrication.systems.system import Table
+from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -56,6 +57,7 @@ def panel_parts(
     least_width: float = 0.0,
     join: bool = False,
     formed: ColdBent | Fold | None = None,
+    loose: BoolArray | None = None,
 ) -> PanelParts:
     """Return one part a face, or what the border leaves of it.
 
@@ -69,12 +71,18 @@ def panel_parts(
         formed: the faces where panels are bent into them, or how edges are folded. Bent ones with
             other than four corners, or whose layers stand back, are drawn flat; those too small
             for folds stay so.
+        loose: (F,) faces with fewer than two beams under their panel: there pieces count as narrow
+            up to twice the width.
 
     Raises:
         InputError: layers that are set back too far.
     """
     faces = site.mesh.faces
-    plates, pieces = _plates(site, geometry, thickness, least_width, join)
+    least = np.full(len(faces), least_width)
+    if loose is not None:
+        # What little of it the border leaves would lie on nothing.
+        least[loose] *= 2
+    plates, pieces = _plates(site, geometry, thickness, least, join)
     names = part_names("P", len(faces))
     left_out = {name: piece for name, (_, piece) in pieces.narrow.items()}
     joined = {name: (names[face], above) for name, (face, above) in pieces.joined.items()}
@@ -111,9 +119,9 @@ class _Plate(NamedTuple):
 
 
 def _plates(
-    site: Site, geometry: PanelGeometry, thickness: float, least_width: float, join: bool
+    site: Site, geometry: PanelGeometry, thickness: float, least_width: FloatArray, join: bool
 ) -> tuple[list[_Plate], Pieces]:
-    """The panels, and the pieces of panels of which some are none."""
+    """The panels, and the pieces of panels narrower than the least of their face (F,)."""
     names = part_names("P", len(site.mesh.faces))
     rings = [
         geometry.corners.trimmed(ring)
@@ -122,7 +130,7 @@ def _plates(
     whole = np.ones(len(names), dtype=bool) if site.trimming is None else site.trimming.whole
     pieces = Pieces(whole, {}, {})
     for face, some in _at_the_border(site, geometry, rings).items():
-        pieces.wide[face] = [piece for piece in some if piece.width >= least_width]
+        pieces.wide[face] = [piece for piece in some if piece.width >= least_width[face]]
         for number in range(len(pieces.wide[face]), len(some)):
             pieces.narrow[piece_name(names[face], number)] = face, some[number]
     across = neighbours(site.mesh.connectivity)

@@ -267,7 +267,9 @@ class Panels(System):
             measures = cold.measured(measures, site.material, self.thickness)
         join = self.slivers == "join" and self.edge == "square"
         formed = cold if self.folding is None else self.folding
-        laid = panel_parts(site, geometry, self.thickness, measures, self.least_width, join, formed)
+        loose = None if edge_beam is None or least is None else least <= 0
+        sizes = self.thickness, measures, self.least_width
+        laid = panel_parts(site, geometry, *sizes, join, formed, loose)
         parts, doubts = laid.parts, list[str]()
         made = ~whole
         made[[part.face for part in parts if part.face is not None]] = True
@@ -350,9 +352,10 @@ class Panels(System):
     ) -> tuple[dict[str, Any], list[str]]:
         """What a report, and what messages say of panels at the border."""
         report = trimming_report(laid.parts, trimming, laid.left_out, laid.joined)
-        words = joined_words(laid.joined, self.least_width)
+        loose = ", twice that with fewer than two beams below" if edge_beam else ""
+        words = joined_words(laid.joined, self.least_width, loose)
         areas = {name: piece.area for name, piece in laid.left_out.items()}
-        words += left_out_words(self.name, areas, self.least_width)
+        words += left_out_words(self.name, areas, self.least_width, loose)
         if least is not None:
             at_border = np.isin(np.arange(len(made)), list(trimming.regions))
             words += uncarried_words(least[made & at_border], edge_beam)

@@ -191,7 +191,9 @@ def trimming_report(
     }
 
 
-def joined_words(joined: Mapping[str, tuple[str, float]], least_width: float) -> list[str]:
+def joined_words(
+    joined: Mapping[str, tuple[str, float]], least_width: float, loose: str = ""
+) -> list[str]:
     """A message where slivers are part of their neighbours, with how far these stand off."""
     if not joined:
         return []
@@ -199,8 +201,8 @@ def joined_words(joined: Mapping[str, tuple[str, float]], least_width: float) ->
     shown = ", ".join(pairs[:_SHOWN]) + (" ..." if len(pairs) > _SHOWN else "")
     above = max(above for _, above in joined.values())
     return [
-        f"panels: {len(pairs)} at the border narrower than {least_width:g} mm are part of their "
-        f"neighbours, which stand up to {above:.2g} mm above the net there: {shown}"
+        f"panels: {len(pairs)} at the border narrower than {least_width:g} mm{loose} are part of "
+        f"their neighbours, which stand up to {above:.2g} mm above the net there: {shown}"
     ]
 
 
