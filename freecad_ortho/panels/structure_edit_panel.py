@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from freecad_ortho.documents import structures
 from freecad_ortho.objects import structure as structure_object
@@ -13,8 +13,18 @@ from freecad_ortho.panels.fields import shortened
 from freecad_ortho.panels.structure_panel import StructurePanel
 from freecad_ortho.window import context, messages
 
-# Room beside the words of a button, in pixels.
-_BESIDE_WORDS = 14
+# Buttons without pictures, and with little room beside their words.
+_NARROW = (
+    "QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }"
+    "QPushButton { min-width: 0px; padding: 4px 7px; }"
+)
+
+
+def _narrow_buttons() -> None:
+    """Make three buttons no wider than a panel is with two."""
+    for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
+        if box.isVisible():
+            box.setStyleSheet(_NARROW)
 
 
 class StructureEditPanel(StructurePanel):
@@ -27,6 +37,8 @@ class StructureEditPanel(StructurePanel):
         super().__init__(edited.Net, system, shortened(edited.Label), edited)
         # Others may close the panel too, without asking.
         self.form.destroyed.connect(lambda *_: self._take_back())
+        # FreeCAD's own modifyStandardButtons leaves Python with boxes that Qt has deleted.
+        QtCore.QTimer.singleShot(0, _narrow_buttons)
 
     @property
     def edited(self) -> FreeCAD.DocumentObject | None:
@@ -39,13 +51,6 @@ class StructureEditPanel(StructurePanel):
         """Apply beside the usual two."""
         box = QtGui.QDialogButtonBox
         return number(box.Ok) | number(box.Apply) | number(box.Cancel)
-
-    def modifyStandardButtons(self, box: QtGui.QDialogButtonBox) -> None:
-        """Make three buttons no wider than the panel was with two; FreeCAD calls this."""
-        for button in box.buttons():
-            button.setIcon(QtGui.QIcon())
-            words = button.fontMetrics().boundingRect(button.text()).width()
-            button.setMaximumWidth(words + _BESIDE_WORDS)
 
     def clicked(self, button: int) -> None:
         """Apply; FreeCAD calls this for every button."""
