@@ -28,8 +28,6 @@ from solver.offset.offset_mesh import offset_mesh
 from solver.unroll.patch import flattened
 
 if TYPE_CHECKING:
-    # Of the standard library from Python 3.11 on.
-
     from freecad_ortho.documents import (
         add_arches,
         add_beams,

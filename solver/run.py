@@ -225,7 +225,7 @@ class Optimisation:
             self._conclude(STOPPED)
 
     def _end_attempt(self, steps_left: int) -> None:
-        """Weigh what an attempt reached, and go on along the way unless that is enough."""
+        """Weigh what an attempt reached; from what folded or creased the way goes on elsewhere."""
         attempt, x = self.descent.attempt, self.descent.point.x
         reached = judge(attempt.problem, x, self.tolerance, self.original)
         if attempt.leads_on(reached) and steps_left > 0:

@@ -1,4 +1,7 @@
-"""The commands that build on a net: one a system of fabrication."""
+"""The commands that build on a net: one a system of fabrication.
+
+The OK of their panel runs ``add_structure`` with what differs from the defaults.
+"""
 
 from __future__ import annotations
 

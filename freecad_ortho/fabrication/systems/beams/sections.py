@@ -17,7 +17,7 @@ from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
-# Sections with sizes of their own; all others are those of the catalogue.
+# Sections with sizes of their own; all others are those of ``fabrication/profiles/catalogue.py``.
 SECTIONS = ("plate", "hollow", "I", "T")
 
 
