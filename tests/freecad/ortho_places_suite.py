@@ -145,8 +145,10 @@ class TestFar(PlaceCase):
             chosen.SetBool("UseLinkGroup", FreeCAD.Version()[0] != "0")
             self.addCleanup(chosen.RemBool, "UseLinkGroup")
         Import.open(str(tools.SCRATCH / "files" / "structure.step"))
-        parts = [thing for thing in FreeCAD.ActiveDocument.Objects if hasattr(thing, "Shape")]
-        found = {part.Label: tuple(part.Shape.CenterOfMass) for part in parts}
+        things = [thing for thing in FreeCAD.ActiveDocument.Objects if hasattr(thing, "Shape")]
+        # FreeCAD 1.0 says the group's own shape too, which has no centre of mass.
+        solids = [thing for thing in things if thing.Shape.ShapeType == "Solid"]
+        found = {part.Label: tuple(part.Shape.CenterOfMass) for part in solids}
         self.assertSamePlaces(found, expected)
 
     def test_kept_coordinates_in_files_and_far_nets_baked(self):
