@@ -5782,7 +5782,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>one for all parts</source>
-   <translation>un pour toutes les pièces</translation>
+   <translation>un pour toutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
