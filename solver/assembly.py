@@ -55,22 +55,27 @@ class NormalEquations:
         self._constant: dict[int, FloatArray] = {}
         # Kept: memory that is new costs more than what is written into it.
         self._entries = np.empty(len(self.sparsity.indices))
-        self._products = np.empty(max((len(group.scatter) for group in self._groups), default=0))
+        self._products = np.empty(sum(len(group.scatter) for group in self._groups))
+        self._together: dict[tuple[tuple[int, ...], ...], IntArray] = {}
 
     def matrix(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
         """(nnz,) lower triangle of the sum of ``weight * J^T J``."""
-        data = np.zeros(len(self.sparsity.indices))
+        constants, moved = [], []
         for group in self._groups:
             used = tuple(k for k in group.members if weights[k] > 0)
             moving = tuple(k for k in used if not self.terms[k].linear)
             if moving:
                 parts = [_weighted(linearisations[k].jacobian, weights[k]) for k in moving]
-                jacobian = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
-                data += self._scattered(group, jacobian)
+                moved.append(
+                    (group, parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1))
+                )
             for k in used:
                 if self.terms[k].linear:
                     constant = self._constant_part(group, k, linearisations[k].jacobian)
-                    data += np.multiply(constant, weights[k], out=self._entries)
+                    constants.append((constant, weights[k]))
+        data = self._scattered(moved)
+        for constant, weight in constants:
+            data += np.multiply(constant, weight, out=self._entries)
         return data
 
     def gradient(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
@@ -89,20 +94,33 @@ class NormalEquations:
 
     def _constant_part(self, group: _Group, k: int, jacobian: FloatArray) -> FloatArray:
         if k not in self._constant:
-            self._constant[k] = self._scattered(group, jacobian)
+            self._constant[k] = self._scattered([(group, jacobian)])
         return self._constant[k]
 
-    def _scattered(self, group: _Group, jacobian: FloatArray) -> FloatArray:
-        count, _, width = jacobian.shape
-        pairs = width * (width + 1) // 2
-        blocks = self._products[: pairs * count].reshape(pairs, count)
-        for begin in range(0, count, _CHUNK):
-            chunk = slice(begin, begin + _CHUNK)
-            columns = np.ascontiguousarray(jacobian[chunk].transpose(1, 2, 0))
-            _multiply_columns(columns, blocks[:, chunk])
-        entries = len(self.sparsity.indices)
-        sums = np.bincount(group.scatter, blocks.ravel(), minlength=entries + 1)
+    def _scattered(self, parts: Sequence[tuple[_Group, FloatArray]]) -> FloatArray:
+        """(nnz,) the sum of J^T J over the elements of groups, in one go for all of them."""
+        end, entries = 0, len(self.sparsity.indices)
+        for group, jacobian in parts:
+            begin, end = end, end + len(group.scatter)
+            count, _, width = jacobian.shape
+            blocks = self._products[begin:end].reshape(width * (width + 1) // 2, count)
+            for first in range(0, count, _CHUNK):
+                chunk = slice(first, first + _CHUNK)
+                columns = np.ascontiguousarray(jacobian[chunk].transpose(1, 2, 0))
+                _multiply_columns(columns, blocks[:, chunk])
+        scatter = self._scatter(tuple(group.members for group, _ in parts))
+        sums = np.bincount(scatter, self._products[:end], minlength=entries + 1)
         return sums[:entries].astype(np.float64, copy=False)
+
+    def _scatter(self, groups: tuple[tuple[int, ...], ...]) -> IntArray:
+        """Where the products of groups, named by their members, are summed up."""
+        if groups not in self._together:
+            chosen = [group.scatter for group in self._groups if group.members in groups]
+            none = np.empty(0, dtype=np.intp)
+            self._together[groups] = (
+                chosen[0] if len(chosen) == 1 else np.concatenate([none, *chosen])
+            )
+        return self._together[groups]
 
 
 def _multiply_columns(columns: FloatArray, products: FloatArray) -> None:
