@@ -278,8 +278,8 @@ class Optimisation:
 
     def _conclude(self, status: str) -> None:
         best = self._best.consider(self._judged())
-        # Where one came early in vain, the attempts after it led to what is good.
-        wanted = self._neared is None and (self.aim.late or self.descent.pulled)
+        # What came of a last phase already is not led on by another.
+        wanted = best is not self._neared and (self.aim.late or self.descent.pulled)
         sound = wanted and best.valid and not best.gone
         if status == STALLED and sound and self._may_go_nearer:
             rough = self.aim.nearest or self.aim.early
