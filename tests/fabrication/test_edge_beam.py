@@ -24,6 +24,7 @@ SECTIONS = {
     "rolled": EdgeBeam("HEB160", rounded=True),
     "channel": EdgeBeam("UPE160"),
     "timber": EdgeBeam("GL24h:100x240"),
+    "strip": EdgeBeam("strip", width=8),
 }
 
 
@@ -83,7 +84,9 @@ def test_solids_are_closed_and_as_large_as_their_formula(roof, border, section):
         if part.pattern is not None:
             assert shapely.Polygon(part.pattern.outline).is_valid
             assert part.pattern.outline.min(axis=0) == pytest.approx([0, 0])
-            assert part.volume == pytest.approx(part.area * part.thickness)
+            # Where strips are bent, what stands out beyond the lower one of two plates is cut off.
+            near = 1e-3 if section == "strip" else 1e-6
+            assert part.volume == pytest.approx(part.area * part.thickness, rel=near)
     assert check_clashes(pieces).clashes == ()
 
 
@@ -115,7 +118,9 @@ JOINED = {
 @pytest.mark.parametrize("systems", JOINED)
 @pytest.mark.parametrize("trims", [True, False], ids=["trimmed", "whole"])
 def test_what_ends_at_it_or_lies_on_it_does_not_clash(roof, border, systems, trims):
-    edge_beam = SECTIONS[{"tubes": "tube", "rolled": "rolled"}.get(systems, "plate")]
+    edge_beam = SECTIONS[
+        {"tubes": "tube", "rolled": "rolled", "lapped": "strip"}.get(systems, "plate")
+    ]
     made = build(roof, [edge_beam, *JOINED[systems]], border=border if trims else ())
     assert check_clashes(made.parts).clashes == ()
 
@@ -196,6 +201,52 @@ def test_unknown_sections_are_refused(name, words):
         EdgeBeam(name)
 
 
+def test_a_strip_round_a_circle_is_bent_and_unrolls_straight(sheet):
+    structure = build(sheet, [EdgeBeam("strip", width=8)], border=[ROUND])
+    pieces, report = pieces_of(structure), structure.results["edge-beam"].report
+    rim = structure.results["edge-beam"].geometry.length.sum()
+    # As few strips of 6 m as go round, in equal shares.
+    assert [part.name for part in pieces] == ["E1-001", "E1-002", "E1-003"]
+    assert sum(part.length for part in pieces) == pytest.approx(rim)
+    assert [part.width for part in pieces] == pytest.approx([200] * 3)
+    inside = [bend.angle_deg for part in pieces for bend in part.pattern.bends]
+    between = [row[4] for row in structure.results["edge-beam"].tables[0].rows]
+    assert report["bends_in_strips"] == len(inside) == report["pieces"] - 3
+    # All to one side, the inner one of a way that turns to the left.
+    assert max(inside) < 0
+    assert sum(between) - sum(inside) == pytest.approx(360)
+
+
+def test_strips_are_plane_between_bends_and_unroll_without_stretch(roof, border):
+    structure = build(roof, [EdgeBeam("strip", width=8)], border=border)
+    geometry = structure.results["edge-beam"].geometry
+    runs, rulings = geometry.strips.runs, geometry.strips.rulings
+    assert sorted(np.concatenate(runs).tolist()) == list(range(len(geometry.length)))
+    along = geometry.frame[:, 0]
+    volume = np.linalg.det(np.stack([rulings[:, 0], rulings[:, 1], along], axis=1))
+    assert np.abs(volume).max() < 1e-11
+    assert np.abs(np.einsum("nek,nk->ne", rulings, along)).max() <= 0.5
+    for run, part in zip(runs, pieces_of(structure), strict=True):
+        assert np.array_equal(rulings[run[:-1], 1], rulings[run[1:], 0])
+        bends = np.array([bend.points for bend in part.pattern.bends])
+        if len(bends) < len(run) - 1:
+            continue
+        # Both ends of its bend lines, in place.
+        tops = geometry.start[run[1:]]
+        longs = np.linalg.norm(bends[:, 1] - bends[:, 0], axis=1)
+        feet = tops - longs[:, None] * rulings[run[1:], 0]
+        for flat, placed in ((bends[:, 1], tops), (bends[:, 0], feet)):
+            steps = [np.linalg.norm(np.diff(points, axis=0), axis=1) for points in (flat, placed)]
+            assert steps[0] == pytest.approx(steps[1], abs=1e-6)
+
+
+def test_strips_are_no_longer_than_the_stock(roof, sheet):
+    pieces = pieces_of(build(roof, [EdgeBeam("strip", width=8, stock=3000)]))
+    assert max(part.length for part in pieces) <= 3000
+    with pytest.raises(InputError, match=r"stock: 3000 mm .* take 6000 mm or more"):
+        build(sheet, [EdgeBeam("strip", stock=3000)])
+
+
 def test_hubs_leave_room_for_it(roof):
     structure = build(roof, [EdgeBeam(), *JOINED["hubs"]])
     rim = roof.connectivity.boundary_vertices
@@ -239,6 +290,15 @@ def test_an_opening_too_small_for_it_is_said(sheet):
 def test_sizes_that_make_no_section_are_refused(values, words):
     with pytest.raises(InputError, match=words):
         systems_of("edge-beam", values)
+
+
+def test_files_of_strips_list_their_bends(sheet, tmp_path):
+    structure = build(sheet, [EdgeBeam("strip", width=8)], border=[ROUND])
+    write(structure, tmp_path)
+    with (tmp_path / "bends.csv").open(newline="") as lines:
+        rows = list(csv.DictReader(lines))
+    assert len(rows) == structure.results["edge-beam"].report["bends_in_strips"]
+    assert {row["part"] for row in rows} == {"E1-001", "E1-002", "E1-003"}
 
 
 def test_its_files_list_length_and_bends(roof, border, tmp_path):

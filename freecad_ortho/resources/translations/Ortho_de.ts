@@ -6161,6 +6161,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>strip</source>
+   <translation>Streifen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>strips are cut from this length; longer ones are spliced</source>
    <translation>Streifen werden aus dieser Länge geschnitten; längere werden gestoßen</translation>
   </message>

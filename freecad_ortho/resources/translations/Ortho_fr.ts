@@ -6161,6 +6161,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>strip</source>
+   <translation>bande</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>strips are cut from this length; longer ones are spliced</source>
    <translation>les bandes sont coupées dans cette longueur ; les plus longues sont éclissées</translation>
   </message>

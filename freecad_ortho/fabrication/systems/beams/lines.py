@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_ortho.fabrication.folded import Chain, Slot
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
-from freecad_ortho.fabrication.systems.beams.folded import Chain, Slot
 from freecad_ortho.fabrication.systems.beams.frames import Around
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from solver.errors import InputError

@@ -10,6 +10,7 @@ from freecad_ortho.fabrication.assembly import SlotWay, judged, lean
 from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import Polyhedron
 from freecad_ortho.fabrication.drilled import drilled
+from freecad_ortho.fabrication.folded import Chain, FoldedPlate, folded_plate
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.pattern import (
     Bend,
@@ -22,7 +23,6 @@ from freecad_ortho.fabrication.pattern import (
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
-from freecad_ortho.fabrication.systems.beams.folded import Chain, FoldedPlate, folded_plate
 from freecad_ortho.fabrication.systems.beams.geometry import LEFT_SIDE, RIGHT_SIDE, BeamGeometry
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection

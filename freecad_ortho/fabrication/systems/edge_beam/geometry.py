@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.edge_beam.path import Path
+from freecad_ortho.fabrication.systems.edge_beam.rulings import Pieces, Strips, strips_of
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -47,6 +49,7 @@ class EdgeGeometry:
         drop: (N,) how far the upper side lies below the level, mm, at most.
         carries: (F,) how many sides of each face's panel lie on it.
         bearing: (F,) least width that a panel that ends on the way lies on it, inf for none.
+        strips: those that the pieces are bent from, None for other sections.
     """
 
     start: FloatArray
@@ -63,6 +66,7 @@ class EdgeGeometry:
     drop: FloatArray
     carries: IntArray
     bearing: FloatArray
+    strips: Strips | None = None
 
     def section(self, profile: FloatArray) -> FloatArray:
         """(N, 2, K, 3) corners of a profile (K, 2), up and to the right, at the ends of pieces."""
@@ -179,6 +183,7 @@ def edge_geometry(
     height: float,
     top: float,
     clearance: float,
+    stock: float | None = None,
 ) -> EdgeGeometry:
     """Lay pieces along ways, from joint to joint, as low as no face of the net is cut by them.
 
@@ -189,36 +194,32 @@ def edge_geometry(
         height: of the section, mm.
         top: level of its upper side along the axes, mm.
         clearance: that others keep, mm.
+        stock: greatest length of strips that the pieces are bent from, mm; None for no strips.
 
     Raises:
-        InputError: a width that does not fit a piece between its mitres.
+        InputError: a width that does not fit a piece between its mitres, or too short a stock.
     """
     raised = site.mesh.with_vertices(site.mesh.vertices + top * site.axes.offsets)
     levels = _Levels(raised.vertices[raised.faces].mean(axis=1), raised.face_normals)
-    rows = [_laid(path, joints, width / 2, top, levels) for path, joints in ways]
-    ahead = np.cumsum([0, *(len(joints) for _, joints in ways)])
-    count = int(ahead[-1])
-    behind, before = np.empty((2, count), dtype=np.int64)
-    for first, last in zip(ahead[:-1].tolist(), ahead[1:].tolist(), strict=True):
-        numbers = np.arange(first, last)
-        behind[numbers], before[numbers] = np.roll(numbers, -1), np.roll(numbers, 1)
-    start, end, up, drop = (np.concatenate(some) for some in zip(*rows, strict=True))
-    length = np.linalg.norm(end - start, axis=1)
-    along = (end - start) / length[:, None]
-    up = unit_rows(up - np.einsum("nk,nk->n", up, along)[:, None] * along)
-    frame = np.stack([along, up, np.cross(along, up)], axis=1)
-    bisectors = np.stack([along[before] + along, along + along[behind]], axis=1)
+    pieces, drop = _pieces(ways, width / 2, top, levels)
+    strips = None
+    if stock is not None:
+        # Strips lean: what of them stands highest is known once they are.
+        leaning = _frames(pieces, strips_of(pieces, height, stock))[:, 2]
+        pieces, drop = _pieces(ways, width / 2, top, levels, leaning)
+        strips = strips_of(pieces, height, stock)
+    frame = _frames(pieces, strips)
+    bisectors = _bisectors(pieces, strips)
     mitres = np.einsum("nek,nck->nec", unit_rows(bisectors), frame)
-    way = np.repeat(np.arange(len(ways)), np.diff(ahead))
     faces = len(site.mesh.faces)
     made = EdgeGeometry(
-        start,
-        length,
+        pieces.start,
+        pieces.length,
         frame,
         mitres,
-        before,
-        behind,
-        way,
+        pieces.before,
+        pieces.behind,
+        pieces.way,
         width / 2,
         height,
         top,
@@ -226,10 +227,60 @@ def edge_geometry(
         drop,
         np.zeros(faces, dtype=np.int64),
         np.full(faces, np.inf),
+        strips,
     )
     _refuse_mitres(made, width, site.shift)
     _note_bearing(made, ways)
     return made
+
+
+def _pieces(
+    ways: list[tuple[Path, IntArray]],
+    half: float,
+    top: float,
+    levels: _Levels,
+    rights: FloatArray | None = None,
+) -> tuple[Pieces, FloatArray]:
+    """The pieces of all ways, and how far they were lowered (N,); upright without (N, 3) rights."""
+    ahead = np.cumsum([0, *(len(joints) for _, joints in ways)])
+    given = [None if rights is None else rights[k:m] for k, m in pairwise(ahead.tolist())]
+    rows = [
+        _laid(path, joints, half, top, levels, own)
+        for (path, joints), own in zip(ways, given, strict=True)
+    ]
+    behind, before = np.empty((2, int(ahead[-1])), dtype=np.int64)
+    for first, last in pairwise(ahead.tolist()):
+        numbers = np.arange(first, last)
+        behind[numbers], before[numbers] = np.roll(numbers, -1), np.roll(numbers, 1)
+    start, end, axes, drop = (np.concatenate(some) for some in zip(*rows, strict=True))
+    length = np.linalg.norm(end - start, axis=1)
+    way = np.repeat(np.arange(len(ways)), np.diff(ahead))
+    along = (end - start) / length[:, None]
+    return Pieces(start, length, along, axes, before, behind, way), drop
+
+
+def _frames(pieces: Pieces, strips: Strips | None) -> FloatArray:
+    """(N, 3, 3) along, up and to the right of pieces: upright in their middle, or as strips lie."""
+    both = pieces.axes + pieces.axes[pieces.behind]
+    up = both if strips is None else strips.rulings.sum(axis=1)
+    along = pieces.along
+    up = unit_rows(up - np.einsum("nk,nk->n", up, along)[:, None] * along)
+    return np.stack([along, up, np.cross(along, up)], axis=1)
+
+
+def _bisectors(pieces: Pieces, strips: Strips | None) -> FloatArray:
+    """(N, 2, 3) directions square to the planes in which pieces end; bends lie in these planes."""
+    plain = pieces.bisectors()
+    found = np.stack([plain, plain[pieces.behind]], axis=1)
+    for run in strips.runs if strips else ():
+        one, two = run[:-1], run[1:]
+        lines = strips.rulings[two, 0] if strips else plain
+        square = [
+            unit_rows(along - np.einsum("nk,nk->n", along, lines)[:, None] * lines)
+            for along in (pieces.along[one], pieces.along[two])
+        ]
+        found[one, 1] = found[two, 0] = square[0] + square[1]
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,16 +307,22 @@ def _samples(path: Path, joints: IntArray) -> list[IntArray]:
 
 
 def _laid(
-    path: Path, joints: IntArray, half: float, top: float, levels: _Levels
+    path: Path,
+    joints: IntArray,
+    half: float,
+    top: float,
+    levels: _Levels,
+    rights: FloatArray | None,
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Start, end and upright (N, 3) of pieces, and how far they were lowered (N,)."""
+    """Start, end and axis at the start (N, 3) of pieces, and how far they were lowered (N,)."""
     points = path.points + top * path.axes
     normals = unit_rows(path.axes)
     stands = np.empty(len(joints))
     for piece, some in enumerate(_samples(path, joints)):
         start, end = points[some[0]], points[some[-1]]
         along = unit_rows((end - start)[None])[0]
-        right = unit_rows(np.cross(along, normals[some[0]] + normals[some[-1]])[None])[0]
+        right = np.cross(along, normals[some[0]] + normals[some[-1]])
+        right = unit_rows(right[None])[0] if rights is None else rights[piece]
         on_axis = start + ((points[some] - start) @ along)[:, None] * along
         corners = on_axis[:, None] + np.array([-half, half])[:, None] * right
         faces = np.broadcast_to(path.faces[some][:, None], (len(some), 2, 2))
@@ -273,8 +330,7 @@ def _laid(
     lowered = np.maximum(np.maximum(stands, np.roll(stands, 1)), 0.0)
     lower = points[joints] - lowered[:, None] * normals[joints]
     after = np.roll(np.arange(len(joints)), -1)
-    up = normals[joints] + normals[joints[after]]
-    return lower, lower[after], up, np.maximum(lowered, lowered[after])
+    return lower, lower[after], normals[joints], np.maximum(lowered, lowered[after])
 
 
 def _refuse_mitres(made: EdgeGeometry, width: float, shift: FloatArray) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -57,8 +58,13 @@ def edge_parts(
             sizes = round(parts[-1].length, 3), beside[1]
             rows.append((name, section.words, *sizes, *np.round(found, 6).tolist()))
             number += 1
+    return tuple(parts), edge_table(rows)
+
+
+def edge_table(rows: Sequence[tuple[Any, ...]]) -> Table:
+    """The list of parts: name, section, length, the next one, and the angles to it."""
     columns = ("name", "section", "length_mm", "next", *_BENDS)
-    return tuple(parts), Table("edge-beam.csv", columns, tuple(rows))
+    return Table("edge-beam.csv", columns, tuple(rows))
 
 
 def bends(geometry: EdgeGeometry) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Sections of edge beams: plate, rectangular tube, round tube."""
+"""Sections of edge beams: plate, rectangular tube, round tube, bent strip."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.sizes import check_size, one_of
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
-SECTIONS = ("plate", "tube", "round")
+SECTIONS = ("plate", "tube", "round", "strip")
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class EdgeSection:
     """The cross section of an edge beam, below the level of its upper side.
 
     Args:
-        kind: plate, tube or round.
+        kind: plate, tube, round or strip.
         height: mm; a round tube is as high as wide.
         width: mm.
         wall: thickness of a tube's wall, mm.
@@ -38,7 +38,7 @@ class EdgeSection:
         one_of("edge section", self.kind, SECTIONS)
         check_size("edge height", self.height)
         check_size("edge width", self.width)
-        if self.kind == "plate":
+        if self.flat:
             return
         check_size("edge wall", self.wall)
         least = min(self.width, self.height)
@@ -49,13 +49,18 @@ class EdgeSection:
             )
 
     @property
+    def flat(self) -> bool:
+        """Whether it is cut from a plate."""
+        return self.kind in ("plate", "strip")
+
+    @property
     def words(self) -> str:
         """As it is ordered."""
         if self.kind == "round":
             return f"round tube {self.width:g} x {self.wall:g}"
         if self.kind == "tube":
             return f"tube {self.height:.1f} x {self.width:g} x {self.wall:g}"
-        return f"plate {self.height:g} x {self.width:g}"
+        return f"{self.kind} {self.height:g} x {self.width:g}"
 
     def profile(self, inset: float = 0.0) -> FloatArray:
         """(4, 2) corners of the section's box, up and to the right, seen against its direction."""

@@ -19,7 +19,9 @@ from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry, e
 from freecad_ortho.fabrication.systems.edge_beam.parts import bends, edge_parts
 from freecad_ortho.fabrication.systems.edge_beam.path import joints_of, paths_of
 from freecad_ortho.fabrication.systems.edge_beam.rolled import RolledEdge
+from freecad_ortho.fabrication.systems.edge_beam.rulings import SHEET
 from freecad_ortho.fabrication.systems.edge_beam.sections import SECTIONS, EdgeSection
+from freecad_ortho.fabrication.systems.edge_beam.strip import strip_parts
 from freecad_ortho.fabrication.systems.shared_options import (
     CLEARANCE,
     HEIGHT,
@@ -43,18 +45,18 @@ class EdgeBeam(System):
     """A beam along the border of the surface, or of a net that has none: its upper side on the net.
 
     It is made of straight pieces, mitred where they meet: at the edges of the net, where the border
-    turns, and where it would leave a piece by more than half its width.
+    turns, and where it would leave a piece by more than half its width. A strip is bent there.
 
     Args:
-        section: plate, tube or round, or one of the catalogue, which has sizes of its own.
+        section: plate, tube, round or strip, or one of the catalogue, which has sizes of its own.
         section_height: mm; by default as high as the beams; a round tube is as high as wide.
-        width: mm; by default a plate is as thick as the plates, a tube 60 mm wide.
+        width: mm; by default a plate or strip is as thick as the plates, a tube 60 mm wide.
         wall: of tubes, mm.
         height: of the beams that end at it, mm.
         thickness: of the plates, mm.
         offset: of the beams.
         clearance: that they leave before it, mm.
-        stock: longer pieces are cut into equal lengths, mm.
+        stock: longer pieces are cut into equal lengths, mm; strips are 6 m long by default.
         rounded: solids have the rounded corners and roots of a section of the catalogue; masses
             always do.
 
@@ -143,7 +145,7 @@ class EdgeBeam(System):
             return RolledEdge.of(self._bought, self.rounded)
         width = self.width
         if width is None:
-            width = self.thickness if self.section == "plate" else 60.0
+            width = self.thickness if self.section in ("plate", "strip") else 60.0
         height = self.height if self.section_height is None else self.section_height
         if self.section == "round":
             height = width
@@ -175,9 +177,17 @@ class EdgeBeam(System):
         if not kept:
             return SystemParts(())
         top = offset_levels(self.offset, self.height)[1]
-        geometry = edge_geometry(site, kept, section.width, section.height, top, self.clearance)
-        parts, table = edge_parts(site, geometry, section, self.stock)
-        report = self._report(geometry, section) | sums(parts)
+        sizes = section.width, section.height, top, self.clearance
+        bent = section.kind == "strip"
+        stock = (self.stock or SHEET) if bent else None
+        geometry = edge_geometry(site, kept, *sizes, stock=stock)
+        report = self._report(geometry, section)
+        if bent:
+            parts, table, of_strips = strip_parts(site, geometry, section)
+            report |= of_strips
+        else:
+            parts, table = edge_parts(site, geometry, section, self.stock)
+        report |= sums(parts)
         messages = []
         if len(kept) < len(ways):
             messages.append(
