@@ -61,6 +61,7 @@ class Descent:
         fade: factor on the guides in the next step, 1 at the start, 0 at the end.
         restless: handles were let go before the mesh had come to rest: what follows depends on the
             way here.
+        given_up: it is over as it came nearer to the net too slowly.
 
     Args:
         layout: of the attempt's problem.
@@ -78,7 +79,7 @@ class Descent:
         self._last_worst = 0.0
         self._idle = self._held = self._calm = 0
         self._paces: deque[float] = deque(maxlen=self._tuning.pace + 1)
-        self._rested = False
+        self._rested = self.given_up = False
         layout.relaxation.forget()
 
     @property
@@ -133,17 +134,27 @@ class Descent:
         self._move_on(record, steps_left - 1)
         return record
 
-    def is_over(self, record: StepRecord, tolerance: float) -> bool:
-        """Whether the last step reached the net, or many have led nowhere."""
+    def is_over(self, record: StepRecord, tolerance: float, steps_left: int) -> bool:
+        """Whether the last step reached the net, or many have led nowhere or would have to follow.
+
+        Args:
+            record: of the last step.
+            tolerance: largest residual that counts as zero.
+            steps_left: how many may be taken.
+        """
+        if self.holds(steps_left):
+            return False
         if record.worst < 0.5 * self._best_worst:
             self._best_worst, self._idle = record.worst, 0
         elif self.fade == 0.0:
             self._idle += 1
         tuning = self._tuning
         near = (tuning.slow_margin if self._slow else tuning.margin) * tolerance
-        return record.worst <= near or self._idle >= tuning.patience
+        over = record.worst <= near or self._idle >= tuning.patience
+        self.given_up = not over and self.attempt.hasty and self._hopeless(tolerance)
+        return over or self.given_up
 
-    def hopeless(self, tolerance: float) -> bool:
+    def _hopeless(self, tolerance: float) -> bool:
         """Whether the net is many steps away at the pace of the last ones."""
         tuning, paces = self._tuning, self._paces
         if len(paces) <= tuning.pace or not 0 < paces[-1] < paces[0]:
