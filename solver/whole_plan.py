@@ -16,7 +16,7 @@ from solver.best import Best
 from solver.candidate import Candidate, judge
 from solver.last_phase import Aim
 from solver.mesh.closest import TriangleSurface
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nearest import NearestNet, pull_of
 from solver.plan import Attempt, Way
 from solver.problem import Problem
@@ -112,10 +112,12 @@ class WholePlan:
     def judged(self, attempt: Attempt, x: FloatArray) -> Candidate:
         """A shape of an attempt, judged as the wanted net."""
         if attempt.easier:
-            # It counts by what was asked for; the easier net has no scalars in common.
-            mesh = attempt.problem.mesh_at(x)
-            return judge(self.original, self.original.at(mesh), self._tolerance)
+            return self._as_wanted(attempt.problem.mesh_at(x))
         return judge(attempt.problem, x, self._tolerance, self.original)
+
+    def _as_wanted(self, mesh: QuadMesh) -> Candidate:
+        """A shape that counts by what was asked for: an easier net has no scalars in common."""
+        return judge(self.original, self.original.at(mesh), self._tolerance)
 
     def _to_a_net(self) -> Whole:
         """The plan's attempts until one is good enough, or none is left; then the best of all.
@@ -130,7 +132,7 @@ class WholePlan:
             if attempt.leads_on(reached) and self._steps_left > 0 and not self._stopped:
                 attempt = _after(way, reached)
                 continue
-            net = self.judged(attempt, reached.x) if attempt.easier else reached
+            net = self._as_wanted(reached.mesh) if attempt.easier else reached
             best = self.best.consider(net)
             solved += net.valid and not net.flattened
             if self._stopped or self._is_enough(net, solved):

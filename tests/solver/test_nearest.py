@@ -217,7 +217,7 @@ def test_loads_and_supports_are_those_of_the_shape_that_is_kept():
     deeper = problem.at(net.with_vertices(net.vertices * [1, 1, 1.15]))
     goals = deeper[: net.vertices.size].reshape(-1, 3)
     nearest = NearestNet(
-        problem, run._found().x, [Wish(Closeness(np.arange(len(goals)), goals), 1.0)]
+        problem, run._plan.best.so_far().x, [Wish(Closeness(np.arange(len(goals)), goals), 1.0)]
     )
     before = nearest.wishes
     # Three steps are enough: with loads of the shape before they lower it by 2 %, 8e-6 off the net.
