@@ -33,7 +33,8 @@ LAYERS = (
     "offset", "linear", "statics", "frame", "analysis", "align", "terms", "report", "problem",
     "nets", "analysis.start", "candidate", "plan",
     "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "grouping",
-    "repetition", "best", "summary", "last_phase", "along", "whole_plan", "run", "optimise", "session", "solve",
+    "repetition", "best", "summary", "last_phase", "along", "whole_plan", "run", "optimise",
+    "session", "solve",
     "analysis.advisor", "analysis.check", "analysis.fields", "formfinding", "unroll",
 )  # fmt: skip
 
