@@ -23,6 +23,7 @@ from freecad_ortho.fabrication.stock import (
     too_long_words,
 )
 from freecad_ortho.fabrication.structure import Structure
+from freecad_ortho.fabrication.trades import MACHINED
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.words import counted
 
@@ -119,6 +120,14 @@ class Production:
             for each in self.workshop.formats
             if each.missing
         ]
+        materials = {p.material.name: p.material for p in self.structure.parts}.values()
+        for each in self.workshop.formats:
+            works, what = MACHINED.get(each.name, (None, ""))
+            if works is not None and not any(map(works, materials)):
+                words.append(
+                    f"{each.place}: nothing to write, as no part is of {what}; give such a "
+                    f"material, or leave out {each.name}"
+                )
         return (*words, *self._about_stock())
 
     def _about_stock(self) -> list[str]:

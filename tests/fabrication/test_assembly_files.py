@@ -3,11 +3,13 @@
 import csv
 import re
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
+from freecad_ortho.fabrication.exchange.assembly import ranks_by_ring, rings_of, sequence
 from freecad_ortho.fabrication.exchange.assembly_page import pictures_of
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.systems.nodes import Nodes
@@ -61,6 +63,47 @@ def test_rings_go_up_and_lines_stay_together(job, folder):
     changes = sum(one != other for one, other in pairwise(lines))
     # A line that hangs in the air when its turn comes may have to wait.
     assert changes < 2 * len(set(lines))
+
+
+@pytest.mark.parametrize("name", ["sequence-by-ring", "sequence-by-line"])
+def test_each_part_finds_what_carries_it(job, folder, name):
+    order = {row["name"]: int(row["step"]) for row in rows_of(folder, name)}
+    beams = [part for part in job.parts if part.kind == "beam"]
+    nodes = {part.vertices[0]: order[part.name] for part in job.parts if part.kind == "node"}
+    for beam in beams:
+        # It is bolted to one node at least that stands.
+        assert min(nodes[vertex] for vertex in beam.vertices) < order[beam.name]
+    for panel in (part for part in job.parts if part.kind == "panel"):
+        around = [order[b.name] for b in beams if set(b.vertices) <= set(panel.vertices)]
+        assert len(around) == 4
+        assert max(around) < order[panel.name]
+
+
+def test_plates_go_up_with_the_beam_that_they_end(roof):
+    parts = build(roof, [Nodes("bolted"), Beams(200, 60, ends="end-plate")]).parts
+    rings = rings_of(build(roof, [Beams(200, 20)]).site, parts)
+    order = [step.part.name for step in sequence(parts, ranks_by_ring(parts, rings), rings)]
+    for plate in (part.name for part in parts if part.kind == "end-plate"):
+        beam = order.index(plate.split("-")[0])
+        assert 1 <= order.index(plate) - beam <= 4
+
+
+def test_feet_are_what_a_structure_stands_on(roof):
+    feet = SimpleNamespace(kind="foot", vertices=(40,))
+    frame = build(roof, [Beams(200, 20)])
+    rings = rings_of(frame.site, [*frame.parts, feet])
+    assert rings[40] == 0
+    assert rings.count(0) == 1
+    assert max(rings) > 5
+
+
+def test_where_a_net_overhangs_the_border_is_what_is_built(roof):
+    frame = build(roof, [Beams(200, 20)])
+    border = frame.site.mesh.connectivity.boundary_vertices
+    inner = [part for part in frame.parts if not border[list(part.vertices)].any()]
+    rings = rings_of(frame.site, inner)
+    assert 0 < sum(rings[v] == 0 for part in inner for v in part.vertices)
+    assert all(rings[vertex] for vertex in np.flatnonzero(border).tolist())
 
 
 def test_weights_and_centres_are_those_of_the_solids(job, folder):

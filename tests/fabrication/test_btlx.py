@@ -1,5 +1,6 @@
 """Files for carpenters' machines: parts rebuilt by a reader of its own, against STEP's solids."""
 
+import json
 import os
 import re
 from xml.etree import ElementTree
@@ -324,3 +325,5 @@ def test_steel_is_for_others(roof, tmp_path):
     write(job, tmp_path, workshop=Workshop(write="btlx"))
     root = ElementTree.parse(tmp_path / "structure.btlx").getroot()
     assert not list(root.iter(f"{SPACE}Part"))
+    said = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))["messages"]
+    assert [line for line in said if "structure.btlx: nothing to write" in line and "wood" in line]

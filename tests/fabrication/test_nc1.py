@@ -1,5 +1,6 @@
 """Files for steel machines: a reader of its own against the solids of a STEP file."""
 
+import json
 from itertools import pairwise
 
 import numpy as np
@@ -149,3 +150,5 @@ def test_wood_and_glass_are_for_others(roof, tmp_path):
     job = build(roof, systems, material=material, selection=some)
     write(job, tmp_path, workshop=Workshop(write="nc1"))
     assert not (tmp_path / "nc1").exists()
+    said = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))["messages"]
+    assert [line for line in said if "nc1: nothing to write" in line and "metal" in line]

@@ -1,13 +1,15 @@
 """Putting up a structure: in which order, what each part weighs, what meets at a node, and where.
 
-Parts are put up ring by ring from the border on, or line by line: each stands on the border or on
-what stands already. What no border reaches begins at its lowest vertex.
+Parts are put up ring by ring from the feet or the border on, or line by line: each stands there or
+on what stands already. What neither reaches begins at its lowest vertex. Nodes come before the
+beams that are bolted to them, panels when the beams around them stand, what holds panels after
+these.
 """
 
 from __future__ import annotations
 
 import heapq
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -33,6 +35,17 @@ BOOK_COLUMNS = (
 SURVEY_COLUMNS = ("point", "east_m", "north_m", "height_m")
 
 Rank = tuple[int, ...]
+
+# Which kinds go up before which others at the same place; all others are beams, or like them.
+_FEET, _NODES, _BEAMS, _PANELS, _HOLDERS, _COVERS = range(6)
+_TRADES = {
+    "foot": _FEET,
+    "foot-plate": _FEET,
+    "node": _NODES,
+    **dict.fromkeys(("panel", "bent panel", "patch", "louvre"), _PANELS),
+    **dict.fromkeys(("pressure-plate", "adapter"), _HOLDERS),
+    "cap": _COVERS,
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +78,7 @@ def write_assembly(
     path.mkdir()
     structure = production.structure
     parts = structure.parts
-    rings = rings_of(structure.site)
+    rings = rings_of(structure.site, parts)
     centres = _centres(structure.parts, lambda done: say(0.8 * done))
     for name, ranks in (
         ("by-ring", ranks_by_ring(structure.parts, rings)),
@@ -83,18 +96,29 @@ def write_assembly(
     write_table(path / "survey.csv", SURVEY_COLUMNS, _survey(production))
 
 
-def rings_of(site: Site) -> list[int]:
-    """Edges from each vertex to the border; where none is reached, to the lowest vertex there."""
+def rings_of(site: Site, parts: Sequence[Part]) -> list[int]:
+    """Edges from each vertex to what a structure stands on.
+
+    That are its feet; without any, the border of what is built, which is not the net's where that
+    overhangs. What neither reaches is counted from its lowest vertex.
+    """
     net = site.mesh.connectivity
     neighbours: dict[int, list[int]] = defaultdict(list)
     for one, other in net.edges.tolist():
         neighbours[one].append(other)
         neighbours[other].append(one)
     rings = [-1] * len(site.mesh.vertices)
-    border = np.flatnonzero(net.boundary_vertices & net.referenced).tolist()
+    built = {vertex for part in parts for vertex in part.vertices}
+    seeds = {v for part in parts if _trade(part) == _FEET for v in part.vertices}
+    seeds = seeds or {
+        vertex
+        for vertex in built
+        if net.boundary_vertices[vertex] or not built.issuperset(neighbours[vertex])
+    }
     lowest = np.argsort(site.mesh.vertices[:, 2], kind="stable").tolist()
-    for seeds in (border, *([vertex] for vertex in lowest)):
-        ahead, ring = [vertex for vertex in seeds if rings[vertex] < 0], 0
+    first = [vertex for vertex in lowest if vertex in built]
+    for begun in (sorted(seeds), *([vertex] for vertex in [*first, *lowest])):
+        ahead, ring = [vertex for vertex in begun if rings[vertex] < 0], 0
         while ahead:
             for vertex in ahead:
                 rings[vertex] = ring
@@ -106,9 +130,10 @@ def rings_of(site: Site) -> list[int]:
 def ranks_by_ring(parts: Sequence[Part], rings: Sequence[int]) -> list[Rank]:
     """What is put up first has the least: parts by the furthest of their vertices' rings."""
     found: list[Rank] = []
-    for number, part in enumerate(parts):
+    for number, owner in enumerate(_owners(parts)):
+        part = parts[owner]
         here = [rings[vertex] for vertex in part.vertices] or [0]
-        found.append((max(here), min(here), number))
+        found.append((max(here), _trade(part), min(here), owner, number))
     return found
 
 
@@ -121,12 +146,13 @@ def ranks_by_line(parts: Sequence[Part], site: Site, rings: Sequence[int]) -> li
         for vertex in line.vertices.tolist():
             first.setdefault(vertex, number)
     found: list[Rank] = []
-    for number, part in enumerate(parts):
+    for number, owner in enumerate(_owners(parts)):
+        part = parts[owner]
         place = max((first.get(vertex, 0) for vertex in part.vertices), default=0)
         if part.line is not None:
             place = lines.get((part.family, part.line), place)
         here = [rings[vertex] for vertex in part.vertices] or [0]
-        found.append((place, max(here), min(here), number))
+        found.append((place, _trade(part), max(here), min(here), owner, number))
     return found
 
 
@@ -142,6 +168,13 @@ def sequence(parts: Sequence[Part], ranks: Sequence[Rank], rings: Sequence[int])
     for number, part in enumerate(parts):
         for vertex in part.vertices:
             touching[vertex].append(number)
+    below = [_carriers(number, parts, touching) for number in range(len(parts))]
+    for number, owner in enumerate(_owners(parts)):
+        below[number] |= {owner} - {number}
+    carried: dict[int, list[int]] = defaultdict(list)
+    for number, carriers in enumerate(below):
+        for other in carriers:
+            carried[other].append(number)
     waiting, standing = set(range(len(parts))), set[int]()
     ready = [
         ranks[number]
@@ -151,19 +184,48 @@ def sequence(parts: Sequence[Part], ranks: Sequence[Rank], rings: Sequence[int])
     heapq.heapify(ready)
     steps = []
     while waiting:
-        # Parts that touch nothing that stands, as where some lines are built alone.
-        rank = heapq.heappop(ready) if ready else min(ranks[number] for number in waiting)
+        if ready:
+            rank = heapq.heappop(ready)
+        else:
+            # Parts that touch nothing that stands, as where some lines are built alone.
+            rank = min(ranks[number] for number in waiting if not below[number])
         number = rank[-1]
-        if number not in waiting:
+        if number not in waiting or below[number]:
             continue
         beside = {k for vertex in parts[number].vertices for k in touching[vertex]}
         held = tuple(parts[k].name for k in sorted(beside & standing))
         steps.append(Step(parts[number], held))
         waiting.discard(number)
         standing.add(number)
+        for other in carried[number]:
+            below[other].discard(number)
         for other in beside & waiting:
             heapq.heappush(ready, ranks[other])
     return steps
+
+
+def _trade(part: Part) -> int:
+    return _TRADES.get(part.kind, _BEAMS)
+
+
+def _owners(parts: Sequence[Part]) -> list[int]:
+    """For each part the number of the one it goes up with: plates with the beam that they end."""
+    numbers = {part.name: number for number, part in enumerate(parts)}
+    return [numbers.get(part.name.split("-")[0], k) for k, part in enumerate(parts)]
+
+
+def _carriers(number: int, parts: Sequence[Part], touching: dict[int, list[int]]) -> set[int]:
+    """What a panel, or what holds it, lies on: earlier trades along an edge of it."""
+    part = parts[number]
+    trade = _trade(part)
+    if trade < _PANELS:
+        return set()
+    met = Counter(other for vertex in part.vertices for other in touching[vertex])
+    return {
+        other
+        for other, times in met.items()
+        if times > 1 and _BEAMS <= _trade(parts[other]) < trade
+    }
 
 
 def _centres(parts: Sequence[Part], say: Callable[[float], None]) -> dict[str, FloatArray]:

@@ -20,12 +20,12 @@ from freecad_ortho import __version__
 from freecad_ortho.fabrication.bodies import Hollow, Polyhedron
 from freecad_ortho.fabrication.exchange.btlx_laps import Lap, laps, sawn_ends
 from freecad_ortho.fabrication.exchange.members import Member, member_of
-from freecad_ortho.fabrication.exchange.trades import is_wood
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern, polygon_area
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.profiled import ProfiledBody
+from freecad_ortho.fabrication.trades import is_wood
 from solver.mesh.quadmesh import FloatArray
 
 _NAMESPACE = "https://www.design2machine.com"

@@ -15,10 +15,10 @@ from pathlib import Path
 
 from freecad_ortho.fabrication.exchange.nc1_bars import Bar, bar_of
 from freecad_ortho.fabrication.exchange.nc1_faces import Contour, Mark, plate_contours, plate_marks
-from freecad_ortho.fabrication.exchange.trades import is_metal
 from freecad_ortho.fabrication.nesting.sheet import file_words
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production
+from freecad_ortho.fabrication.trades import is_metal
 
 # Fields and texts are no longer; the standard has it so.
 _FIELD, _TEXT = 80, 40

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Sequence
 from html import escape
+from typing import Any
 
 import numpy as np
 
@@ -144,6 +146,37 @@ def hulls_of(clouds: Sequence[FloatArray]) -> list[FloatArray]:
     rings = np.split(found, np.flatnonzero(np.diff(owner)) + 1)
     # A ring ends where it began; what is only a line or a point does not.
     return [ring[:-1] if len(ring) > 2 else ring for ring in rings]
+
+
+def silhouettes(clouds: Sequence[FloatArray], owners: Sequence[int]) -> dict[int, list[FloatArray]]:
+    """What bodies look like from afar that are put together from convex pieces.
+
+    Args:
+        clouds: corners in the plane (N, 2) of each piece.
+        owners: number of the body of each piece.
+
+    Returns:
+        By body the corners of its outlines, the largest first, then those of its openings.
+    """
+    import shapely
+
+    pieces: dict[int, list[Any]] = defaultdict(list)
+    for hull, owner in zip(hulls_of(clouds), owners, strict=True):
+        # What is seen from its narrow side is a line.
+        pieces[owner].append(shapely.Polygon(hull) if len(hull) > 2 else shapely.LineString(hull))
+    found: dict[int, list[FloatArray]] = {}
+    for owner, shapes in pieces.items():
+        low, high = shapely.total_bounds(shapes).reshape(2, 2)
+        # Pieces that touch leave no crack between them.
+        whole = shapely.union_all(shapes, grid_size=float((high - low).max()) * 1e-6)
+        areas = [part for part in shapely.get_parts(whole) if isinstance(part, shapely.Polygon)]
+        areas.sort(key=lambda area: -area.area)
+        rings = [area.exterior for area in areas]
+        rings += [ring for area in areas for ring in area.interiors]
+        found[owner] = [np.array(ring.coords)[:-1] for ring in rings] or [
+            shapely.get_coordinates(whole)
+        ]
+    return found
 
 
 def view_frame(eye: tuple[float, float, float]) -> FloatArray:

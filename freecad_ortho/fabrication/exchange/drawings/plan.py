@@ -7,6 +7,7 @@ the lines only, and the plan goes on in pieces at a larger scale.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 
@@ -23,7 +24,7 @@ from freecad_ortho.fabrication.exchange.drawings.pen import (
 )
 from freecad_ortho.fabrication.exchange.drawings.view import View, box_of, millimetres
 from freecad_ortho.fabrication.production import Production
-from freecad_ortho.fabrication.report.pictures import hulls_of
+from freecad_ortho.fabrication.report.pictures import silhouettes
 from freecad_ortho.words import counted
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
@@ -46,7 +47,7 @@ class _Net:
     Attributes:
         seen: from where, in words.
         points: (V, 2) vertices, mm.
-        outlines: (n, 2) hulls of the pieces of parts, what is behind first.
+        outlines: of each part as it is seen, then of its openings, (n, 2); what is behind first.
         lines: names and points (k, 2) of parameter lines, closed ones with their first again.
         closed: for each line, whether it is.
         nodes: names and numbers of the vertices at which parts meet.
@@ -55,7 +56,7 @@ class _Net:
 
     seen: str
     points: FloatArray
-    outlines: list[FloatArray]
+    outlines: list[list[FloatArray]]
     lines: list[tuple[str, FloatArray]]
     closed: list[bool]
     nodes: list[tuple[str, int]]
@@ -123,18 +124,22 @@ def _net(production: Production) -> _Net:
             numbers = np.append(numbers, numbers[0])
         lines.append((f"{line.family}{line.number}", flat[numbers][:, :2]))
         closed.append(line.closed)
-    clouds = []
-    for part in structure.parts:
+    clouds, owners = [], []
+    for number, part in enumerate(structure.parts):
         for piece in part.body.pieces():
             spread = place.directions(part.origin + piece.corners @ part.frame)
             clouds.append(spread @ frame.T)
-    behind = np.argsort([float(cloud[:, 2].mean()) for cloud in clouds], kind="stable").tolist()
+            owners.append(number)
+    depths = np.array([cloud[:, 2].mean() for cloud in clouds])
+    depths = np.bincount(owners, depths) / np.bincount(owners)
+    outlines = silhouettes([cloud[:, :2] for cloud in clouds], owners)
+    behind = np.argsort(depths, kind="stable").tolist()
     edges = site.mesh.connectivity.edges[site.chosen_edges]
     across = np.linalg.norm(flat[edges[:, 0], :2] - flat[edges[:, 1], :2], axis=1)
     return _Net(
         seen,
         flat[:, :2],
-        hulls_of([clouds[number][:, :2] for number in behind]),
+        [outlines[number] for number in behind],
         lines,
         closed,
         [(node.name, node.vertex) for node in production.nodes],
@@ -160,9 +165,13 @@ def _eye(points: FloatArray, faces: IntArray) -> tuple[str, FloatArray]:
 
 def _draw(pen: Pen, net: _Net, view: View) -> None:
     """Parts as their outlines, lines of the net as chains."""
-    for outline in net.outlines:
-        pen.lines([view(outline)], THIN, closed=True, fill=0.96, grey=0.6)
+    _outlines(pen, net.outlines, view)
     pen.lines([view(points) for _, points in net.lines], THIN, dash=_CHAIN)
+
+
+def _outlines(pen: Pen, outlines: Sequence[Sequence[FloatArray]], view: View) -> None:
+    for rings in outlines:
+        pen.lines([view(ring) for ring in rings], THIN, closed=True, fill=0.96, grey=0.6)
 
 
 def _numbers(pen: Pen, net: _Net, view: View) -> None:
@@ -250,12 +259,11 @@ def _piece(net: _Net, number: int, corner: FloatArray, far: FloatArray, scale: i
         lines = [_within(view(points), box) for _, points in net.lines]
         with pen.within(*box):
             near = [
-                each
-                for each in net.outlines
-                if (each.max(axis=0) >= corner).all() and (each.min(axis=0) <= far).all()
+                rings
+                for rings in net.outlines
+                if (rings[0].max(axis=0) >= corner).all() and (rings[0].min(axis=0) <= far).all()
             ]
-            for outline in near:
-                pen.lines([view(outline)], THIN, closed=True, fill=0.96, grey=0.6)
+            _outlines(pen, near, view)
             pen.lines([line for line in lines if len(line)], THIN, dash=_CHAIN)
         rim = np.array([box[0], [box[1][0], box[0][1]], box[1], [box[0][0], box[1][1]]])
         pen.lines([rim], MIDDLE, closed=True, dash=(1.5, 1.0))

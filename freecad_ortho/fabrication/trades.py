@@ -16,3 +16,7 @@ def is_wood(material: Material) -> bool:
 def is_metal(material: Material) -> bool:
     """Whether a part of this material is cut by machines for steel: neither wood nor glass."""
     return not (is_wood(material) or material.layers or "glass" in material.name)
+
+
+# By the names of formats for machines, which work one kind of material: what that is.
+MACHINED = {"btlx": (is_wood, "wood"), "nc1": (is_metal, "metal")}
