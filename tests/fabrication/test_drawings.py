@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+import shapely
 
 from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build
 from freecad_ortho.fabrication.drawing_form import PAPERS, SCALES, scale_for
@@ -13,11 +14,13 @@ from freecad_ortho.fabrication.exchange.drawings.part_detail import typical_part
 from freecad_ortho.fabrication.exchange.outlines import seen_lines
 from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.production import produce
+from freecad_ortho.fabrication.report.pictures import silhouettes
 from freecad_ortho.fabrication.site import Selection
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from freecad_ortho.fabrication.tables import lists
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
+from tests.meshes import grid
 
 pytestmark = pytest.mark.skipif(
     FORMATS["drawings"].missing, reason="needs the packages of requirements-exchange.txt"
@@ -145,6 +148,36 @@ def test_numbers_that_have_no_room_go_on_in_pieces(tmp_path):
     assert f"PLAN-1 to PLAN-{len(pieces)}" in pages["PLAN"][2]
     found = sorted(name for words in pieces for name in re.findall(r"N\d{4}", words))
     assert found == sorted(node.name for node in production.nodes)
+
+
+def test_plans_of_trimmed_nets_end_at_the_border(tmp_path):
+    x, y = np.meshgrid(np.arange(8.0), np.arange(9.0))
+    net = grid(x, y, 0 * x).scaled(1000.0)
+    rim = np.array([(600, 800, 0), (6300, 800, 0), (6300, 7500, 0), (600, 7500, 0)], dtype=float)
+    job = build(net, [Beams(100, 10), Panels(12, 10)], border=[rim])
+    _, pages = drawn(job, tmp_path / "t.pdf", paper="a4")
+    _, text, words = pages["PLAN"]
+    spread = np.concatenate([part.origin + part.body.points @ part.frame for part in job.parts])
+    assert set(np.round(np.ptp(spread[:, :2], axis=0), 1).tolist()) <= numbers_in(words)
+    assert len(re.findall(r"N\d{4}", words)) == 6 * 7, "nodes beyond the border are not shown"
+    # Both ends of a line have its name just outside of the border.
+    scale = int(re.search(r"1:(\d+)", words)[1])
+    assert "overall sizes of all parts" in words
+    found = text.search("u3", match_whole_word=True)
+    places = [text.get_charbox(at[0])[0] / POINTS * scale for at in iter(found.get_next, None)]
+    assert len(places) == 2
+
+
+def test_what_is_put_together_from_pieces_has_one_outline():
+    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], dtype=float)
+    around = [(0, 0), (1, 0), (2, 0), (0, 1), (2, 1), (0, 2), (1, 2), (2, 2)]
+    clouds = [square + [1e6 + x, -1e6 + y] for x, y in around] + [square, square[:2] * 3]
+    found = silhouettes(clouds, [7] * 8 + [3, 5])
+    assert sorted(found) == [3, 5, 7]
+    areas = [shapely.Polygon(ring).area for ring in found[7]]
+    assert areas == pytest.approx([9, 1], abs=1e-4)
+    assert [shapely.Polygon(ring).area for ring in found[3]] == pytest.approx([1])
+    assert len(found[5][0]) == 2, "what is seen from its narrow side is a line"
 
 
 def test_bent_and_round_things_are_drawn(roof, tmp_path):

@@ -108,7 +108,10 @@ def _cuts(member: Member | None) -> list[str]:
     for planes in (member.starts, member.ends):
         for number in (0, 1):
             plane = planes[number] if number < len(planes) else None
-            cells += ["" if plane is None else f"{angle(plane):.3f}" for angle in _SAWN]
+            # No angle is minus nothing.
+            cells += [
+                "" if plane is None else f"{round(angle(plane), 3) + 0.0:.3f}" for angle in _SAWN
+            ]
     return cells
 
 

@@ -25,8 +25,10 @@ from freecad_ortho.fabrication.exchange.drawings.pen import (
 from freecad_ortho.fabrication.exchange.drawings.view import View, box_of, millimetres
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.report.pictures import silhouettes
+from freecad_ortho.fabrication.site import Site
 from freecad_ortho.words import counted
 from solver.mesh.connectivity import IntArray
+from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray
 
 # Radius of the circle around a line's name, what its leader is long, how often it may be pushed on.
@@ -52,6 +54,8 @@ class _Net:
         closed: for each line, whether it is.
         nodes: names and numbers of the vertices at which parts meet.
         edge: mean length on paper at 1:1, mm.
+        box: low and high corner (2,) of the nodes, of a trimmed net of all parts.
+        sizes: what that is, in words.
     """
 
     seen: str
@@ -61,11 +65,8 @@ class _Net:
     closed: list[bool]
     nodes: list[tuple[str, int]]
     edge: float
-
-    @property
-    def box(self) -> tuple[FloatArray, FloatArray]:
-        """Low and high corner (2,) of the nodes."""
-        return box_of(self.points[[vertex for _, vertex in self.nodes]])
+    box: tuple[FloatArray, FloatArray]
+    sizes: str
 
 
 def plan_pages(production: Production, form: DrawingForm) -> list[Page]:
@@ -77,13 +78,13 @@ def plan_pages(production: Production, form: DrawingForm) -> list[Page]:
         f"{counted(len(structure.parts), 'part')}, {sum(structure.masses.values()):,.0f} kg",
         f"{counted(len(net.nodes), 'node')}, {counted(len(net.lines), 'line')} of the net",
     )
-    room_low, room_high = room_of(form, len(notes) + 1)
+    room_low, room_high = room_of(form, len(notes) + 2)
     room = room_high - room_low - 2 * _AROUND
     size = high - low
     scale = scale_for(size[0], size[1], (float(room[0]), float(room[1])))
     middle = (low + high) / 2
     if net.edge / scale >= _NUMBERED:
-        notes = (*notes, "overall sizes between nodes")
+        notes = (*notes, net.sizes)
 
         def whole(pen: Pen, low: FloatArray, high: FloatArray) -> None:
             view = View(scale, middle, (low + high) / 2)
@@ -95,7 +96,7 @@ def plan_pages(production: Production, form: DrawingForm) -> list[Page]:
         return [Page("PLAN", f"Overview {net.seen}", f"1:{scale}", whole, notes)]
     pieces = _pieces(net, form)
     last = f" to PLAN-{len(pieces)}" if len(pieces) > 1 else ""
-    notes = (*notes, f"numbers of nodes: PLAN-1{last}")
+    notes = (*notes, net.sizes, f"numbers of nodes: PLAN-1{last}")
 
     def overview(pen: Pen, low: FloatArray, high: FloatArray) -> None:
         view = View(scale, middle, (low + high) / 2)
@@ -122,8 +123,11 @@ def _net(production: Production) -> _Net:
         numbers = line.vertices
         if line.closed:
             numbers = np.append(numbers, numbers[0])
-        lines.append((f"{line.family}{line.number}", flat[numbers][:, :2]))
-        closed.append(line.closed)
+        runs = [flat[numbers][:, :2]] if site.trimming is None else _kept(site, line, flat[:, :2])
+        for run in runs:
+            lines.append((f"{line.family}{line.number}", run))
+            closed.append(line.closed and len(run) == len(numbers))
+    built = set(range(len(points))) if site.trimming is None else _within_border(site)
     clouds, owners = [], []
     for number, part in enumerate(structure.parts):
         for piece in part.body.pieces():
@@ -134,6 +138,15 @@ def _net(production: Production) -> _Net:
     depths = np.bincount(owners, depths) / np.bincount(owners)
     outlines = silhouettes([cloud[:, :2] for cloud in clouds], owners)
     behind = np.argsort(depths, kind="stable").tolist()
+    nodes = [(node.name, node.vertex) for node in production.nodes if node.vertex in built]
+    if site.trimming is None:
+        box, sizes = (
+            box_of(flat[[vertex for _, vertex in nodes], :2]),
+            "overall sizes between nodes",
+        )
+    else:
+        box = box_of(np.concatenate([ring for rings in outlines.values() for ring in rings]))
+        sizes = "overall sizes of all parts"
     edges = site.mesh.connectivity.edges[site.chosen_edges]
     across = np.linalg.norm(flat[edges[:, 0], :2] - flat[edges[:, 1], :2], axis=1)
     return _Net(
@@ -142,10 +155,45 @@ def _net(production: Production) -> _Net:
         [outlines[number] for number in behind],
         lines,
         closed,
-        [(node.name, node.vertex) for node in production.nodes],
+        nodes,
         # Half of the edges are longer, seen from here.
         float(np.median(across)),
+        box,
+        sizes,
     )
+
+
+def _within_border(site: Site) -> set[int]:
+    """Vertices that are within the border along which a net is trimmed."""
+    assert site.trimming is not None
+    edges = site.mesh.connectivity.edges
+    return {
+        int(edges[edge, end])
+        for edge, spans in site.trimming.spans.items()
+        for end in (0, 1)
+        if any(span[end] == end for span in spans)
+    }
+
+
+def _kept(site: Site, line: ParameterLine, points: FloatArray) -> list[FloatArray]:
+    """The pieces (k, 2) of a line that are within the border."""
+    assert site.trimming is not None
+    runs: list[list[FloatArray]] = []
+    goes_on = False
+    for number, edge in enumerate(line.edges.tolist()):
+        ends = site.mesh.connectivity.edges[edge]
+        spans = site.trimming.spans.get(edge, ())
+        if ends[0] != line.vertices[number]:
+            ends, spans = ends[::-1], tuple((1 - end, 1 - start) for start, end in spans[::-1])
+        one, other = points[ends]
+        reached = False
+        for start, end in spans:
+            if not (goes_on and start == 0.0):
+                runs.append([one + start * (other - one)])
+            runs[-1].append(one + end * (other - one))
+            goes_on, reached = False, end == 1.0
+        goes_on = reached
+    return [np.array(run) for run in runs]
 
 
 def _eye(points: FloatArray, faces: IntArray) -> tuple[str, FloatArray]:
