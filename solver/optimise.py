@@ -19,7 +19,7 @@ from solver.last_phase import Aim
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import QuadMesh, refuse_other
-from solver.nets import Net, net_named
+from solver.nets import Net, net_named, refuse_foreign
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
 from solver.nets.options import NetOptions
 from solver.nets.settings import Weights
@@ -156,7 +156,7 @@ def start_optimisation(
         tuning: numbers of the solver other than its own, for experiments.
 
     Raises:
-        InputError: a setting that cannot be used.
+        InputError: a setting that cannot be used, or an option that the net does not have.
     """
     refuse_other(mesh)
     asked = net_named(net)
@@ -183,6 +183,7 @@ def start_optimisation(
     origin = LocalOrigin.of_mesh(mesh)
     mesh = origin.near_mesh(mesh)
     chosen = options or NetOptions()
+    refuse_foreign(asked, chosen.given)
     if chosen.reference is not None:
         # It counts by its shape, wherever it lies.
         reference = np.asarray(chosen.reference, dtype=np.float64)

@@ -196,6 +196,12 @@ class Option:
             return tuple(factor * x for x in self.default)
         return factor * self.default
 
+    def is_default(self, value: Any) -> bool:
+        """Whether a value says nothing other than the default; of a mesh whether there is none."""
+        if value is None or self.default is None:
+            return value is self.default
+        return np.shape(value) == np.shape(self.default) and bool(np.all(value == self.default))
+
     def check(self, value: Any, unit: str = "mm") -> None:
         """Refuse a value that is not of this kind.
 

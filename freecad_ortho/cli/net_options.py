@@ -20,7 +20,7 @@ from solver.io.polygons import quads_of
 from solver.mesh.connectivity import IntArray
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray
-from solver.nets import NETS, Net, net_named, nets_with
+from solver.nets import Net, net_named, nets_with, refuse_foreign
 from solver.nets.constraints import (
     BoundaryGlide,
     CurveGlide,
@@ -63,11 +63,11 @@ def add_most(parser: argparse._ActionsContainer) -> None:
         parser.add_argument(
             f"--{word}", dest="forces", action="store_const", const=word, help=words
         )
-    arguments.add(parser, SUPPORTS, f"{_nets(_supported())}: ")
+    arguments.add(parser, SUPPORTS, f"{_nets(nets_with(SUPPORTS.name))}: ")
     parser.add_argument(
         "--supports-fixed",
         action="store_true",
-        help=f"{_nets(_supported())}: supports do not slide",
+        help=f"{_nets(nets_with(SUPPORTS.name))}: supports do not slide",
     )
     parser.add_argument(
         "--handle", action="append", default=[], metavar="I:x,y,z", help="drag vertex I there"
@@ -95,15 +95,11 @@ def refuse_unfit(options: argparse.Namespace) -> Net:
     asked = net_named(options.net)
     refuse_no_steps(options.max_steps)
     arguments.given(WEIGHTS.values(), options)
-    for name in arguments.given(OPTIONS.values(), options):
-        if name not in asked.options:
-            raise _not_for(arguments.flag_of(OPTIONS[name]), nets_with(name), asked)
-    for flag, value in (
-        ("--supports", options.supports),
-        ("--supports-fixed", options.supports_fixed),
-    ):
-        if value and asked.name not in _supported():
-            raise _not_for(flag, _supported(), asked)
+    declared = {**OPTIONS, SUPPORTS.name: SUPPORTS}
+    said = arguments.given(declared.values(), options)
+    refuse_foreign(asked, said, lambda name: arguments.flag_of(declared[name]))
+    if options.supports_fixed:
+        refuse_foreign(asked, [SUPPORTS.name], lambda _: "--supports-fixed")
     if options.supports_fixed and options.fix != "none":
         raise InputError(
             "--supports-fixed: what --fix names does not move already; give one of them"
@@ -140,17 +136,8 @@ def settings(
     }
 
 
-def _supported() -> tuple[str, ...]:
-    """Nets that need supports."""
-    return tuple(name for name, net in NETS.items() if net.supports != "none")
-
-
 def _nets(names: tuple[str, ...]) -> str:
     return ", ".join(names) or "no net"
-
-
-def _not_for(flag: str, nets: tuple[str, ...], asked: Net) -> InputError:
-    return InputError(f"{flag}: only {_nets(nets)} nets have it, not {asked.name}; leave it out")
 
 
 def _reference(path: str, up: str, loaded: api.LoadedMesh) -> FloatArray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,7 @@ from freecad_ortho.objects.net_settings import FIX_RULES
 from freecad_ortho.objects.option_properties import read, write
 from solver.errors import InputError, refuse_unknown
 from solver.mesh.quadmesh import QuadMesh
-from solver.nets import NETS
+from solver.nets import NETS, net_named, refuse_foreign
 from solver.nets.constraints import Constraints
 from solver.nets.options import OPTIONS, NetOptions
 from solver.nets.settings import WEIGHTS, fixed_vertices
@@ -114,6 +114,18 @@ def store(net: FreeCAD.DocumentObject, given: dict[str, Any]) -> None:
             constraints.store_glide(net, value)
         else:
             constraints.store_close_to(net, value)
+
+
+def refuse_foreign_words(net: FreeCAD.DocumentObject, given: Mapping[str, Any]) -> None:
+    """Refuse what is said of a net that does not heed it; a default may be said of any.
+
+    Raises:
+        InputError: naming the option and the nets that have it.
+    """
+    asked = net_named(given.get("net", net.NetType))
+    own = {**OPTIONS, SUPPORTS.name: SUPPORTS}
+    said = [word for word in given if word in own and not own[word].is_default(given[word])]
+    refuse_foreign(asked, said)
 
 
 def divided(settings: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:

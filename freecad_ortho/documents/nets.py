@@ -131,7 +131,7 @@ def set_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettings]) 
 
     Args:
         target: the Net.
-        settings: as for :func:`optimise_net`; what is not given stays.
+        settings: as for :func:`optimise_net`; what is not given stays, what other nets have too.
 
     Raises:
         InputError: a setting that cannot be used; the Net is unchanged.
@@ -165,7 +165,8 @@ def optimise_net(target: FreeCAD.DocumentObject, /, **settings: Unpack[NetSettin
         The outcome, its mesh in mm; the report is also in the Net's ``LastReport``.
 
     Raises:
-        InputError: settings that do not fit the mesh; the Net is unchanged.
+        InputError: settings that do not fit the mesh, or that its kind of net does not have; the
+            Net is unchanged.
     """
     require_net(target)
     with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Optimise")):
@@ -293,6 +294,7 @@ def _dragged(session: Session, mesh: QuadMesh, places: Mapping[int, Sequence[flo
 
 def _store(target: FreeCAD.DocumentObject, settings: dict[str, Any]) -> None:
     """Keep settings in the Net; where one is refused, also without undo, all are as before."""
+    net_settings.refuse_foreign_words(target, settings)
     before = [(item.name, getattr(target, item.name)) for item in ALL]
     try:
         net_settings.store(target, settings)

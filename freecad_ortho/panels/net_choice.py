@@ -37,6 +37,7 @@ class NetChoice:
 
     def __init__(self, net: FreeCAD.DocumentObject, stored: dict[str, Any]) -> None:
         self._net = net
+        self._stored = {name: stored[name] for name in _ASKED}
         mesh = convert.quad_mesh(net)
         self._advice = advise(mesh)
         # What makes no difference to this mesh is not asked.
@@ -72,9 +73,11 @@ class NetChoice:
 
     @property
     def words(self) -> dict[str, Any]:
-        """The choices as keywords of ``optimise_net``; those of other nets keep their values."""
-        options = {name: field.value for name, field in self.fields.items()}
-        return {"net": self.net_type.word, **options}
+        """The choices as keywords of ``optimise_net``, and those of other nets as they are."""
+        chosen = self.net_type.word
+        # Another net begins on the edges, whatever the one before was asked of.
+        own = {name: self.fields[name].value for name in ("diagonal", *NETS[chosen].told)}
+        return {"net": chosen, **self._stored, **own}
 
     @property
     def _diagonal(self) -> bool:

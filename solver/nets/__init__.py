@@ -1,7 +1,15 @@
 """One file a net or a few of a kind: recipe, options, measures, words; the table has them all."""
 
 from solver.nets.net import Easier, Measure, Net, Way
-from solver.nets.table import NETS, all_measures, net_named, nets_with, register, unregister
+from solver.nets.table import (
+    NETS,
+    all_measures,
+    net_named,
+    nets_with,
+    refuse_foreign,
+    register,
+    unregister,
+)
 
 __all__ = [
     "NETS",
@@ -12,6 +20,7 @@ __all__ = [
     "all_measures",
     "net_named",
     "nets_with",
+    "refuse_foreign",
     "register",
     "unregister",
 ]

@@ -239,6 +239,12 @@ class NetOptions:
             option.check(getattr(self, option.name), "")
 
     @property
+    def given(self) -> tuple[str, ...]:
+        """Names of the choices that are other than usual."""
+        values = {name: getattr(self, name) for name in OPTIONS}
+        return tuple(name for name, value in values.items() if not OPTIONS[name].is_default(value))
+
+    @property
     def load_vectors(self) -> list[tuple[float, float, float]]:
         """Loads of a stress net as vectors, of a vertex, of unit area and of unit length."""
         return [(0.0, 0.0, -load) for load in (self.load, self.load_area, self.load_length)]

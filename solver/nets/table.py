@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from solver.errors import InputError
@@ -52,8 +52,30 @@ def net_named(name: str) -> Net:
 
 
 def nets_with(option: str) -> tuple[str, ...]:
-    """Names of the nets that heed an option."""
-    return tuple(name for name, net in NETS.items() if option in net.options)
+    """Names of the nets that heed an option, or that have supports."""
+    return tuple(name for name, net in NETS.items() if option in net.told)
+
+
+def refuse_foreign(
+    asked: Net, given: Iterable[str], written: Callable[[str], str] = lambda name: name
+) -> None:
+    """Refuse what is said of a net that does not heed it.
+
+    Args:
+        asked: the net.
+        given: names of options that say something other than their defaults.
+        written: what an option is called where it was given.
+
+    Raises:
+        InputError: naming the option and the nets that have it.
+    """
+    for name in given:
+        if name not in asked.told:
+            those = ", ".join(nets_with(name))
+            raise InputError(
+                f"{written(name)}: {f'only {those} nets have it' if those else 'no net has it'}, "
+                f"not {asked.name}; leave it out"
+            )
 
 
 def all_measures() -> dict[str, Measure]:

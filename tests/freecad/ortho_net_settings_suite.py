@@ -27,7 +27,8 @@ class TestTable(DocumentCase):
 
     def test_options_of_other_nets_wait_for_theirs(self):
         net = self.imported()
-        api.set_net(net, net="asymptotic", diagonal=True, radius=2000.0)
+        api.set_net(net, net="cmc", radius=2000.0)
+        api.set_net(net, net="asymptotic", diagonal=True)
         mesh = convert.quad_mesh(net)
         self.assertTrue(net_settings.for_solver(net, mesh)["options"].diagonal)
         self.assertIsNone(net_settings.for_solver(net, mesh)["options"].radius)
@@ -144,6 +145,9 @@ class TestTable(DocumentCase):
         net = self.imported()
         with self.assertRaisesRegex(InputError, "^net: has no 'speed'; it has net, "):
             api.optimise_net(net, speed=3)
+        with self.assertRaisesRegex(InputError, "^radius: only cmc nets have it, not conical; "):
+            api.optimise_net(net, net="conical", radius="2 m")
+        api.set_net(net, net="conical", radius=None, load=0, supports="")
         with self.assertRaisesRegex(InputError, "^add_beams: has no 'hight'; it has net, height, "):
             api.add_beams(net, hight=3)
         with self.assertRaisesRegex(InputError, "^hight: panels have no such setting; there are "):
@@ -179,6 +183,8 @@ class TestTable(DocumentCase):
                 {"close_to": [(box, "Edge1")]},
                 {"reference": box},
                 {"speed": 3},
+                {"length": 150.0},
+                {"supports": [3]},
             ):
                 with self.subTest(mode=mode, wrong=str(wrong)), self.assertRaises(InputError):
                     api.set_net(net, **{"net": "cmc", **wrong})

@@ -104,6 +104,9 @@ class TestChoices(OptimiseCase):
         regular = {name: [one for one in row if one != "singular"] for name, row in wanted.items()}
         self.assertEqual(seen, regular)
         self.assertNotEqual(seen["cmc"], seen["chebyshev"])
+        # What was said of one net waits for it, and is not said of another.
+        self.assertNotIn("radius", panel.settings())
+        panel.net_type.choose("cmc")
         self.assertEqual(panel.settings()["radius"], 5000)
 
     def test_irregular_vertices_are_asked_of_where_there_are_any(self):

@@ -19,6 +19,7 @@ from solver.nets.constraints import (
     SurfaceGlide,
     settled,
 )
+from solver.nets.options import OPTIONS
 from solver.nets.settings import Weights
 from solver.plan import Plan
 from tests.conftest import QuadMesh, grid_faces, surface_of_revolution, wavy_grid
@@ -212,6 +213,30 @@ def test_a_mesh_without_stars_cannot_carry_star_nets(net):
 def test_bad_options_are_refused_in_one_line(options, words):
     with pytest.raises(InputError, match=words):
         NetOptions(**options)
+
+
+@pytest.mark.parametrize(
+    ("net", "options", "words"),
+    [
+        (
+            "principal",
+            {"radius": 3.0},
+            "radius: only cmc nets have it, not principal; ",
+        ),
+        ("conical", {"diagonal": True}, "diagonal: only .*geodesic.* nets have it, not conical"),
+        ("planar", {"reference": np.zeros((30, 3))}, "reference: only isometric nets have it"),
+        ("cmc", {"forces": "tension"}, "forces: only stress nets have it, not cmc"),
+    ],
+)
+def test_an_option_that_a_net_does_not_have_is_refused(net, options, words):
+    with pytest.raises(InputError, match=f"^{words}"):
+        optimise(wavy_grid(6, 5), net, options=NetOptions(**options))
+
+
+def test_defaults_may_be_said_of_every_net():
+    usual = {name: option.default for name, option in OPTIONS.items()}
+    assert NetOptions(**usual).given == ()
+    assert optimise(wavy_grid(6, 5), options=NetOptions(**usual)).report.status == "converged"
 
 
 def test_a_reference_must_have_the_same_vertices():
