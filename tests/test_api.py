@@ -12,8 +12,9 @@ import pytest
 from freecad_ortho import api
 from freecad_ortho.calls import listing_keywords
 from freecad_ortho.fabrication.systems import SYSTEMS
-from freecad_ortho.fabrication.workshop import Workshop
-from freecad_ortho.keywords import NetSettings, Sizes, WorkshopSettings
+from freecad_ortho.keywords import NetSettings
+from freecad_ortho.sources import GROUPS, SOURCES
+from scripts import option_keywords
 from solver.errors import InputError, OrthoError
 from solver.nets.options import OPTIONS
 from solver.optimise import Settings
@@ -58,8 +59,8 @@ def test_all_names_stand_in_the_source_where_editors_look():
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_without_freecad_every_function_has_its_help_and_says_what_it_needs(name):
     function = getattr(api, name)
-    arguments, _, docstring = inspect.getdoc(function).partition("\n\n")
-    assert arguments.startswith(f"{name}(") and docstring.strip()
+    assert function.__doc__ and pydoc.plain(pydoc.render_doc(function)).count(f"{name}(") == 1
+    assert inspect.signature(function).parameters.keys() != {"arguments", "settings"}
     with pytest.raises(OrthoError, match=f"^{name}: works on documents of FreeCAD") as said:
         function("anything", at=all)
     assert "\n" not in str(said.value)
@@ -70,28 +71,73 @@ def test_help_of_the_module_shows_them_all():
     shown = pydoc.plain(pydoc.render_doc(api))
     for name in api.__all__:
         assert f"{name}(" in shown or f"class {name}" in shown, name
-    assert "section: str='plate'" in shown
+    assert "section: str = 'plate'" in shown and "semi_axes: Sequence[Length] = ..." in shown
+
+
+def test_types_of_keywords_are_those_of_the_tables():
+    written = option_keywords.WRITTEN.read_text(encoding="utf-8")
+    assert written == option_keywords.text(), "run scripts/option_keywords.py"
+    hints = get_type_hints(NetSettings)
+    others = {*get_type_hints(Settings), "net", "handles", "glide", "close_to", "symmetry"}
+    assert set(hints) - set(OPTIONS) == others - {"tuning"}
+    for name, option in OPTIONS.items():
+        if option.choices:
+            assert get_args(hints[name]) == option.choices, name
+
+
+def arguments_of(name):
+    """Names and defaults of a function on documents, as its source has them."""
+    (function,) = (
+        item
+        for path in sorted((ROOT / "freecad_ortho" / "documents").glob("*.py"))
+        for item in ast.parse(path.read_text(encoding="utf-8")).body
+        if isinstance(item, ast.FunctionDef) and item.name == name
+    )
+    plain, spelled = function.args.args, function.args.kwonlyargs
+    usual = dict(zip(reversed(plain), reversed(function.args.defaults), strict=False))
+    usual |= dict(zip(spelled, function.args.kw_defaults, strict=True))
+    return {arg.arg: ast.literal_eval(node) for arg, node in usual.items()}
+
+
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_the_function_of_a_system_has_all_its_options_with_their_defaults(system):
+    found = arguments_of(f"add_{system.replace('-', '_')}")
+    common = {"family": "both", "lines": (), "material": "steel", "density": 0.0}
+    assert {name: found.pop(name) for name in common} == common
+    assert found.pop("beams", None) is None
+    wanted = {option.name: option.default for option in SYSTEMS[system].options}
+    if "panel_thickness" in wanted:
+        # Where nothing is said it may be that of a build-up.
+        wanted["thickness"] = None
+    assert found == wanted
 
 
 @pytest.mark.parametrize(
-    ("kind", "options"),
+    ("function", "names", "own"),
     [
-        (Sizes, [option for system in SYSTEMS.values() for option in system.options]),
-        (WorkshopSettings, Workshop.options),
-        (NetSettings, OPTIONS.values()),
+        ("add_primitive", GROUPS["primitive"], set()),
+        ("add_multi_net", GROUPS["multi-net"], {"points"}),
+        ("add_elliptic_net", GROUPS["elliptic multi-net"], {"moving"}),
+        ("net_from_faces", GROUPS["faces"], set()),
+        ("net_along_curvature", GROUPS["along curvature"], {"strokes"}),
+        ("form_net", GROUPS["form-finding"], set()),
+        ("add_source", SOURCES, {"nets", "faces", "strokes"}),
+        ("change_source", SOURCES, {"nets", "faces", "strokes"}),
     ],
 )
-def test_settings_have_the_names_and_choices_of_their_tables(kind, options):
-    hints = get_type_hints(kind)
-    for option in options:
-        assert option.name in hints, f"{option.name} is missing in {kind.__name__}"
-        if option.examples:
-            assert hints[option.name] is str, option.name
-        elif option.choices:
-            assert get_args(hints[option.name]) == option.choices, option.name
-    beyond = set(hints) - {option.name for option in options}
-    others = {*get_type_hints(Settings), "net", "handles", "glide", "close_to", "symmetry"}
-    assert beyond == ((others - {"tuning"}) if kind is NetSettings else set())
+@without_freecad
+def test_the_function_of_a_source_shows_its_options(function, names, own):
+    shown = inspect.signature(getattr(api, function)).parameters.values()
+    asked = {one.name for one in shown if one.default is not inspect.Parameter.empty}
+    options = {option.name for name in names for option in SOURCES[name].options}
+    assert asked - {"document"} == options | own
+
+
+def test_help_shows_keywords_that_stand_in_a_table():
+    shown = inspect.signature(api.fabricate).parameters
+    assert {option.name for option in SYSTEMS["beams"].options} < set(shown)
+    assert not any(one.kind is inspect.Parameter.VAR_KEYWORD for one in shown.values())
+    assert "edge_height: Length | None = ..." in pydoc.plain(pydoc.render_doc(api.fabricate))
 
 
 def test_a_size_that_a_system_has_not_is_refused_by_naming_whose_it_is(barrel):

@@ -16,9 +16,9 @@ CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "shapely", "vtk")
 ROOMS = (
     "answers", "solver", "units", "packages", "preferences", "resources", "vtk_files",
     "rhino_files", "mesh_files", "step_faces", "triangles", "sources", "fabrication", "structural",
-    "keywords", "fabricating", "standing", "surface_files", "stages", "building", "calls",
-    "convert", "objects", "view", "documents", "stand_in", "api", "cli", "window", "panels",
-    "commands",
+    "option_keywords", "keywords", "fabricating", "standing", "surface_files", "stages", "building",
+    "calls", "convert", "objects", "view", "documents", "stand_in", "api", "cli", "window",
+    "panels", "commands",
 )  # fmt: skip
 
 # How many imports of the project's own modules wait until they are needed: what works without a

@@ -23,9 +23,10 @@ def add_panels(
     net: Feature,
     thickness: Length | None = None,
     gap: Length = 8.0,
-    offset: str = "above",
+    offset: str = "centre",
     beams: Feature | None = None,
     *,
+    panel_thickness: Length | None = None,
     panel_edge: str = "square",
     at_hubs: str = "cut",
     clearance: Length = 1.0,
@@ -53,6 +54,7 @@ def add_panels(
         gap: between two panels.
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``, where they lie on no beams.
         beams: a Structure of beams on the same Net that the panels lie on.
+        panel_thickness: the same as ``thickness``, as it is called beside beams elsewhere.
         panel_edge: ``"square"``, or ``"bevel"``: along the beams.
         at_hubs: ``"cut"`` corners off beside hubs, or ``"lift"`` panels over them.
         clearance: to hubs.
@@ -113,6 +115,7 @@ def add_louvres(
     net: Feature,
     *,
     thickness: Length | None = None,
+    panel_thickness: Length | None = None,
     gap: Length = 8.0,
     louvre_axis: str = "u",
     tilt: float = 0.0,
@@ -127,6 +130,7 @@ def add_louvres(
     Args:
         net: the Net.
         thickness: of the slats; by default 12 mm, or that of the build-up.
+        panel_thickness: the same as ``thickness``, as it is called beside beams elsewhere.
         gap: between two slats.
         louvre_axis: ``"u"`` or ``"v"``: the lines that they turn about.
         tilt: by how much they are turned, degrees.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import FreeCAD
 
@@ -13,7 +13,6 @@ from freecad_ortho import convert
 from freecad_ortho.documents.again import require_same_vertices
 from freecad_ortho.documents.common import document_or_new, progress, require_net, transaction
 from freecad_ortho.documents.nets import optimise_within
-from freecad_ortho.keywords import Value
 from freecad_ortho.objects import cad_faces, places, source_net
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects.making import Inputs
@@ -22,6 +21,21 @@ from freecad_ortho.sources import GROUPS, source
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.remesh import quads_from_triangles
+
+if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
+    from freecad_ortho.option_keywords import (
+        ChangeOptions,
+        CurvatureOptions,
+        EllipticNetOptions,
+        FaceOptions,
+        FormOptions,
+        MultiNetOptions,
+        PrimitiveOptions,
+        SourceOptions,
+    )
 
 Face = tuple[FreeCAD.DocumentObject, str]
 
@@ -33,7 +47,7 @@ def add_source(
     faces: Sequence[Face] = (),
     strokes: Sequence[Face] = (),
     document: FreeCAD.Document | str | None = None,
-    **options: Value,
+    **options: Unpack[SourceOptions],
 ) -> FreeCAD.DocumentObject:
     """Add a net made by any source; it follows its options and what it is made of.
 
@@ -74,18 +88,19 @@ def add_source(
 
 
 def change_source(
-    net: FreeCAD.DocumentObject,
+    target: FreeCAD.DocumentObject,
+    /,
     nets: Sequence[FreeCAD.DocumentObject] | None = None,
     faces: Sequence[Face] | None = None,
     strokes: Sequence[Face] | None = None,
-    **options: Value,
+    **options: Unpack[SourceOptions],
 ) -> None:
     """Give a net that follows a source other options; vertices that were moved are made anew.
 
     Those of a net with ``OptimiseAgain`` are optimised again then, as before.
 
     Args:
-        net: a net made by :func:`add_source` or its kin.
+        target: a net made by :func:`add_source` or its kin.
         nets: other nets that it is made of.
         faces: other faces that it is sampled from.
         strokes: other edges, wires and sketches that its lines run along; ``()`` for none.
@@ -94,36 +109,43 @@ def change_source(
     Raises:
         InputError: values that make no net; the document is unchanged.
     """
-    places.refuse_link(net)
-    if not source_net.is_source_net(net):
-        label = getattr(net, "Label", net)
+    places.refuse_link(target)
+    if not source_net.is_source_net(target):
+        label = getattr(target, "Label", target)
         raise InputError(f"net: {label} follows no source; add a primitive, for one")
-    entry = source(net.MadeBy)
+    entry = source(target.MadeBy)
     values = convert.option_values(entry, options)
-    with transaction(net.Document, FreeCAD.Qt.translate("Ortho", "Change source")):
-        inputs = source_net.inputs_of(net, nets=nets, faces=faces, strokes=strokes)
+    with transaction(target.Document, FreeCAD.Qt.translate("Ortho", "Change source")):
+        inputs = source_net.inputs_of(target, nets=nets, faces=faces, strokes=strokes)
         inputs.require(entry)
-        with source_net.as_before_on_failure(net):
-            source_net.set_values(net, values)
-            source_net.set_inputs(net, inputs)
-            again = net.OptimiseAgain and not net.FollowSource
+        with source_net.as_before_on_failure(target):
+            source_net.set_values(target, values)
+            source_net.set_inputs(target, inputs)
+            again = target.OptimiseAgain and not target.FollowSource
             if again:
-                require_same_vertices(net)
-            source_net.remake(net)
+                require_same_vertices(target)
+            source_net.remake(target)
         if again:
-            optimise_within(net)
+            optimise_within(target)
         else:
-            net.FollowSource = True
-            net.Document.recompute()
-    _say_remarks(net)
+            target.FollowSource = True
+            target.Document.recompute()
+    _say_remarks(target)
 
 
-def add_primitive(name: str, **options: Value) -> FreeCAD.DocumentObject:
+def add_primitive(
+    name: str,
+    *,
+    document: FreeCAD.Document | str | None = None,
+    **options: Unpack[PrimitiveOptions],
+) -> FreeCAD.DocumentObject:
     """Add a net that is known exactly: ``sphere``, ``catenoid``, ``enneper`` and others.
 
     Args:
         name: of the primitive.
-        options: ``sampling=(M, N)``, ``placement``, ``document`` and the primitive's own.
+        document: where to, or its name; without it the active or a new one.
+        options: ``sampling=(M, N)``, ``placement`` and the primitive's own; lengths as numbers of
+            mm, quantities or texts such as ``"2 m"``.
 
     Raises:
         InputError: no such primitive or option; the document is unchanged.
@@ -131,52 +153,76 @@ def add_primitive(name: str, **options: Value) -> FreeCAD.DocumentObject:
     if name not in GROUPS["primitive"]:
         known = ", ".join(GROUPS["primitive"])
         raise InputError(f"primitive: expected one of {known}, got '{name}'")
-    return add_source(name, **options)
+    return add_source(name, document=document, **options)
 
 
-def add_multi_net(points: Any = (), **options: Value) -> FreeCAD.DocumentObject:
+def add_multi_net(
+    points: Any = (),
+    *,
+    document: FreeCAD.Document | str | None = None,
+    **options: Unpack[MultiNetOptions],
+) -> FreeCAD.DocumentObject:
     """Add the multi-net of a polyline on a quadric.
 
     Args:
         points: (n, 3) points in the frame of the quadric, in mm; they are set onto it.
-        options: ``quadric``, ``semi_axes``, ``sampling``, ``t_range`` (mm2), ``closed``,
-            ``reflect``, ``placement``, ``document``.
+        document: where to, or its name; without it the active or a new one.
+        options: ``t_range`` in mm2, the others as in the panel; ``reflect`` names mirror planes.
 
     Raises:
         InputError: no curve on the quadric, or t outside its range; the document is unchanged.
     """
-    return add_source("multi-net", points=points, **options)
+    return add_source("multi-net", document=document, points=points, **options)
 
 
-def add_elliptic_net(moving: str = "lambda", **options: Value) -> FreeCAD.DocumentObject:
+def add_elliptic_net(
+    moving: str = "lambda",
+    *,
+    document: FreeCAD.Document | str | None = None,
+    **options: Unpack[EllipticNetOptions],
+) -> FreeCAD.DocumentObject:
     """Add a multi-net in elliptic coordinates.
 
     Args:
         moving: ``lambda``, ``mu`` or ``nu``: the coordinate in the role of t.
-        options: ``semi_axes``, ``curve`` (a preset, or ``formulas`` with ``first_formula`` and
-            ``second_formula``), ``sampling``, ``t_range`` (mm2), ``reflect``, ``document``.
+        document: where to, or its name; without it the active or a new one.
+        options: ``curve`` is a preset, or ``formulas`` with ``first_formula`` and
+            ``second_formula``; ``t_range`` in mm2.
 
     Raises:
         InputError: a value outside its range; the document is unchanged.
     """
-    return add_source("elliptic multi-net", moving=moving, **options)
+    return add_source("elliptic multi-net", document=document, moving=moving, **options)
 
 
-def net_from_faces(faces: Any, **options: Value) -> FreeCAD.DocumentObject:
+def net_from_faces(
+    faces: Any,
+    *,
+    document: FreeCAD.Document | str | None = None,
+    **options: Unpack[FaceOptions],
+) -> FreeCAD.DocumentObject:
     """Add a net sampled from CAD faces along their parameter lines, joined where they meet.
 
     Args:
         faces: a shape (all its faces), ``(shape, "Face1")``, or a list of these.
-        options: ``sampling=(M, N)`` or ``edge="1 m"``, ``spacing``, ``outside``, ``u_part``,
-            ``v_part``.
+        document: where to, or its name; without it that of the faces.
+        options: ``sampling=(M, N)`` or ``edge="1 m"``; ``u_part`` and ``v_part`` are the first and
+            the last part of a face, from 0 to 1.
 
     Raises:
         InputError: no faces, or a face that cannot be sampled so; the document is unchanged.
     """
-    return add_source("faces", faces=cad_faces.faces_of(faces), **options)
+    chosen = cad_faces.faces_of(faces)
+    return add_source("faces", faces=chosen, document=document, **options)
 
 
-def net_along_curvature(faces: Any, strokes: Any = (), **options: Value) -> FreeCAD.DocumentObject:
+def net_along_curvature(
+    faces: Any,
+    strokes: Any = (),
+    *,
+    document: FreeCAD.Document | str | None = None,
+    **options: Unpack[CurvatureOptions],
+) -> FreeCAD.DocumentObject:
     """Add a net on CAD faces along their lines of curvature, or at 45 degrees to them.
 
     The net overhangs the border of the faces by up to a face, or follows it; ``close_to`` keeps it
@@ -186,7 +232,8 @@ def net_along_curvature(faces: Any, strokes: Any = (), **options: Value) -> Free
         faces: a shape (all its faces), ``(shape, "Face1")``, or a list of these.
         strokes: what lines of the net run along, whatever curvature says there: ``(shape,
             "Edge1")``, a wire or a sketch, or a list of these.
-        options: ``net`` (``principal``, ``developable``, ``asymptotic`` or ``cmc``),
+        document: where to, or its name; without it that of the faces.
+        options: ``net`` (``principal``, ``developable``, ``asymptotic``, ``cmc`` or ``stress``),
             ``edge="1.2 m"``, ``ratio``, ``border`` (``trim`` or ``follow``); ``singularities``
             (rows of x, y, z in mm and 3, 5 or 6 lines, ``"none"`` or ``"auto"``) and
             ``drawn_strokes`` (lists of points in mm).
@@ -196,37 +243,54 @@ def net_along_curvature(faces: Any, strokes: Any = (), **options: Value) -> Free
             document is unchanged.
     """
     chosen = cad_faces.faces_of(faces)
-    return add_source("along curvature", faces=chosen, strokes=strokes_of(strokes), **options)
+    return add_source(
+        "along curvature",
+        faces=chosen,
+        strokes=strokes_of(strokes),
+        document=document,
+        **options,
+    )
 
 
-def form_net(net: FreeCAD.DocumentObject, **options: Value) -> FreeCAD.DocumentObject:
+def form_net(
+    net: FreeCAD.DocumentObject,
+    *,
+    document: FreeCAD.Document | str | None = None,
+    **options: Unpack[FormOptions],
+) -> FreeCAD.DocumentObject:
     """Add the membrane or cable net in equilibrium that starts from a net.
 
     Args:
         net: the start; its supports are held.
+        document: where to, or its name; without it that of the net.
         options: ``kind``, ``supports``, ``lift``, ``density``, loads and others of the source
             ``form-finding``.
 
     Raises:
         InputError: no supports, or no equilibrium; the document is unchanged.
     """
-    return add_source("form-finding", net, **options)
+    return add_source("form-finding", net, document=document, **options)
 
 
 def change_net(
-    net: FreeCAD.DocumentObject, change: str, **options: Value
+    net: FreeCAD.DocumentObject,
+    change: str,
+    *,
+    document: FreeCAD.Document | str | None = None,
+    **options: Unpack[ChangeOptions],
 ) -> FreeCAD.DocumentObject:
     """Add a net made from another: ``subdivide``, ``diagonal mesh``, ``mirror`` and others.
 
     Args:
         net: the net; it stays, hidden, and the new one follows it.
         change: name of the source.
-        options: of the change.
+        document: where to, or its name; without it that of the net.
+        options: of the change; lengths as numbers of mm, quantities or texts such as ``"2 m"``.
 
     Raises:
         InputError: no such change, or it does not fit the net; the document is unchanged.
     """
-    return add_source(change, net, **options)
+    return add_source(change, net, document=document, **options)
 
 
 def weld_nets(

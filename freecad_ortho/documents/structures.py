@@ -28,7 +28,7 @@ from freecad_ortho.objects import build, outdated, places
 from freecad_ortho.objects import structure as structure_object
 from freecad_ortho.objects.option_properties import stored, with_capital
 from freecad_ortho.objects.structural_check import is_check
-from freecad_ortho.objects.system_properties import options_of, values
+from freecad_ortho.objects.system_properties import PANEL_THICKNESS, options_of, values
 from solver.errors import InputError
 
 if TYPE_CHECKING:
@@ -344,6 +344,10 @@ def _properties(
         present: values of the system's options that those not given have; without it the defaults.
     """
     sizes = {word: value for word, value in settings.items() if word not in _COMMON}
+    if PANEL_THICKNESS in sizes and _has(system, PANEL_THICKNESS):
+        # Beside beams it is said so, whose thickness is another; here it is the only one.
+        own = sizes.pop(PANEL_THICKNESS)
+        sizes |= {} if own is None else {"thickness": own}
     if "lines" in settings or "family" in settings:
         Selection(settings.get("family", "both"), tuple(settings.get("lines", ())) or None)
     if "material" in settings or "density" in settings:
@@ -355,6 +359,10 @@ def _properties(
         if word in settings:
             properties[name] = write(settings[word])
     return properties
+
+
+def _has(system: str, name: str) -> bool:
+    return any(option.name == name for option in SYSTEMS[system].options)
 
 
 def _option_properties(

@@ -12,7 +12,8 @@ from freecad_ortho.objects.properties import Property
 from solver.option import Option
 
 # A structure of panels has a thickness of its own; the option is for panels beside beams.
-_ELSEWHERE = ("panel_thickness",)
+PANEL_THICKNESS = "panel_thickness"
+_ELSEWHERE = (PANEL_THICKNESS,)
 
 
 def options_of(system: str) -> tuple[Option, ...]:
