@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 import FreeCAD
 import numpy as np
 
+from freecad_ortho import written
 from freecad_ortho.sources.source import singular
+from freecad_ortho.written import LOADS
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
@@ -129,6 +131,10 @@ def option_value(option: Option, value: Any) -> Any:
         return tuple(tuple(map(tuple, rows(line).tolist())) for line in value)
     if option.kind == "singular":
         return singular_rows(value)
+    if option.kind == "text" and isinstance(value, (list, tuple)):
+        return ",".join(map(str, value))
+    if option.kind in LOADS:
+        return _load(value, option)
     if option.kind in ("length", "distance", "angle", "area", "pressure"):
         own = {"angle": degrees, "area": square_millimetres, "pressure": kilopascals}
         read = own.get(option.kind, millimetres)
@@ -136,6 +142,15 @@ def option_value(option: Option, value: Any) -> Any:
             return tuple(read(item, option.name) for item in value)
         return read(value, option.name)
     return tuple(value) if isinstance(value, list) else value
+
+
+def _load(value: Any, option: Option) -> float:
+    """A load as the solver takes it, by mm: a number, or a text such as ``"1.5 kN/m2"``."""
+    found = written.number(str(value), option.kind, "mm")
+    if found is None:
+        per = {"force": "5 kN", "per_length": "0.2 kN/m", "per_area": "1.5 kN/m2"}[option.kind]
+        raise InputError(f"{option.name}: {value!r} is no such load; give it like '{per}'")
+    return found
 
 
 def square_millimetres(value: float | str | FreeCAD.Units.Quantity, name: str) -> float:

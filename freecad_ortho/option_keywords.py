@@ -14,6 +14,8 @@ Length = float | str
 Angle = float | str
 Area = float | str
 Pressure = float | str
+# A force, or one by mm or mm2; a text such as "1.5 kN/m2" too.
+Load = float | str
 # An object of a FreeCAD document, and where something stands: they have no type outside FreeCAD.
 Feature = Any
 Placement = Any
@@ -163,9 +165,9 @@ class NetChoices(TypedDict, total=False):
     length: Length | None
     per_family: bool
     reference: Feature | None
-    load: float
-    load_area: float
-    load_length: float
+    load: Load
+    load_area: Load
+    load_length: Load
     forces: Literal["free", "compression", "tension"]
     singular: Literal["exempt", "include"]
     fairness: float | None

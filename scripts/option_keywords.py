@@ -40,6 +40,8 @@ Length = float | str
 Angle = float | str
 Area = float | str
 Pressure = float | str
+# A force, or one by mm or mm2; a text such as "1.5 kN/m2" too.
+Load = float | str
 # An object of a FreeCAD document, and where something stands: they have no type outside FreeCAD.
 Feature = Any
 Placement = Any
@@ -50,6 +52,9 @@ _TYPES = {
     "area": "Area",
     "angle": "Angle",
     "pressure": "Pressure",
+    "force": "Load",
+    "per_length": "Load",
+    "per_area": "Load",
     "percent": "float",
     "number": "float",
     "weight": "float",

@@ -50,8 +50,8 @@ class Settings(TypedDict, total=False):
     smooth_motion: float | None
     edge_vectors: float | None
     isometry: float | None
-    fix: str | Sequence[int]
-    supports: str | Sequence[int]
+    fix: str | Sequence[int | str]
+    supports: str | Sequence[int | str]
     within: float | None
     repeat: str
     kinds: int | None
@@ -107,8 +107,8 @@ def start_optimisation(
     smooth_motion: float | None = None,
     edge_vectors: float | None = None,
     isometry: float | None = None,
-    fix: str | Sequence[int] = "none",
-    supports: str | Sequence[int] = "",
+    fix: str | Sequence[int | str] = "none",
+    supports: str | Sequence[int | str] = "",
     within: float | None = None,
     repeat: str = "none",
     kinds: int | None = None,
@@ -137,7 +137,8 @@ def start_optimisation(
         edge_vectors: start weight of edges that keep direction and length.
         isometry: start weight of faces keeping their shape, for sheets that only bend; by default
             none.
-        fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
+        fix: ``none``, ``corners``, ``boundary``, vertex numbers or several of it (``boundary,5``);
+            these vertices keep every bit.
         supports: of nets that carry loads ``boundary``, which slides along its own curve but for
             its corners, ``corners`` or vertex numbers, which stay; by default what is fixed, and
             where nothing is, what the net needs: the boundary of a stress net.

@@ -12,19 +12,22 @@ import numpy as np
 from solver.errors import InputError
 
 Kind = Literal[
-    "length", "distance", "area", "angle", "pressure", "percent", "number", "weight", "direction",
-    "count", "choice", "flag", "text", "points", "polylines", "singular", "placement", "mesh",
+    "length", "distance", "area", "angle", "pressure", "force", "per_length", "per_area", "percent",
+    "number", "weight", "direction", "count", "choice", "flag", "text", "points", "polylines",
+    "singular", "placement", "mesh",
 ]  # fmt: skip
 # Kinds of one number; an option that is a tuple has several of them.
 NUMBERS = (
-    "length", "distance", "area", "angle", "pressure", "percent", "number", "weight", "direction",
-    "count",
+    "length", "distance", "area", "angle", "pressure", "force", "per_length", "per_area", "percent",
+    "number", "weight", "direction", "count",
 )  # fmt: skip
 # Words for directions.
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _SUFFIXES = {2: ("Start", "End"), 3: ("X", "Y", "Z"), 4: ("First", "Second", "Third", "Fourth")}
 # The power of length that a kind of value is.
-_POWERS = {"length": 1, "distance": 1, "area": 2, "points": 1}
+_POWERS = {
+    "length": 1, "distance": 1, "area": 2, "per_length": -1, "per_area": -2, "points": 1,
+}  # fmt: skip
 
 
 def _same(value: Any) -> Any:
@@ -101,7 +104,8 @@ class Option:
         default: value, a tuple where there are several numbers; None where there is none, and of a
             length that is found where none is given.
         kind: ``length`` (not negative), ``distance``, ``area``, ``angle`` (degrees), ``pressure``
-            (kN/m2), ``percent``, ``number``, ``weight`` (not negative), ``count`` (whole),
+            (kN/m2), ``force`` (kN, or all in another unit), ``per_length`` and ``per_area`` (forces
+            by model units), ``percent``, ``number``, ``weight`` (not negative), ``count`` (whole),
             ``direction`` (three numbers, or ``x``, ``y``, ``z``), ``choice``, ``flag``, ``text``,
             ``points`` ((n, 3)), ``polylines`` (any number of those), ``singular`` (rows x, y, z,
             number of lines; none, or None to have them found), ``placement`` (rotation (3, 3),

@@ -21,7 +21,7 @@ def pose(
     mesh: QuadMesh,
     name: str = "own",
     *,
-    fix: str | Sequence[int] = "none",
+    fix: str | Sequence[int | str] = "none",
     constraints: Constraints | None = None,
     weights: Weights | None = None,
 ) -> Problem:
@@ -33,7 +33,8 @@ def pose(
     Args:
         mesh: the start, in any unit, not far from the origin.
         name: what reports call the net.
-        fix: ``none``, ``corners``, ``boundary`` or vertex numbers; these vertices keep every bit.
+        fix: ``none``, ``corners``, ``boundary``, vertex numbers or several of it (``boundary,5``);
+            these vertices keep every bit.
         constraints: handles, gliding, a surface to stay near, symmetry.
         weights: of the guides at the start, by default those of every net.
 

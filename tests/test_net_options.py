@@ -9,12 +9,13 @@ import re
 import numpy as np
 import pytest
 
-from freecad_ortho import api
+from freecad_ortho import api, written
 from freecad_ortho.__main__ import main
 from freecad_ortho.cli import net_options, values
 from solver import QuadMesh
 from solver.analysis import measures, spheres
 from solver.nets import register, unregister
+from solver.nets.settings import fixed_vertices
 from tests.conftest import grid_faces, shared_mesh, wavy_grid
 from tests.own_net import FLAT
 
@@ -138,14 +139,19 @@ def test_gliding_on_a_surface_file(tmp_path, wave):
 
 
 def glides(*arguments: str):
-    """Gliding that the options ask for, of a mesh in metres."""
+    """Constraints that the options ask for, of a mesh in metres."""
+    return settings_of(*arguments)["constraints"]
+
+
+def settings_of(*arguments: str):
+    """What the options say of a mesh in metres."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--net", default="principal")
     values.add_up(parser)
     net_options.add(parser)
     net_options.add_close_to(parser)
     options = parser.parse_args(arguments)
-    return net_options.settings(options, api.LoadedMesh(wavy_grid(3, 3), "m", ()))["constraints"]
+    return net_options.settings(options, api.LoadedMesh(wavy_grid(3, 3), "m", ()))
 
 
 @pytest.mark.parametrize(("gap", "closed"), [(0.0, True), (1e-9, True), (0.5, False)])
@@ -159,6 +165,32 @@ def test_a_curve_far_from_the_origin_closes_where_its_ends_meet(tmp_path, gap, c
     assert glide.closed is closed
     assert len(glide.points) == 9 - closed
     assert glide.vertices.tolist() == [3, 4]
+
+
+def test_places_are_in_the_unit_that_is_named_or_that_of_the_file():
+    wanted = glides("--handle", "5:1,20cm,300 mm", "--glide", "z = 1500mm@3", "--glide", "x=2@4")
+    assert wanted.handles[5] == pytest.approx([1.0, 0.2, 0.3], rel=1e-15)
+    assert [(one.axis, one.place, one.vertices.tolist()) for one in wanted.glide] == [
+        (2, 1.5, [3]),
+        (0, 2.0, [4]),
+    ]
+
+
+def test_loads_that_name_their_unit_are_those_of_the_mesh():
+    said = ["--net", "stress", "--load", "500 N", "--load-area", "1.5kN/m2", "--load-length", "2"]
+    options = settings_of(*said)["options"]
+    assert options.load == pytest.approx(0.5, rel=1e-15)
+    assert (options.load_area, options.load_length) == (1.5, 2.0)
+    assert written.number("1.5 kN/m2", "per_area", "mm") == pytest.approx(1.5e-6, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    "fix", ["boundary,5", ["boundary", 5], "5, Boundary", ["none", "boundary", 5]]
+)
+def test_words_and_numbers_of_vertices_go_together(fix):
+    mesh = wavy_grid(5, 4)
+    held = np.flatnonzero(fixed_vertices(mesh, fix))
+    assert held.tolist() == sorted({5, *mesh.connectivity.boundary_vertices.nonzero()[0]})
 
 
 @pytest.mark.parametrize("named", ["mm", None])
@@ -222,7 +254,14 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--handle", "5:1,2"], "handle: expected I:x,y,z"),
         (["--handle", "5000:1,2,3"], "handle: vertex 5000 does not exist"),
         (["--glide", "ceiling"], "glide: expected boundary, z=0"),
-        (["--glide", "plane:z=high"], "glide: expected a finite number"),
+        (
+            ["--glide", "plane:z=high"],
+            "glide: expected a number such as z=0 or z=1.5m, got 'plane:z=high'",
+        ),
+        (["--handle", "5:1,2,3 furlong"], "handle: expected I:x,y,z such as 12:0,0,3.5m, got"),
+        (["--fix", "boundary,500"], "fix: vertex 500 does not exist"),
+        (["--fix", "boundary,rim"], "fix: expected none, corners, boundary or vertex numbers"),
+        (["--net", "stress", "--load-area", "1kN/m"], "--load-area: expected a finite number"),
         (["--glide", "boundary@3"], "glide: expected boundary, z=0"),
         (["--glide", "plane:z=0@3,,4"], "glide: expected 3 finite numbers"),
         (["--glide", "plane:z=0@3,72"], "glide: vertex 72 does not exist"),

@@ -14,6 +14,7 @@ from freecad_ortho.cli import values
 from freecad_ortho.mesh_files import read_mesh_file, upright
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
+from freecad_ortho.written import place, plane
 from solver import Constraints, InputError, NetOptions
 from solver.io.points import read_points
 from solver.io.polygons import quads_of
@@ -35,7 +36,6 @@ from solver.optimise import refuse_no_steps
 
 # Points (V, 3) and triangles (T, 3) of a surface.
 Triangles = tuple[FloatArray, IntArray]
-_AXES = "xyz"
 # The end of a --glide that names vertices; a path may have an @ of its own.
 _VERTICES = re.compile(r"@([\d,]+)$")
 # Curves whose ends are nearer than this part of their size are closed.
@@ -51,7 +51,10 @@ def add(parser: argparse._ActionsContainer) -> None:
 def add_most(parser: argparse._ActionsContainer) -> None:
     """Add the options but mirror planes."""
     parser.add_argument(
-        "--fix", default="none", metavar="none|corners|boundary|I,J,K", help="what must not move"
+        "--fix",
+        default="none",
+        metavar="none|corners|boundary|I,J,K",
+        help="what must not move; several, as boundary,5",
     )
     parser.add_argument("--max-steps", type=int, default=1000, metavar="N")
     for weight in WEIGHTS.values():
@@ -70,7 +73,11 @@ def add_most(parser: argparse._ActionsContainer) -> None:
         help=f"{_nets(nets_with(SUPPORTS.name))}: supports do not slide",
     )
     parser.add_argument(
-        "--handle", action="append", default=[], metavar="I:x,y,z", help="drag vertex I there"
+        "--handle",
+        action="append",
+        default=[],
+        metavar="I:x,y,z",
+        help="drag vertex I there, in the unit of the mesh or one that is named, as 12:0,0,3.5m",
     )
     parser.add_argument(
         "--glide",
@@ -178,7 +185,7 @@ def refuse_unreadable(options: argparse.Namespace) -> None:
 def _read_constraints(
     options: argparse.Namespace, unit: str, near: Triangles | None
 ) -> Constraints | None:
-    handles = dict(_handle(text) for text in options.handle)
+    handles = dict(place("handle", text, unit) for text in options.handle)
     glide = tuple(_glide(text, unit, options.up) for text in options.glide)
     if options.close_to:
         near = surface_in(options.close_to, unit, options.up)
@@ -186,15 +193,6 @@ def _read_constraints(
     if not (handles or glide or near or symmetry):
         return None
     return Constraints(handles=handles, glide=glide, close_to=near, symmetry=symmetry)
-
-
-def _handle(text: str) -> tuple[int, FloatArray]:
-    try:
-        vertex, place = text.split(":")
-        x, y, z = (float(word) for word in place.split(","))
-        return int(vertex), np.array([x, y, z])
-    except ValueError:
-        raise InputError(f"handle: expected I:x,y,z such as 12:0,0,3.5, got '{text}'") from None
 
 
 def _glide(text: str, unit: str, up: str) -> Glide:
@@ -205,10 +203,12 @@ def _glide(text: str, unit: str, up: str) -> Glide:
     if what == "boundary" and not match:
         return BoundaryGlide()
     # As in documents; the word before it was needed once.
-    level = where if kind == "plane" else what
+    level = (where if kind == "plane" else what).replace(" ", "")
     if level[:2] in ("x=", "y=", "z="):
-        (place,) = values.numbers("glide", level[2:], 1)
-        return PlaneGlide(_AXES.index(level[0]), place, vertices)
+        found = plane(level, unit)
+        if found is None:
+            raise InputError(f"glide: expected a number such as z=0 or z=1.5m, got '{text[:40]}'")
+        return PlaneGlide(*found, vertices)
     if kind == "curve" and where:
         points, closed = _curve(where, up)
         return CurveGlide(points, closed, vertices)

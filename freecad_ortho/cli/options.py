@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import math
-import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -12,7 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from freecad_ortho.cli import values
-from freecad_ortho.units import MILLIMETRES
+from freecad_ortho.written import LOADS, number
 from solver.errors import InputError
 from solver.io.points import read_points
 from solver.mesh.quadmesh import FloatArray
@@ -22,14 +20,13 @@ from solver.option import NUMBERS, Option
 _WRITTEN = {
     "length": "L", "distance": "L", "area": "A", "angle": "DEG", "pressure": "KN/M2",
     "percent": "PERCENT", "number": "N", "weight": "W", "direction": "x|y|z|X,Y,Z", "count": "N",
-    "text": "TEXT", "points": "FILE", "singular": "auto|none|FILE", "mesh": "FILE",
+    "force": "F", "per_length": "F[/M]", "per_area": "F[/M2]", "text": "TEXT", "points": "FILE",
+    "singular": "auto|none|FILE", "mesh": "FILE",
 }  # fmt: skip
 _LETTERS = {2: "A,B", 3: "X,Y,Z"}
 _PLACING = {"rotate": "turn by angles about x, then y, then z", "centre": "where it is put"}
-# A number and the unit behind it.
-_QUANTITY = re.compile(r"\s*([-+.\d]+(?:e[-+]?\d+)?)\s*(?:([a-z°]+)(\^?2)?)?\s*", re.IGNORECASE)
-_POWERS = {"length": 1, "distance": 1, "area": 2}
-_ANGLES = {"deg": 1.0, "°": 1.0, "rad": math.degrees(1.0)}
+# Kinds of numbers that may have a unit behind them.
+_WITH_UNITS = ("length", "distance", "area", "angle", *LOADS)
 
 
 def add(
@@ -236,19 +233,5 @@ def _word(name: str, text: str, choices: tuple[str, ...], own: bool) -> str:
 
 def _plain(text: str, kind: str, unit: str, bare: str) -> str:
     """A number with or without a unit in the unit asked for; any other text as it is."""
-    match = _QUANTITY.fullmatch(text)
-    if match is None:
-        return text
-    number, word, square = match[1], (match[2] or "").lower(), match[3]
-    factor: float | None = None
-    if kind == "angle" and not square:
-        factor = _ANGLES.get(word or "deg")
-    elif kind in _POWERS and (not word or (kind == "area") == bool(square)):
-        of = MILLIMETRES.get(word or bare)
-        factor = of and (of / MILLIMETRES[unit]) ** _POWERS[kind]
-    if factor is None or (factor == 1.0 and not word):
-        return text
-    try:
-        return repr(float(number) * factor)
-    except ValueError:
-        return text
+    found = number(text, kind, unit, bare) if kind in _WITH_UNITS else None
+    return text if found is None else repr(found)

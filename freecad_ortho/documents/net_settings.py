@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
-from freecad_ortho import convert, preferences
+from freecad_ortho import convert, preferences, written
 from freecad_ortho.keywords import PassedSettings
 from freecad_ortho.objects import constraints
 from freecad_ortho.objects import net as net_object
@@ -54,8 +54,6 @@ def _option_value(option: Option, value: Any) -> Any:
     if option.kind == "mesh" and value is not None and not net_object.is_net(value):
         raise InputError(f"{option.name}: expected a Net, got {getattr(value, 'Label', value)}")
     plain = convert.option_value(option, value)
-    if option is SUPPORTS and isinstance(plain, tuple):
-        plain = ",".join(map(str, plain))
     option.check(plain)
     return plain
 
@@ -238,10 +236,21 @@ def _fix(value: Fix) -> tuple[str, list[int]]:
 
 
 def _handles(value: Any) -> tuple[list[int], list[FreeCAD.Vector]]:
+    """Vertices and places: of a dictionary, or of texts as on the command line, numbers in mm."""
+    texts = [value] if isinstance(value, str) else value
+    if isinstance(texts, (list, tuple)) and all(isinstance(text, str) for text in texts):
+        value = dict(written.place("handles", text) for text in texts)
     try:
-        pairs = sorted((int(vertex), FreeCAD.Vector(*place)) for vertex, place in value.items())
-    except (AttributeError, TypeError, ValueError):
+        pairs = sorted((int(vertex), _place(where)) for vertex, where in value.items())
+    except (AttributeError, TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
         raise InputError(
             f"handles: expected places by vertex such as {{12: (0, 0, 3500)}}, got {value}"
         ) from None
     return [vertex for vertex, _ in pairs], [place for _, place in pairs]
+
+
+def _place(where: Any) -> FreeCAD.Vector:
+    numbers = where.split(",") if isinstance(where, str) else where
+    return FreeCAD.Vector(*(convert.millimetres(number, "handles") for number in numbers))

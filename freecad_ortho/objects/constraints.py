@@ -11,6 +11,7 @@ import numpy as np
 from freecad_ortho import convert
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.objects import places
+from freecad_ortho.written import plane
 from solver.errors import InputError
 from solver.mesh.closest import Polyline, TriangleSurface
 from solver.mesh.connectivity import IntArray
@@ -28,7 +29,6 @@ _COARSE = 1e9
 _NEAR = 0.5
 # Half the side of the square that stands for an endless plane, in sizes of the mesh.
 _ENDLESS = 10.0
-_AXES = "xyz"
 _PLANES = ("App::Plane", "PartDesign::Plane")
 _EXPECTED = "expected boundary, a plane such as z=0, or an edge or face such as (object, 'Face1')"
 
@@ -174,14 +174,15 @@ def _reference(word: str, entry: Any) -> tuple[Any, ...]:
 
 
 def _rule(text: str) -> Glide:
-    """Gliding that a text describes: ``boundary``, ``z=0``, or ``z=0@1,2,3`` with vertices."""
+    """Gliding that a text describes: ``boundary``, ``z=0``, or ``z=1.5m@1,2,3`` with vertices."""
     what, _, named = text.removeprefix("plane:").replace(" ", "").partition("@")
+    found = plane(what)
     try:
         vertices = np.array([int(word) for word in named.split(",")]) if named else None
         if what == "boundary" and not named:
             return BoundaryGlide()
-        if what[:1] in _AXES and what[1:2] == "=":
-            return PlaneGlide(_AXES.index(what[0]), float(what[2:]), vertices)
+        if found is not None:
+            return PlaneGlide(*found, vertices)
     except ValueError:
         pass
     raise InputError(f"glide: {_EXPECTED}, got '{text}'")

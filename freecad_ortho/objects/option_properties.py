@@ -20,6 +20,10 @@ _KINDS = {
     "angle": "App::PropertyAngle",
     # FreeCAD's own unit of it is kPa, which is kN/m2.
     "pressure": "App::PropertyPressure",
+    # Of any unit of force, by mm and mm2.
+    "force": "App::PropertyFloat",
+    "per_length": "App::PropertyFloat",
+    "per_area": "App::PropertyFloat",
     "number": "App::PropertyFloat",
     "weight": "App::PropertyFloat",
     "direction": "App::PropertyFloat",

@@ -15,7 +15,7 @@ from solver.option import Option, Range
 translate = FreeCAD.Qt.translate
 
 _UNITS = {"length": "mm", "distance": "mm", "area": "mm^2", "angle": "deg"}
-_PLAIN = ("number", "direction", "percent", "pressure")
+_PLAIN = ("number", "direction", "percent", "pressure", "force", "per_length", "per_area")
 _MOST = 1e12
 # Room for a length of some metres with its unit, for a formula.
 _LEGIBLE = 120

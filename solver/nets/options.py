@@ -52,9 +52,10 @@ class NetOptions:
         length: edge length of a Chebyshev net in model units, None for free.
         per_family: a Chebyshev net has one length for each family of parameter lines.
         reference: (V, 3) positions of the shape to which an isometric net is isometric.
-        load: vertical load of each vertex of a stress net, downwards, in any unit of force.
-        load_area: load of a unit of surface, in the same unit of force.
-        load_length: weight of a unit of edge, in the same unit of force.
+        load: vertical load of each vertex of a stress net, downwards, kN or in another unit of
+            force, which only scales the forces.
+        load_area: load of a unit of surface, in that unit of force by model unit squared.
+        load_length: weight of a unit of edge, in that unit of force by model unit.
         forces: free, compression or tension: which forces the edges of a stress net may carry.
         singular: exempt or include: whether right angles are asked of the faces at inner vertices
             where more or fewer than four meet.
@@ -179,7 +180,7 @@ class NetOptions:
     load: float = field(
         default=0.0,
         metadata=_offered(
-            "number",
+            "force",
             "Stress nets: downward load at every vertex",
             title="Load at a vertex",
             brief="downward load of a vertex; 1 where no load is given",
@@ -189,20 +190,20 @@ class NetOptions:
     load_area: float = field(
         default=0.0,
         metadata=_offered(
-            "number",
+            "per_area",
             "Stress nets: downward load of a square millimetre",
             title="Load of 1 mm2",
-            brief="downward load of unit area",
+            brief="downward load of a square of the mesh's unit, or as 1.5kN/m2",
             stored="AreaWeight",
         ),
     )
     load_length: float = field(
         default=0.0,
         metadata=_offered(
-            "number",
+            "per_length",
             "Stress nets: weight of a millimetre of edge",
             title="Weight of 1 mm edge",
-            brief="weight of unit edge",
+            brief="weight of edges by the mesh's unit, or as 0.2kN/m",
             stored="EdgeWeight",
         ),
     )

@@ -257,34 +257,37 @@ def add_guides(
     return problem
 
 
-def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
-    """(V,) mask of the vertices that ``none``, ``corners``, ``boundary`` or numbers name.
+def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int | str]) -> BoolArray:
+    """(V,) mask of vertices that ``none``, ``corners``, ``boundary`` and numbers name.
 
     Corners are boundary vertices where no parameter line runs along the boundary; on a boundary
     that is one smooth loop there are none.
+
+    Args:
+        mesh: whose vertices.
+        fix: a text such as ``boundary`` or ``corners,5,12``, or a list of words and numbers.
 
     Raises:
         InputError: an unknown word or a number out of range.
     """
     around = mesh.connectivity
-    if isinstance(fix, str):
-        word = fix.strip().lower()
-        if word == "none":
-            return np.zeros(around.vertex_count, dtype=bool)
+    mask = np.zeros(around.vertex_count, dtype=bool)
+    chosen = []
+    for part in fix.split(",") if isinstance(fix, str) else fix:
+        word = part.strip().lower() if isinstance(part, str) else ""
         if word == "corners":
-            return _some(around.corners, "corners")
-        if word == "boundary":
-            return _some(around.boundary_vertices, "boundary")
-        fix = _numbers(fix)
+            mask |= _some(around.corners, word)
+        elif word == "boundary":
+            mask |= _some(around.boundary_vertices, word)
+        elif word != "none":
+            chosen.append(_number(part, fix))
     # Before they become an array, which has no room for numbers of any length.
-    chosen = list(fix)
     for number in chosen:
         if not 0 <= number < around.vertex_count:
             raise InputError(
                 f"fix: vertex {number} does not exist; vertices are numbered 0 to "
                 f"{around.vertex_count - 1}"
             )
-    mask = np.zeros(around.vertex_count, dtype=bool)
     mask[chosen] = True
     return mask
 
@@ -292,13 +295,13 @@ def fixed_vertices(mesh: QuadMesh, fix: str | Sequence[int]) -> BoolArray:
 def _some(mask: BoolArray, word: str) -> BoolArray:
     if not mask.any():
         raise InputError(f"fix: the mesh has no {word}; name vertices by number, or use none")
-    return mask.copy()
+    return mask
 
 
-def _numbers(text: str) -> list[int]:
+def _number(part: str | int, whole: object) -> int:
     try:
-        return [int(word) for word in text.split(",")]
+        return int(part)
     except ValueError:
         raise InputError(
-            f"fix: expected none, corners, boundary or vertex numbers such as 0,5,12, got '{text}'"
+            f"fix: expected none, corners, boundary or vertex numbers such as 0,5,12, got '{whole}'"
         ) from None

@@ -59,7 +59,10 @@ class Supports:
 
 
 def supports_of(
-    mesh: QuadMesh, net: Net, fix: str | Sequence[int], supports: str | Sequence[int] = ""
+    mesh: QuadMesh,
+    net: Net,
+    fix: str | Sequence[int | str],
+    supports: str | Sequence[int | str] = "",
 ) -> Supports:
     """Tell what a net stands on.
 
@@ -86,6 +89,9 @@ def supports_of(
     if not named:
         return Supports(fixed, fixed)
     standing = fixed_vertices(mesh, named) | fixed
-    slides = isinstance(named, str) and named.strip().lower() == "boundary"
-    stay = standing & mesh.connectivity.corners if slides else standing
+    words = named.split(",") if isinstance(named, str) else named
+    stays = [word for word in words if str(word).strip().lower() != "boundary"]
+    stay = fixed_vertices(mesh, stays)
+    if len(stays) < len(words):
+        stay |= standing & mesh.connectivity.corners
     return Supports(standing, fixed | stay)

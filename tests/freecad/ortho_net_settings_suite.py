@@ -155,6 +155,23 @@ class TestTable(DocumentCase):
         with self.assertRaisesRegex(InputError, "^sphere: has sampling, radius, .*, not 'size'; "):
             api.add_primitive("sphere", size=3)
 
+    def test_things_are_written_as_on_the_command_line(self):
+        net = self.imported()
+        corners = np.flatnonzero(convert.quad_mesh(net).connectivity.corners).tolist()
+        api.set_net(net, fix="corners,8", handles=["9:1,20cm,3.5 m"], glide=["z=1.5m@1,2"])
+        found = net_settings.for_solver(net, convert.quad_mesh(net))
+        self.assertEqual(found["fix"], sorted({8, *corners}))
+        self.assertEqual(net_settings.words(net)["handles"], {9: (1.0, 200.0, 3500.0)})
+        self.assertEqual([glide.place for glide in found["constraints"].glide], [1500.0])
+        api.set_net(
+            net, net="stress", load_area="1.5 kN/m2", load="500 N", supports=["boundary", 9]
+        )
+        self.assertAlmostEqual(net.AreaWeight, 1.5e-6, delta=1e-20)
+        self.assertEqual((net.VertexWeight, net.SupportRule), (0.5, "boundary,9"))
+        for wrong in ({"handles": "9:1,2"}, {"load_area": "1 kN/m"}, {"glide": ["z=up"]}):
+            with self.assertRaises(InputError):
+                api.set_net(net, **wrong)
+
     def test_set_net_is_one_step_and_refusals_change_nothing(self):
         net = self.imported()
         steps = self.document.UndoCount
