@@ -45,9 +45,9 @@ def _section(group: Group) -> tuple[str, str] | None:
     """Kind and sizes; the first size is along the direction that is given with it."""
     profile = group.profile
     height, width, wall = profile.height, profile.width, profile.wall
-    if profile.family == "chs":
+    if profile.series == "chs":
         return "PIPE", f"{height / 2:g}, {wall:g}"
-    if profile.family == "tube":
+    if profile.series == "tube":
         return "BOX", f"{height:g}, {width:g}, {wall:g}, {wall:g}, {wall:g}, {wall:g}"
     if len(profile.rings) == 1 and len(profile.rings[0].corners) == 4:
         return "RECT", f"{height:g}, {width:g}"

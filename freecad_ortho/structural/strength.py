@@ -295,9 +295,9 @@ def rules_for(profile: Profile, name: str) -> Rules:
 
 def curve_letters(profile: Profile) -> str:
     """Buckling curves about y and z of a steel section: EN 1993-1-1, table 6.2, S235 to S420."""
-    if profile.family in ("tube", "chs"):
+    if profile.series in ("tube", "chs"):
         return "aa"
-    if profile.family in ("IPE", "HEA", "HEB", "HEM"):
+    if profile.series in ("IPE", "HEA", "HEB", "HEM"):
         return "ab" if profile.height > 1.2 * profile.width else "bc"
     return "cc"
 

@@ -208,10 +208,10 @@ def _next_factor(check: StructuralCheck) -> float | None:
 def _thin(group: Group) -> str:
     """Walls that buckle before they yield: EN 1993-1-1, table 5.2, for sections in compression."""
     profile, material = group.profile, group.material
-    if profile.family not in ("tube", "chs") or material.youngs_modulus < 190_000:
+    if profile.series not in ("tube", "chs") or material.youngs_modulus < 190_000:
         return ""
     epsilon = (235 / material.bending_limit) ** 0.5
-    if profile.family == "chs":
+    if profile.series == "chs":
         ratio, limit = profile.height / profile.wall, 90 * epsilon**2
     else:
         ratio = max(profile.height, profile.width) / profile.wall - 3

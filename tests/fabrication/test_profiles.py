@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import MATERIALS, Beams
-from freecad_ortho.fabrication.profiles import FAMILIES, names, polygon, profile
+from freecad_ortho.fabrication.profiles import SERIES, names, polygon, profile
 from freecad_ortho.fabrication.profiles.rolled import HEA, HEB, HEM, IPE, UPE
 from solver.errors import InputError
 
@@ -49,13 +49,13 @@ TABLES = {
         240 38.5 3599 311; 270 44.8 5255 401; 300 56.6 7823 538; 330 67.8 11008 682;
         360 77.9 14825 844; 400 91.9 20981 1045""",
 }  # fmt: skip
-SERIES = {"IPE": IPE, "HEA": HEA, "HEB": HEB, "HEM": HEM, "UPE": UPE}
+ROLLED = {"IPE": IPE, "HEA": HEA, "HEB": HEB, "HEM": HEM, "UPE": UPE}
 
 
 @pytest.mark.parametrize("family", TABLES)
 def test_rolled_sections_have_the_values_of_their_tables(family):
     rows = [row.split() for row in TABLES[family].split(";")]
-    assert [row[0] for row in rows] == list(SERIES[family])
+    assert [row[0] for row in rows] == list(ROLLED[family])
     for size, *values in rows:
         made = profile(f"{family}{size}")
         found = [made.area / 100, made.inertia_y / 1e4, made.inertia_z / 1e4]
@@ -161,7 +161,7 @@ def test_every_family_is_named_with_a_material_that_there_is(name):
     assert not made.materials or made.material in made.materials
     low, high = made.box
     assert np.allclose(low, -high)
-    assert made.family not in FAMILIES or FAMILIES[made.family].standard == made.standard
+    assert made.series not in SERIES or SERIES[made.series].standard == made.standard
 
 
 @pytest.mark.parametrize(
@@ -169,7 +169,7 @@ def test_every_family_is_named_with_a_material_that_there_is(name):
     [
         ("HEB165", "section: there is no HEB165; take one of HEB 100, 120"),
         ("XYZ", "expected a rolled section as IPE200, HEB160 or UPE160"),
-        ("box:10x10", "there is no family 'box'; take one of tube, chs"),
+        ("box:10x10", "there is no series 'box'; take one of tube, chs"),
         ("tube:100x60x", "tube expects height x width x wall in mm, as tube:100x60x5, got"),
         ("tube:100", "tube expects height x width x wall"),
         ("GL24h:80x200x3", "GL24h expects width x height in mm, as GL24h:80x200"),

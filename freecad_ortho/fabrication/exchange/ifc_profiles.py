@@ -19,7 +19,7 @@ def profile_definition(make: Make, profile: Profile) -> Any | None:
         profile: of the catalogue.
     """
     head = ("AREA", profile.name, None)
-    width, height, family = profile.width, profile.height, profile.family
+    width, height, family = profile.width, profile.height, profile.series
     if not profile.standard:
         # A polygon of one's own.
         return None

@@ -86,7 +86,7 @@ def _profiled(part: Part, section: Profile, member: Member) -> Bar | None:
     rolled = rolled_sizes(section.name)
     if rolled is None:
         return None
-    code = {"UPE": "U", "tee": "T"}.get(section.family, "I")
+    code = {"UPE": "U", "tee": "T"}.get(section.series, "I")
     if code == "U":
         member = _turned(member)
     return _bar(part, section, code, member, rolled.flange, rolled.web, rolled.root)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +16,12 @@ from freecad_ortho.fabrication.profiles.profile import Profile
 from freecad_ortho.fabrication.profiles.rolled import HEA, HEB, HEM, IPE, UPE, Rolled
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
+
+if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
+    from freecad_ortho.fabrication.profiles.profile import Called
 
 STEELS = ("steel", "S235", "S275", "S355", "stainless")
 GLULAM = ("GL24h", "GL28h", "GL30h", "GL32h")
@@ -32,14 +38,14 @@ _SIZE = re.compile(r"\d+(\.\d+)?")
 
 
 @dataclass(frozen=True)
-class Family:
-    """Sections of one kind, whose names are the family's, a colon and sizes in mm.
+class Series:
+    """Sections of one kind, whose names are the series', a colon and sizes in mm.
 
     Attributes:
         example: a name.
         sizes: what its numbers are, in order, ``height x width x wall``.
         fewest: how many of them there have to be; a square needs no second side.
-        made: from the sizes to the profile; words are its name, family, material ...
+        made: from the sizes to the profile; words are its name, series, material ...
         material: that it is made of by default.
         materials: that it may be made of, empty for any.
         standard: where its sizes are from.
@@ -59,13 +65,13 @@ class Family:
         return self.sizes.count(" x ") + 1
 
 
-def _hot_finished(*sizes: float, **words: Any) -> Profile:
+def _hot_finished(*sizes: float, **words: Unpack[Called]) -> Profile:
     """EN 10210-2, table 2 and annex B: radii of 1.5 and 1.0 times the wall for what they weigh."""
     height, width, wall = _three(sizes)
     return shapes.tube(height, width, wall, 1.5 * wall, wall, **words)
 
 
-def _extruded(*sizes: float, **words: Any) -> Profile:
+def _extruded(*sizes: float, **words: Unpack[Called]) -> Profile:
     return shapes.tube(*_three(sizes), 0.0, 0.0, **words)
 
 
@@ -73,29 +79,29 @@ def _three(sizes: tuple[float, ...]) -> tuple[float, float, float]:
     return sizes[0], sizes[-2], sizes[-1]
 
 
-def _plate(thickness: float, height: float, **words: Any) -> Profile:
+def _plate(thickness: float, height: float, **words: Unpack[Called]) -> Profile:
     return shapes.rectangle(thickness, height, **words)
 
 
-def _timber(grade: str, standard: str) -> Family:
-    return Family(
+def _timber(grade: str, standard: str) -> Series:
+    return Series(
         f"{grade}:80x200", "width x height", 2, shapes.rectangle, grade, (grade,), standard
     )
 
 
-FAMILIES: Mapping[str, Family] = {
-    "tube": Family(
+SERIES: Mapping[str, Series] = {
+    "tube": Series(
         *("tube:100x60x5", "height x width x wall", 2, _hot_finished, "steel"),
         *((*STEELS, "aluminium", "gfrp"), "EN 10210-2"),
     ),
-    "chs": Family(
+    "chs": Series(
         *("chs:88.9x5", "diameter x wall", 2, shapes.round_tube, "steel"),
         *((*STEELS, "aluminium", "gfrp"), "EN 10210-2"),
     ),
-    "plate": Family(
+    "plate": Series(
         *("plate:10x200", "thickness x height", 2, _plate, "steel", ANY, "EN 10058, EN 10029"),
     ),
-    "alu": Family(
+    "alu": Series(
         *("alu:120x50x3", "height x width x wall", 2, _extruded, "aluminium", ("aluminium",)),
         "EN 755-9, EN 12020-2",
     ),
@@ -107,27 +113,27 @@ _ALIASES = {"shs": "tube", "rhs": "tube"}
 
 
 def names() -> tuple[str, ...]:
-    """One name of every family, as a choice to begin with."""
+    """One name of every series, as a choice to begin with."""
     rolled = ("IPE200", "HEA160", "HEB160", "HEM160", "UPE160", "tee:IPE200")
-    return (*(family.example for family in FAMILIES.values()), *rolled)
+    return (*(series.example for series in SERIES.values()), *rolled)
 
 
 @lru_cache(maxsize=64)
 def _named(text: str) -> Profile:
-    family, colon, sizes = (word.strip() for word in text.partition(":"))
-    known = {name.lower(): name for name in FAMILIES}
-    key = _ALIASES.get(family.lower(), family.lower())
+    series, colon, sizes = (word.strip() for word in text.partition(":"))
+    known = {name.lower(): name for name in SERIES}
+    key = _ALIASES.get(series.lower(), series.lower())
     if not colon:
         return _rolled(text)
     if key == "tee":
         return _rolled(sizes, tee=True)
     if key not in known:
         raise InputError(
-            f"section: there is no family '{family}'; take one of {', '.join(FAMILIES)}, tee, "
+            f"section: there is no series '{series}'; take one of {', '.join(SERIES)}, tee, "
             "polygon or a rolled section as HEB160"
         )
     name = known[key]
-    return _with_sizes(name, FAMILIES[name], sizes)
+    return _with_sizes(name, SERIES[name], sizes)
 
 
 def profile(text: str) -> Profile:
@@ -139,7 +145,7 @@ def profile(text: str) -> Profile:
             or an empty line is a hole.
 
     Raises:
-        InputError: an unknown family or size, sizes that make no section, a file that cannot be
+        InputError: an unknown series or size, sizes that make no section, a file that cannot be
             read.
     """
     if text.strip().lower().startswith("polygon:"):
@@ -160,49 +166,49 @@ def polygon(name: str, *rings: FloatArray) -> Profile:
     return shapes.polygon(
         [np.asarray(ring, dtype=float) for ring in rings],
         name=name,
-        family="polygon",
+        series="polygon",
         material="steel",
         materials=ANY,
         standard="",
     )
 
 
-def _with_sizes(name: str, family: Family, sizes: str) -> Profile:
+def _with_sizes(name: str, series: Series, sizes: str) -> Profile:
     numbers = [number.strip() for number in sizes.lower().split("x")]
-    fits = family.fewest <= len(numbers) <= family.most
+    fits = series.fewest <= len(numbers) <= series.most
     if not fits or not all(_SIZE.fullmatch(number) for number in numbers):
         raise InputError(
-            f"section: {name} expects {family.sizes} in mm, as {family.example}, got '{sizes}'"
+            f"section: {name} expects {series.sizes} in mm, as {series.example}, got '{sizes}'"
         )
     values = [float(number) for number in numbers]
-    return family.made(
+    return series.made(
         *values,
         name=f"{name}:{'x'.join(f'{value:g}' for value in values)}",
-        family=name,
-        material=family.material,
-        materials=family.materials,
-        standard=family.standard,
+        series=name,
+        material=series.material,
+        materials=series.materials,
+        standard=series.standard,
     )
 
 
 def _rolled(text: str, tee: bool = False) -> Profile:
     short = _HE.sub(r"HE\2\1", re.sub(r"[\s-]", "", text).upper())
-    family, size = short[:3], short[3:]
-    series = _ROLLED.get(family)
-    if series is None or (tee and family == "UPE"):
+    letters, size = short[:3], short[3:]
+    series = _ROLLED.get(letters)
+    if series is None or (tee and letters == "UPE"):
         raise InputError(
-            f"section: expected a rolled section as IPE200, HEB160 or UPE160, or a family with "
+            f"section: expected a rolled section as IPE200, HEB160 or UPE160, or a series with "
             f"sizes as tube:100x60x5, got '{text}'"
         )
     if size not in series:
         raise InputError(
-            f"section: there is no {family}{size}; take one of {family} {', '.join(series)}"
+            f"section: there is no {letters}{size}; take one of {letters} {', '.join(series)}"
         )
-    made = shapes.tee if tee else shapes.channel if family == "UPE" else shapes.i_section
+    made = shapes.tee if tee else shapes.channel if letters == "UPE" else shapes.i_section
     return made(
         series[size],
-        name=f"tee:{family}{size}" if tee else family + size,
-        family="tee" if tee else family,
+        name=f"tee:{letters}{size}" if tee else letters + size,
+        series="tee" if tee else letters,
         material="steel",
         materials=STEELS,
         standard=_EN_10365,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypedDict
 
 import numpy as np
 
@@ -40,13 +41,23 @@ class Ring:
         return replace(self, radii=0 * self.radii) if straight else self
 
 
+class Called(TypedDict):
+    """What a profile is called and made of, beside its shape; as in :class:`Profile`."""
+
+    name: str
+    series: str
+    material: str
+    materials: tuple[str, ...]
+    standard: str
+
+
 @dataclass(frozen=True, eq=False)
 class Profile:
     """A cross section; mm, mm2, mm3 and mm4.
 
     Attributes:
         name: as it is ordered, ``HEB160``, ``tube:100x60x5``.
-        family: of the catalogue, ``HEB``, ``tube``.
+        series: of the catalogue, ``HEB``, ``tube``.
         rings: the outline, and those of its holes.
         torsion: Saint-Venant's torsion constant, mm4.
         shear_area_y: to the right, mm2.
@@ -58,7 +69,7 @@ class Profile:
     """
 
     name: str
-    family: str
+    series: str
     rings: tuple[Ring, ...]
     torsion: float
     shear_area_y: float

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -28,10 +28,16 @@ from freecad_ortho.fabrication.sizes import check_size
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
+if TYPE_CHECKING:
+    # Of the standard library from Python 3.11 on.
+    from typing_extensions import Unpack
+
+    from freecad_ortho.fabrication.profiles.profile import Called
+
 _TERMS = np.arange(1, 40, 2)
 
 
-def rectangle(width: float, height: float, **words: Any) -> Profile:
+def rectangle(width: float, height: float, **words: Unpack[Called]) -> Profile:
     """A solid rectangle."""
     check_size("section width", width)
     check_size("section height", height)
@@ -50,7 +56,7 @@ def rectangle(width: float, height: float, **words: Any) -> Profile:
 
 
 def tube(
-    height: float, width: float, wall: float, outer: float, inner: float, **words: Any
+    height: float, width: float, wall: float, outer: float, inner: float, **words: Unpack[Called]
 ) -> Profile:
     """A rectangular tube with its corners' outer and inner radius, mm.
 
@@ -77,7 +83,7 @@ def tube(
     )
 
 
-def round_tube(diameter: float, wall: float, **words: Any) -> Profile:
+def round_tube(diameter: float, wall: float, **words: Unpack[Called]) -> Profile:
     """A round tube.
 
     Raises:
@@ -101,7 +107,7 @@ def round_tube(diameter: float, wall: float, **words: Any) -> Profile:
     )
 
 
-def i_section(sizes: Rolled, **words: Any) -> Profile:
+def i_section(sizes: Rolled, **words: Unpack[Called]) -> Profile:
     """A rolled I or H."""
     height, width, web, flange, root = sizes
     right = [(width / 2, -height / 2), (width / 2, flange - height / 2)]
@@ -126,7 +132,7 @@ def i_section(sizes: Rolled, **words: Any) -> Profile:
     )
 
 
-def channel(sizes: Rolled, **words: Any) -> Profile:
+def channel(sizes: Rolled, **words: Unpack[Called]) -> Profile:
     """A rolled U with parallel flanges that point to the right."""
     height, width, web, flange, root = sizes
     inner = web - width / 2
@@ -145,7 +151,7 @@ def channel(sizes: Rolled, **words: Any) -> Profile:
     )
 
 
-def tee(sizes: Rolled, **words: Any) -> Profile:
+def tee(sizes: Rolled, **words: Unpack[Called]) -> Profile:
     """Half of a rolled I, cut along the middle of its web, with the flange at the top."""
     whole, width, web, flange, root = sizes
     height = whole / 2
@@ -164,7 +170,7 @@ def tee(sizes: Rolled, **words: Any) -> Profile:
     )
 
 
-def polygon(rings: Sequence[FloatArray], **words: Any) -> Profile:
+def polygon(rings: Sequence[FloatArray], **words: Unpack[Called]) -> Profile:
     """Any section: an outline (n, 2) and those of its holes, y to the right and z up, mm.
 
     Raises:

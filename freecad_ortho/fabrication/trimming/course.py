@@ -28,7 +28,7 @@ _FAR = 3.0
 
 
 @dataclass(frozen=True, eq=False)
-class Crossing:
+class CourseCrossing:
     """Where the border crosses an edge.
 
     Attributes:
@@ -87,7 +87,7 @@ class Course:
 
     lines: list[Followed] = field(default_factory=list)
     chords: dict[int, list[FloatArray]] = field(default_factory=dict)
-    crossings: dict[int, list[Crossing]] = field(default_factory=dict)
+    crossings: dict[int, list[CourseCrossing]] = field(default_factory=dict)
     beyond: list[Beyond] = field(default_factory=list)
 
     def add_chord(self, face: int, points: Sequence[FloatArray]) -> None:
@@ -273,7 +273,7 @@ class _Walk:
     ) -> None:
         first, second = self._net.faces[face, [side, (side + 1) % 4]]
         here = place if first < second else 1.0 - place
-        crossing = Crossing(here, point, unit_rows(along))
+        crossing = CourseCrossing(here, point, unit_rows(along))
         self._course.crossings.setdefault(int(self._net.face_edges[face, side]), []).append(
             crossing
         )

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from freecad_ortho.fabrication.trimming.cells import cells_of, divided, spans_of, within
-from freecad_ortho.fabrication.trimming.course import Crossing, Followed, course_of
+from freecad_ortho.fabrication.trimming.course import CourseCrossing, Followed, course_of
 from freecad_ortho.fabrication.trimming.rays import Rays, bilinear
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
@@ -43,7 +43,7 @@ class Trimming:
     whole: BoolArray
     regions: dict[int, tuple[shapely.Polygon, ...]]
     spans: dict[int, tuple[tuple[float, float], ...]]
-    crossings: dict[int, list[Crossing]]
+    crossings: dict[int, list[CourseCrossing]]
     missed: float
     lines: tuple[Followed, ...]
 

@@ -24,7 +24,7 @@ _SAME = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
-class Crossing:
+class PlateCrossing:
     """Where another plate crosses, seen from one of the two.
 
     Attributes:
@@ -73,7 +73,7 @@ def crossing(
     clearance: float,
     middle: float,
     cut: str = "slot",
-) -> Crossing:
+) -> PlateCrossing:
     """The slot of a plate for another one; that of family u opens upwards.
 
     Args:
@@ -102,7 +102,7 @@ def crossing(
     along = meeting / sine * (1.0 if meeting @ (mine.up + its.up) >= 0 else -1.0)
     half = (thickness + clearance + thickness * abs(cosine)) / 2 / sine
     floor = middle - clearance / 2 * (1 if above else -1)
-    return Crossing(name, along, half, floor, above, cut)
+    return PlateCrossing(name, along, half, floor, above, cut)
 
 
 def arch_plates(
@@ -110,7 +110,7 @@ def arch_plates(
     levels: tuple[float, float],
     thickness: float,
     overhang: float,
-    crossings: Mapping[int, Crossing],
+    crossings: Mapping[int, PlateCrossing],
 ) -> list[ArchPlate]:
     """Work out the plate along a line, or its pieces where others run through it.
 
@@ -197,7 +197,7 @@ class _Slot:
     whole: bool
 
     @classmethod
-    def of(cls, vertex: FloatArray, along: FloatArray, crossing: Crossing) -> _Slot:
+    def of(cls, vertex: FloatArray, along: FloatArray, crossing: PlateCrossing) -> _Slot:
         mouth = along / np.linalg.norm(along) * (1 if crossing.above else -1)
         foot = vertex + crossing.floor * along
         return cls(foot, mouth, crossing.half, crossing.cut == "whole")

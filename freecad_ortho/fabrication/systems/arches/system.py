@@ -17,7 +17,7 @@ from freecad_ortho.fabrication.sizes import check_options, offset_levels
 from freecad_ortho.fabrication.systems.arches.planes import LinePlane, chosen_planes
 from freecad_ortho.fabrication.systems.arches.plates import (
     ArchPlate,
-    Crossing,
+    PlateCrossing,
     arch_plates,
     crossing,
     worst_turn_deg,
@@ -128,14 +128,14 @@ class Arches(System):
         )
         return SystemParts(judged_parts, report, (*words, *doubts), tables=(table,))
 
-    def _crossings(self, planes: list[LinePlane]) -> list[dict[int, Crossing]]:
+    def _crossings(self, planes: list[LinePlane]) -> list[dict[int, PlateCrossing]]:
         """The slots of each plate, by the place of their vertex on its line."""
         middle = sum(offset_levels(self.offset, self.height)) / 2
         through: dict[int, list[tuple[int, int]]] = {}
         for number, plane in enumerate(planes):
             for place, vertex in enumerate(plane.line.vertices.tolist()):
                 through.setdefault(vertex, []).append((number, place))
-        found: list[dict[int, Crossing]] = [{} for _ in planes]
+        found: list[dict[int, PlateCrossing]] = [{} for _ in planes]
         for pair in through.values():
             families = {planes[number].line.family for number, _ in pair}
             if len(pair) != 2 or len(families) < 2:
@@ -156,7 +156,7 @@ class Arches(System):
                 )
         return found
 
-    def _ways(self, crossings: dict[int, Crossing]) -> list[SlotWay]:
+    def _ways(self, crossings: dict[int, PlateCrossing]) -> list[SlotWay]:
         """How the others are pushed into the slots of a plate, which is rigid."""
         return [
             SlotWay(
@@ -175,7 +175,7 @@ class Arches(System):
         plane: LinePlane,
         plate: ArchPlate,
         name: str,
-        crossings: dict[int, Crossing],
+        crossings: dict[int, PlateCrossing],
         nodes: list[str],
     ) -> Part:
         low, line = plate.outline.min(axis=0), plane.line

@@ -33,7 +33,7 @@ class TubesOnBalls(RolledSection):
         Raises:
             InputError: it is no round tube.
         """
-        if section.profile.family != "chs":
+        if section.profile.series != "chs":
             raise InputError(
                 f"ends: cones of ball nodes are those of round tubes, got section {section.name}; "
                 "take one such as chs:88.9x5, or other ends"

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import BOX_SIDES, Body, Hollow, Loops, Polyhedron
-from freecad_ortho.fabrication.sizes import check_size
+from freecad_ortho.fabrication.sizes import one_of
 from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
@@ -65,13 +65,9 @@ class Section:
     flange: float
 
     def __post_init__(self) -> None:
-        if self.kind not in SECTIONS:
-            raise InputError(f"section: expected one of {', '.join(SECTIONS)}, got '{self.kind}'")
-        check_size("beam thickness", self.thickness)
+        one_of("section", self.kind, SECTIONS)
         if self.kind == "plate":
             return
-        check_size("section width", self.width)
-        check_size("flange thickness", self.flange)
         least = 2 * self.thickness if self.kind == "hollow" else self.thickness
         if self.width <= least:
             raise InputError(

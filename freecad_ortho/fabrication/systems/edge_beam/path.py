@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.trimming.course import Crossing, Followed
+from freecad_ortho.fabrication.trimming.course import CourseCrossing, Followed
 from freecad_ortho.fabrication.trimming.rays import Rays
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -83,7 +83,7 @@ def _of_boundary(site: Site, loop: IntArray) -> Path:
     )
 
 
-def _stations(line: Followed, crossings: list[Crossing]) -> tuple[FloatArray, FloatArray]:
+def _stations(line: Followed, crossings: list[CourseCrossing]) -> tuple[FloatArray, FloatArray]:
     """(C,) where along a line crossings are, in its points, and how far off it."""
     points = np.array([one.point for one in crossings]).reshape(-1, 3)
     steps = np.roll(line.points, -1, axis=0) - line.points

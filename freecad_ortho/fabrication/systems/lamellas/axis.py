@@ -10,7 +10,7 @@ import numpy as np
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge
-from freecad_ortho.fabrication.systems.lamellas.direction import Pattern
+from freecad_ortho.fabrication.systems.lamellas.direction import StripPattern
 from freecad_ortho.fabrication.systems.lamellas.ends import lengthened
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
@@ -95,7 +95,7 @@ def lamella_on(
     site: Site,
     line: ParameterLine,
     settings: LamellaSettings,
-    pattern: Pattern,
+    pattern: StripPattern,
     name: str,
     beyond: tuple[float, float],
 ) -> Lamella:

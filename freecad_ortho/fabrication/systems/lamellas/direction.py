@@ -26,7 +26,7 @@ _LOWEST = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class Pattern:
+class StripPattern:
     """What the patterns of a structure are meant to be.
 
     Attributes:
@@ -42,7 +42,7 @@ class Pattern:
     tilts: Mapping[str, float] = field(default_factory=dict)
 
 
-def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:
+def pattern_of(site: Site, settings: LamellaSettings) -> StripPattern:
     """Find out, or check, what patterns the net of a site allows.
 
     Raises:
@@ -51,7 +51,7 @@ def pattern_of(site: Site, settings: LamellaSettings) -> Pattern:
     return pattern_on(site.mesh, settings)
 
 
-def pattern_on(mesh: QuadMesh, settings: LamellaSettings) -> Pattern:
+def pattern_on(mesh: QuadMesh, settings: LamellaSettings) -> StripPattern:
     """Find out, or check, what patterns a net allows.
 
     Raises:
@@ -79,10 +79,10 @@ def pattern_on(mesh: QuadMesh, settings: LamellaSettings) -> Pattern:
     if kind == "arc":
         radius = common_radius(mesh)
     axes = strip_axes(mesh, radius if kind != "free" and settings.standing else None)
-    return Pattern(kind, radius, axes)
+    return StripPattern(kind, radius, axes)
 
 
-def _tilted(mesh: QuadMesh, settings: LamellaSettings) -> Pattern:
+def _tilted(mesh: QuadMesh, settings: LamellaSettings) -> StripPattern:
     """The pattern of tilted strips: straight, where the net is pseudo-geodesic.
 
     Raises:
@@ -114,7 +114,7 @@ def _tilted(mesh: QuadMesh, settings: LamellaSettings) -> Pattern:
                 "nearly into the surface, where slots cut them through; let them lie in layers 2"
             )
     axes = tilted_axes(mesh, (tilts["u"], tilts["v"]))
-    return Pattern("straight" if straight else "free", math.inf, axes, tilts)
+    return StripPattern("straight" if straight else "free", math.inf, axes, tilts)
 
 
 def _measured(mesh: QuadMesh, standing: bool) -> dict[str, float]:

@@ -26,7 +26,7 @@ from freecad_ortho.fabrication.systems.lamellas.crossings import (
     crossings,
     slot_ways,
 )
-from freecad_ortho.fabrication.systems.lamellas.direction import Pattern, pattern_of
+from freecad_ortho.fabrication.systems.lamellas.direction import StripPattern, pattern_of
 from freecad_ortho.fabrication.systems.lamellas.ends import reaches
 from freecad_ortho.fabrication.systems.lamellas.layers import too_near
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
@@ -124,7 +124,7 @@ class Lamellas(LamellaSettings, System):
         lamellas: list[Lamella],
         met: list[list[Crossing]],
         parts: tuple[Part, ...],
-        pattern: Pattern,
+        pattern: StripPattern,
     ) -> dict[str, Any]:
         measured = [each.measures for each in lamellas]
         slots = [each.slot.width for row in met for each in row if each.slot is not None]
@@ -213,7 +213,7 @@ class Lamellas(LamellaSettings, System):
             f"clearance of {self.clearance:g} mm; take clearance {needed:.1f}"
         ]
 
-    def _messages(self, lamellas: list[Lamella], pattern: Pattern) -> list[str]:
+    def _messages(self, lamellas: list[Lamella], pattern: StripPattern) -> list[str]:
         messages = []
         twisted = [each for each in lamellas if each.twisted]
         if twisted and self.strip == "auto":

@@ -22,7 +22,6 @@ from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import Bend, polygon_area
 from freecad_ortho.fabrication.plate_bodies import plate_body
-from freecad_ortho.fabrication.sizes import check_size
 from freecad_ortho.fabrication.systems.panels.geometry import inset
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
@@ -63,14 +62,10 @@ class Fold:
     k: float | None = None
 
     def __post_init__(self) -> None:
-        check_size("fold", self.depth)
-        check_size("bend radius", self.radius)
         if self.depth <= self.back:
             raise InputError(
                 f"fold: {self.depth:g} mm are less than the bend takes, {self.back:g} mm; take more"
             )
-        if self.k is not None and not _LEAST_K <= self.k <= _MOST_K:
-            raise InputError(f"k factor: expected 0 to 0.5, got {self.k:g}; take one of these")
 
     @property
     def back(self) -> float:

@@ -22,7 +22,7 @@ from freecad_ortho.fabrication.profiled import ProfiledBody
 from freecad_ortho.fabrication.profiles import Profile, polygon
 from freecad_ortho.fabrication.profiles.end import End
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_size, rounded_down
+from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.frames import (
     Frames,
@@ -52,7 +52,7 @@ COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Frame:
+class PressureFrame:
     """A pressure plate and its cap.
 
     Args:
@@ -69,9 +69,6 @@ class Frame:
     gasket: float = 5.0
 
     def __post_init__(self) -> None:
-        check_size("frame width", self.width)
-        check_size("edge cover", self.cover)
-        check_size("gasket", self.gasket)
         if self.joint <= 0:
             raise InputError(
                 f"edge cover: {self.cover:g} mm on both sides leave no joint under a frame of "
@@ -118,7 +115,7 @@ class Framed:
 
 def framed(
     site: Site,
-    frame: Frame,
+    frame: PressureFrame,
     geometry: PanelGeometry,
     panels: Sequence[Part],
     faces: tuple[BoolArray, FloatArray],
@@ -304,7 +301,7 @@ class _Beside:
     def of(
         cls,
         members: _Members,
-        frame: Frame,
+        frame: PressureFrame,
         geometry: PanelGeometry,
         faces: tuple[BoolArray, FloatArray],
     ) -> _Beside:

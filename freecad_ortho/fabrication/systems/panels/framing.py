@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import one_of
 from freecad_ortho.fabrication.systems.panels.blocks import block_supplies, setting_blocks
-from freecad_ortho.fabrication.systems.panels.frame import Frame, framed
+from freecad_ortho.fabrication.systems.panels.frame import PressureFrame, framed
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone_table
 from freecad_ortho.fabrication.systems.system import Table
@@ -69,9 +69,9 @@ class Framing:
         _ = self.frame, self.silicone
 
     @cached_property
-    def frame(self) -> Frame | None:
+    def frame(self) -> PressureFrame | None:
         """Pressure plates and caps, where it is these."""
-        return Frame(self.width, self.cover, self.gasket) if self.kind == "plate" else None
+        return PressureFrame(self.width, self.cover, self.gasket) if self.kind == "plate" else None
 
     @cached_property
     def silicone(self) -> Silicone | None:

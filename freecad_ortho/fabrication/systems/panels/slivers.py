@@ -27,7 +27,7 @@ _SAME, _FAR = 0.05, 5.0
 _OVERLAP = 1.0
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Pieces:
     """What the border leaves of panels, as it changes.
 
