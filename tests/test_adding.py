@@ -46,3 +46,20 @@ def test_these_files_and_no_others_name_the_example(count, name, files):
     }
     assert naming == files
     assert count == len(files)
+
+
+def answers() -> list:
+    """Rows of the table of questions: names and files."""
+    text = (ROOT / "docs" / "development.md").read_text(encoding="utf-8")
+    table = text.split("## Where is what?")[1].split("\n## ")[0]
+    rows = [line for line in table.splitlines() if "?" in line and line.startswith("|")]
+    return [pytest.param(re.findall(r"`([^`]+)`", row), id=row[2:40]) for row in rows]
+
+
+@pytest.mark.parametrize("words", answers())
+def test_answers_name_files_that_have_what_they_say(words):
+    files = [word for word in words if word.endswith(".py")]
+    texts = [(ROOT / name).read_text(encoding="utf-8") for name in files]
+    for word in set(words) - set(files) - {"help"}:
+        name = word.rpartition(".")[2]
+        assert any(name in text for text in texts), word
