@@ -54,7 +54,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     net_options.add_most(parser.add_argument_group("exact net"))
     fabricating.add_settings(parser)
     fabricating.add_workers(parser)
-    parser.add_argument("-o", "--output", required=True, metavar="DIR")
+    parser.add_argument("-o", "--output", required=True, metavar="DIR", help="folder of the files")
     values.add_origin(parser, keep=False)
     parser.add_argument("--again", action="store_true", help="make every stage anew")
     parser.add_argument(

@@ -84,7 +84,9 @@ def _add_optimise(parser: argparse.ArgumentParser) -> None:
     _add_input(parser)
     names = ", ".join(NETS)
     parser.add_argument("--net", default="principal", help=f"{names} (default: principal)")
-    parser.add_argument("-o", "--output", required=True, metavar="OUT.obj")
+    parser.add_argument(
+        "-o", "--output", required=True, metavar="OUT.obj", help="the net; its name says the format"
+    )
     parser.add_argument("--report", metavar="R.json", help="write the numbers of the run")
     values.add_origin(parser)
     net_options.add(parser)

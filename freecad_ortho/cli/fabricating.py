@@ -33,7 +33,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     add_settings(parser)
     add_workers(parser)
-    parser.add_argument("-o", "--output", required=True, metavar="DIR")
+    parser.add_argument("-o", "--output", required=True, metavar="DIR", help="folder of the files")
     values.add_origin(parser, keep=False)
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
     parser.set_defaults(run=run)

@@ -22,8 +22,10 @@ def add(parser: argparse.ArgumentParser) -> None:
     values.add_up(parser)
     for option in FORM.options:
         arguments.add(parser, option)
-    parser.add_argument("--tolerance", type=float, default=1e-10)
-    parser.add_argument("--max-steps", type=int, default=500, metavar="N")
+    parser.add_argument(
+        "--tolerance", type=float, default=1e-10, help="largest residual that counts as zero"
+    )
+    parser.add_argument("--max-steps", type=int, default=500, metavar="N", help="(default: 500)")
     values.add_output(parser)
     parser.set_defaults(run=run)
 

@@ -56,7 +56,9 @@ def add_most(parser: argparse._ActionsContainer) -> None:
         metavar="none|corners|boundary|I,J,K",
         help="what must not move; several, as boundary,5",
     )
-    parser.add_argument("--max-steps", type=int, default=1000, metavar="N")
+    parser.add_argument(
+        "--max-steps", type=int, default=1000, metavar="N", help="of all attempts (default: 1000)"
+    )
     for weight in WEIGHTS.values():
         arguments.add(parser, weight)
     for option in OPTIONS.values():

@@ -62,7 +62,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         help="with --lightest-of: what has a section of its own, families (u, v, border) or "
         "three bands of members by how far they are used (default: all the same)",
     )
-    parser.add_argument("-o", "--output", required=True, metavar="DIR")
+    parser.add_argument("-o", "--output", required=True, metavar="DIR", help="folder of the files")
     parser.add_argument("-v", "--verbose", action="store_true", help="say what is being done")
     parser.set_defaults(run=run)
 

@@ -71,7 +71,9 @@ def sampling(text: str, option: str = "--sampling", written: str = "MxN") -> tup
 
 def add_output(parser: argparse.ArgumentParser) -> None:
     """Options that every source of meshes has."""
-    parser.add_argument("-o", "--output", required=True, metavar="OUT.obj")
+    parser.add_argument(
+        "-o", "--output", required=True, metavar="OUT.obj", help="the net; its name says the format"
+    )
     add_origin(parser)
     parser.add_argument(
         "--unit", choices=tuple(MILLIMETRES), help="unit of the coordinates, noted in the file"
