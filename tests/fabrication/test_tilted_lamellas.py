@@ -9,12 +9,18 @@ import pytest
 
 from freecad_ortho.fabrication import Lamellas, build
 from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
+from freecad_ortho.fabrication.systems.lamellas.crossings import crossings, said_of_wide
+from freecad_ortho.fabrication.systems.lamellas.outline import notch
+from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from solver import optimise
 from solver.analysis import lines
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from solver.nets.options import NetOptions
 from solver.unroll.axes import tilted_axes
+from solver.unroll.measures import strip_measures
+from solver.unroll.twisted import twisted_strip
 from tests.meshes import deformed, freeform_roof, helicoid, small_circles
 
 
@@ -69,6 +75,38 @@ def test_upright_ones_are_those_that_stand():
     )
     assert tilted["length_mm"] == pytest.approx(standing["length_mm"], rel=1e-3)
     assert tilted["tilt_deg"]["u"] == pytest.approx(90.0, abs=3.0)
+
+
+def slanted(name: str, points: np.ndarray, upright: np.ndarray, vertices: tuple[int, ...]):
+    """A plane lamella, 60 x 4 mm, whose rulings stand along one direction."""
+    strip = twisted_strip(points, np.tile(upright, (len(points), 1)), None, follow=True)
+    measures = strip_measures(strip, 60.0, np.tile(upright, (len(points), 1)))
+    stations = tuple(range(len(points)))
+    ribbon = Ribbon(strip, -30.0, 30.0, 4.0)
+    kinds = ("straight", "straight", True, False)
+    return Lamella(name, name[2].lower(), 0, vertices, stations, ribbon, measures, *kinds)
+
+
+def test_a_slot_lets_a_plate_pass_that_leans_otherwise_up_to_a_slanted_edge():
+    # In the plane y = 0 one stands at 50 degrees, the other, along y, at 35: they meet at y = 0 in
+    # the line x = z tan(35), 4 / cos(35) mm wide there, and part at the edge z = 30.
+    own, theirs = ([np.sin(a), 0, np.cos(a)] for a in np.radians([50.0, 35.0]))
+    along = np.linspace(-500.0, 500.0, 3)[:, None]
+    lamellas = [
+        slanted("L-U000", along * [1.0, 0.0, 0.0], np.array(own), (1, 0, 2)),
+        slanted("L-V000", along * [0.0, 1.0, 0.0], np.array(theirs), (3, 0, 4)),
+    ]
+    settings = Lamellas(60.0, 4.0, position="tilted", clearance=1.0)
+    met = crossings(lamellas, settings)
+    slot = met[0][0].slot
+    assert slot is not None and slot.upward
+    mouth = notch(lamellas[0].ribbon, slot, "", "").mouth - lamellas[0].ribbon.strip.flat_points[1]
+    assert np.abs(mouth[:, 1]) == pytest.approx(30.0)
+    passes = 30 * np.tan(np.radians(35.0)) + 2 / np.cos(np.radians(35.0)) * np.array([-1, 1])
+    turned = np.sort(mouth[:, 0] * np.sign(mouth[:, 1]))
+    assert turned[0] <= passes[0] - 0.5 / np.cos(np.radians(50.0)) + 1e-9
+    assert turned[1] >= passes[1] + 0.5
+    assert "up to" in said_of_wide(lamellas, met, settings)[0]
 
 
 @pytest.mark.parametrize(

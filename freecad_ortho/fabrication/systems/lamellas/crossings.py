@@ -21,7 +21,11 @@ _CROSSING = 0.2
 # Room between a slot's corner and a bend line beyond the mitre, mm, and how many thicknesses a slot
 # may be widened for it.
 _GRAZING = 0.01
+# Least cosine of the angle between the rulings of two lamellas that is reckoned with.
+_ALONG = 0.5
 _WIDEST = 3.0
+# Times as wide as the plate and its play from which on a slot is said to be wide.
+_LOOSE = 3.0
 # Two lamellas at a vertex: number and station of each.
 _Pair = tuple[tuple[int, int], tuple[int, int]]
 
@@ -108,6 +112,27 @@ def slot_ways(
     return ways
 
 
+def said_of_wide(
+    lamellas: Sequence[Lamella], met: Sequence[Sequence[Crossing]], settings: LamellaSettings
+) -> list[str]:
+    """What a user should know about slots that are far wider than the plate that passes them."""
+    wide = [
+        (crossing.slot.width, lamella.name, crossing.other)
+        for lamella, row in zip(lamellas, met, strict=True)
+        for crossing in row
+        if crossing.slot is not None
+        and crossing.slot.width > _LOOSE * (settings.thickness + settings.clearance)
+    ]
+    if not wide:
+        return []
+    width, name, other = max(wide)
+    return [
+        f"lamellas: {len(wide)} slots are wide for plates of {settings.thickness:g} mm, as both "
+        f"lean differently where they cross: up to {width:.3g} mm, that of {name} for {other}; "
+        "there the slot alone does not hold the other one upright"
+    ]
+
+
 def _opens_above(lamellas: Sequence[Lamella], one: int, two: int) -> bool:
     """Family u opens above; where families cannot be told apart, the lamella that comes first."""
     families = lamellas[one].family, lamellas[two].family
@@ -174,7 +199,10 @@ def _slot(
     ribbon = lamella.ribbon
     sign = 1.0 if upward else -1.0
     direction = sign * flat_axis(lamella, station, other, other_station, sign)
-    reach = max(abs(ribbon.lower), abs(ribbon.upper))
+    # As far as the edge that the slot opens to, which a slanted ruling reaches later.
+    reach = abs(ribbon.upper if upward else ribbon.lower) * float(ribbon.stretch[station])
+    along = abs(float(ribbon.strip.rulings[station] @ other.ribbon.strip.rulings[other_station]))
+    reach /= max(along, _ALONG)
     half = half_width(lamella, station, other, other_station, sign * direction, sign * reach)
     width = 2 * half + settings.clearance
     slot = Slot(station, direction, -depth, width, upward)

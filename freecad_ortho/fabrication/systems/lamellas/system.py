@@ -24,6 +24,7 @@ from freecad_ortho.fabrication.systems.lamellas.cleats import around, cleats_of,
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
     Crossing,
     crossings,
+    said_of_wide,
     slot_ways,
 )
 from freecad_ortho.fabrication.systems.lamellas.direction import StripPattern, pattern_of
@@ -113,6 +114,7 @@ class Lamellas(LamellaSettings, System):
         report["not_put_on"] = sum(bool(part.assembly) for part in parts)
         messages = self._messages(lamellas, pattern) + self._said(whole, splices)
         messages += self._said_of_layers(lamellas, met) + border.words() + doubts
+        messages += said_of_wide(lamellas, met, self)
         messages += self._said_of_cleats(lost, list(cleats.values()))
         geometry = LamellaGeometry(cleats, around(lamellas, on_feet, self), lamellas)
         if site.trimming is not None:
