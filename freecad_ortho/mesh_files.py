@@ -91,16 +91,20 @@ class LoadedMesh:
         return tuple(self.origin.near(line) for line in self.border)
 
 
-def read_mesh(path: str | os.PathLike[str], unit: str | None = None, up: str = "z") -> LoadedMesh:
+def read_mesh(
+    path: str | os.PathLike[str], unit: str | None = None, up: str = "z", mixed: bool = False
+) -> LoadedMesh:
     """Read a quad mesh; its unit is the one given, else the one the file names, else mm.
 
     Args:
         path: an OBJ, PLY, OFF, JSON, VTK or 3DM file.
         unit: of its coordinates.
         up: ``z``, or ``y`` for a file whose y points up: it is turned about x.
+        mixed: faces may have any number of corners; such a mesh is for the net planar, panels and
+            beams.
 
     Raises:
-        InputError: the file is missing or is not a usable quad mesh.
+        InputError: the file is missing or is not a usable mesh.
     """
     data = read_mesh_file(path, up)
     if not unit and data.unit and data.unit not in MILLIMETRES:
@@ -111,7 +115,7 @@ def read_mesh(path: str | os.PathLike[str], unit: str | None = None, up: str = "
         )
     chosen = unit or data.unit or DEFAULT_UNIT
     millimetres_per(chosen)
-    mesh, remarks = quads_of(data, path)
+    mesh, remarks = quads_of(data, path, mixed)
     width = float(np.ptp(mesh.vertices[mesh.connectivity.referenced], axis=0).max())
     if not (unit or data.unit) and width < _SMALL:
         remarks.append(

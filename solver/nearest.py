@@ -45,6 +45,7 @@ from solver.terms.fairness import Fairness
 from solver.terms.gliding import OnCurve, OnSurface
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.pull import Pull
+from solver.terms.umbrella import umbrellas
 
 # Part of the wishes in the energy whose minimum a step aims at. The smaller, the better the step
 # keeps to the net; rounding is the limit.
@@ -124,8 +125,9 @@ def nearness(
         *_not_beyond(problem, ground, within),
         Wish(Evenness(net.line_quadruples), evenness),
         Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
+        *(Wish(ring, 1e-3) for ring in umbrellas(net, rest)),
         Wish(Closeness(used, points[used]), 1e-5),
-        Wish(Orthogonality(net.faces, name="right angles"), 0.3 * evenness),
+        Wish(Orthogonality(net.quads, name="right angles"), 0.3 * evenness),
         *(Wish(border, 1e-2) for border in borders),
         *_guards(net, shortest, _ROOMY if near else _ROOM),
     ]
@@ -151,7 +153,7 @@ def halfway(net: Connectivity, points: FloatArray, surface: TriangleSurface) -> 
     rises = surface.closest(middles)[0] - middles
     # Over a crease, a step or a hole edges cut across, and no lift would help.
     rises[length(rises) > _ACROSS * length(ends[:, 1] - ends[:, 0])] = 0.0
-    sides, sums = net.face_edges.ravel(), np.zeros_like(points)
+    sides, sums = net.half_edge_edges, np.zeros_like(points)
     # By faces: edges inside, which run across the border, count twice, those along it once.
     np.add.at(sums, net.edges[sides].ravel(), np.repeat(rises[sides], 2, axis=0))
     counts = np.bincount(net.edges[sides].ravel(), minlength=len(points))
@@ -208,7 +210,7 @@ def _guards(net: Connectivity, shortest: float, room: float = _ROOM) -> list[Wis
     """Edges stay long and faces open, and what is so already feels nothing."""
     return [
         Wish(EdgeGuard(net.edges, room * shortest), 0.3),
-        Wish(FaceGuard(net.faces, 0.3), 0.3),
+        Wish(FaceGuard(net.quads, 0.3), 0.3),
     ]
 
 
@@ -217,8 +219,9 @@ def _not_beyond(problem: Problem, ground: TriangleSurface, within: float | None)
     if within is None:
         return
     net, limit = problem.mesh.connectivity, _INSIDE * within / problem.scale
-    for groups in (np.flatnonzero(net.referenced)[:, None], net.faces):
-        yield Wish(BeyondSurface(groups, ground, limit), _FORBIDDEN)
+    groups = [same.faces for same in net.by_size]
+    for chosen in (np.flatnonzero(net.referenced)[:, None], *groups):
+        yield Wish(BeyondSurface(chosen, ground, limit), _FORBIDDEN)
 
 
 class NearestNet:

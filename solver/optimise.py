@@ -18,6 +18,7 @@ from solver.errors import InputError, refuse_unknown
 from solver.last_phase import Aim
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.local_origin import LocalOrigin
+from solver.mesh.mixed import MixedConnectivity
 from solver.mesh.quadmesh import QuadMesh, refuse_other
 from solver.nets import Net, net_named, refuse_foreign
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
@@ -161,6 +162,8 @@ def start_optimisation(
     """
     refuse_other(mesh)
     asked = net_named(net)
+    if isinstance(mesh.connectivity, MixedConnectivity) and not asked.any_faces:
+        mesh.connectivity.refuse(f"{net} net")
     refuse_no_end(tolerance, max_steps)
     if within is not None and not (math.isfinite(within) and within > 0):
         raise InputError(f"within: expected a positive distance, got {within}")

@@ -87,7 +87,7 @@ def summarise(run: Course, best: Candidate) -> Outcome:
         message=_message(run, best),
         warnings=[*map(str, run.remarks), *filter(None, [run.backend_says])],
         vertices=len(start.vertices),
-        faces=len(start.faces),
+        faces=start.connectivity.face_count,
         variables=problem.variables,
         constraints=problem.equations,
         iterations=len(history),

@@ -122,7 +122,7 @@ def _optimise(options: argparse.Namespace) -> int:
 
 
 def _check(options: argparse.Namespace) -> int:
-    loaded = reporting.load(options)
+    loaded = reporting.load(options, mixed=True)
     result = {"file": options.input, "unit": loaded.unit, **api.check(loaded.mesh)}
     if options.build:
         score = build_score(loaded.mesh, millimetres_per(loaded.unit), options.sections)

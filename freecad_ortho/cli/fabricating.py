@@ -98,7 +98,7 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Build the structure and write its files."""
-    words = fabricated(options, reporting.load(options), Path(options.input).stem)
+    words = fabricated(options, reporting.load(options, mixed=True), Path(options.input).stem)
     sys.stdout.write(f"{words}\n")
     return EXIT_OK
 

@@ -22,7 +22,7 @@ from solver.report import CONVERGED, Repeated, Report
 
 def run(options: argparse.Namespace) -> bool:
     """Optimise as the options say; return whether the net was reached, as near as was asked."""
-    loaded = reporting.load(options)
+    loaded = reporting.load(options, mixed=True)
     settings = net_options.settings(options, loaded)
     values.refuse_unwritable(options.output, options.report)
     outcome = optimised(options, loaded, settings)

@@ -20,9 +20,12 @@ if TYPE_CHECKING:
 _BAR = 30
 
 
-def load(options: argparse.Namespace) -> api.LoadedMesh:
-    """Read the input mesh and say on stderr what was mended."""
-    loaded = api.read_mesh(options.input, options.unit, options.up)
+def load(options: argparse.Namespace, mixed: bool = False) -> api.LoadedMesh:
+    """Read the input mesh and say on stderr what was mended.
+
+    Its faces have four corners each, or any number where ``mixed`` ones are asked for.
+    """
+    loaded = api.read_mesh(options.input, options.unit, options.up, mixed)
     for remark in loaded.remarks:
         sys.stderr.write(f"note: {remark}\n")
     if loaded.origin.far:
@@ -106,6 +109,12 @@ def _build_lines(score: dict[str, Any]) -> str:
     )
 
 
+def _faces(counts: dict[str, int]) -> list[str]:
+    """How many faces have how many corners, in words."""
+    names = {"3": "triangle", "4": "quad", "5": "pentagon", "6": "hexagon"}
+    return [counted(count, names.get(n, f"{n}-gon")) for n, count in counts.items()]
+
+
 def check_table(result: dict[str, Any]) -> str:
     """Measures of a mesh as a table for people."""
     size = " x ".join(f"{length:.6g}" for length in result["size"])
@@ -114,7 +123,7 @@ def check_table(result: dict[str, Any]) -> str:
         + ", ".join(
             (
                 counted(result["vertices"], "vertex", "vertices"),
-                counted(result["faces"], "quad"),
+                *_faces(result["corners_of_faces"]),
                 counted(result["components"], "component"),
                 counted(result["irregular_vertices"], "irregular vertex", "irregular vertices"),
             )

@@ -158,7 +158,7 @@ class Structure:
             "counts": {
                 "vertices": len(self.mesh.vertices),
                 "edges": len(self.mesh.connectivity.edges),
-                "faces": len(self.mesh.faces),
+                "faces": self.mesh.connectivity.face_count,
                 **{name: len(result.parts) for name, result in self.results.items()},
             },
             "planarity_gap_max_mm": float(diagonal_distances(self.site.mesh).max()),

@@ -71,6 +71,7 @@ def advise(
     found = [
         shape.advice(net, diagonal)
         for net in NETS.values()
+        if net.any_faces or not mesh.connectivity.mixed
         for diagonal in net.variants
         if shape.tells(net, diagonal)
     ]
@@ -84,14 +85,15 @@ class _Shape:
         self._mesh = mesh
         self._known = known
         self._means: dict[tuple[str, bool], float] = {}
-        self._positive, self._negative = _curved_shares(mesh)
-        self._twisted = twisted_lines(mesh)
+        self._positive, self._negative, self._twisted = 0.0, 0.0, None
+        if not mesh.connectivity.mixed:
+            self._positive, self._negative = _curved_shares(mesh)
+            self._twisted = twisted_lines(mesh)
 
     def tells(self, net: Net, diagonal: bool) -> bool:
         """Whether the mesh alone says how far it is from a net."""
-        stars = len(self._mesh.connectivity.stars)
         needed = any(measure.place_of(diagonal) == "vertex" for measure in net.measures)
-        return bool(net.measures) and (bool(stars) or not needed)
+        return bool(net.measures) and (not needed or bool(len(self._mesh.connectivity.stars)))
 
     def advice(self, net: Net, diagonal: bool) -> Advice:
         """How the mesh relates to a net."""

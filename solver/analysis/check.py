@@ -28,24 +28,28 @@ def check(mesh: QuadMesh) -> dict[str, Any]:
     """Measure a mesh against every net, about a local origin where it is far from the origin.
 
     Returns:
-        Plain numbers for JSON: counts, ``measures`` with ``max``, ``mean`` and ``worst`` (the
-        number of the face, edge or star centre) and ``exempt`` (how many are left out, as
-        they lie at singular vertices) each, ``planarity_gap`` (largest distance between
-        the diagonals of a face) in the mesh's unit, ``edge_ratio``, ``flipped_faces``, ``size``
-        (lengths of the bounding box) and ``mean_edge`` in the mesh's unit, ``advice`` on which
-        net to optimise for, ``multi_net``, None where the mesh is not of grid type, and
-        ``remarks`` on where it meets itself without being joined.
+        Plain numbers for JSON: counts, ``corners_of_faces`` (how many faces have how many corners;
+        where some have other than four, only what can be asked of them is measured), ``measures``
+        with ``max``, ``mean`` and ``worst`` (the number of the face, edge or star centre) and
+        ``exempt`` (how many are left out, as they lie at singular vertices) each,
+        ``planarity_gap`` (largest distance between the diagonals of a face) in the mesh's unit,
+        ``edge_ratio``, ``flipped_faces``, ``size`` (lengths of the bounding box) and ``mean_edge``
+        in the mesh's unit, ``advice`` on which net to optimise for, ``multi_net``, None where the
+        mesh is not of grid type, and ``remarks`` on where it meets itself without being joined.
     """
     refuse_other(mesh)
     coarse = resolution(mesh)
     mesh = LocalOrigin.of_mesh(mesh).near_mesh(mesh)
     net = mesh.connectivity
     used = mesh.vertices[net.referenced]
-    asked = all_measures()
+    asked = all_measures(net.mixed)
     values = {name: measure.on(mesh) for name, measure in asked.items()}
     return {
         "vertices": len(mesh.vertices),
-        "faces": len(mesh.faces),
+        "faces": net.face_count,
+        "corners_of_faces": {
+            str(n): int(k) for n, k in enumerate(np.bincount(net.face_sizes)) if k
+        },
         "edges": len(net.edges),
         "boundary_vertices": int(net.boundary_vertices.sum()),
         "irregular_vertices": int((~net.regular & ~net.boundary_vertices & net.referenced).sum()),
@@ -87,6 +91,8 @@ def _multi_net(mesh: QuadMesh, zero: float) -> dict[str, Any] | None:
     ``corners`` the opposite corners of that rectangle. On large grids that are no multi-nets by far
     only some lines are asked: ``at_least`` is true then. Violations up to ``zero`` count as none.
     """
+    if mesh.connectivity.mixed:
+        return None
     try:
         numbers = grid_of(mesh).numbers
     except InputError:

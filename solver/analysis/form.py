@@ -89,16 +89,18 @@ def form_of(start: QuadMesh, mesh: QuadMesh, surface: TriangleSurface | None = N
 
 
 def surface_of(mesh: QuadMesh) -> TriangleSurface:
-    """The faces of a mesh, each as two triangles."""
-    return TriangleSurface(mesh.vertices, mesh.faces[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3))
+    """The faces of a mesh, cut into triangles."""
+    return TriangleSurface(mesh.vertices, mesh.connectivity.triangles)
 
 
 def off_surface(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
     """(F, s) distances of points of each face from a surface, in model units.
 
     Faces are sampled bilinearly, their corners included: a net may have all vertices on a surface
-    and leave it in between.
+    and leave it in between. Where not all faces are quads corners and middles are looked at.
     """
+    if mesh.connectivity.mixed:
+        return _off_polygons(mesh, surface)
     side = int(np.clip(np.sqrt(_MOST / len(mesh.faces)), 2, _SAMPLES))
     if side == 2:
         # Corners alone, each once: whoever breaks off a large run waits for this.
@@ -109,6 +111,18 @@ def off_surface(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
     points = np.einsum("sk,fkc->fsc", shares, mesh.vertices[mesh.faces])
     feet, _ = surface.closest(points.reshape(-1, 3))
     return np.asarray(np.linalg.norm(points - feet.reshape(points.shape), axis=2))
+
+
+def _off_polygons(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
+    """(F, 1 + most corners) the same of faces of several sizes; what is left over repeats these."""
+    net = mesh.connectivity
+    at_vertices, in_middle = (
+        np.linalg.norm(points - surface.closest(points)[0], axis=1)
+        for points in (mesh.vertices, mesh.face_middles)
+    )
+    rows = np.arange(int(net.face_sizes.max()))
+    corners = [np.resize(face, len(rows)) for face in net.polygons]
+    return np.column_stack([in_middle, at_vertices[np.array(corners)]])
 
 
 def _off_border(start: QuadMesh, mesh: QuadMesh) -> float:

@@ -41,12 +41,32 @@ def planarity(mesh: QuadMesh) -> FloatArray:
 
     Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, figure 8.
     """
+    if mesh.connectivity.mixed:
+        net = mesh.connectivity
+        ends = mesh.vertices[net.half_edges[:, 0]]
+        across = row_lengths(mesh.vertices[net.half_edges[net.following, 1]] - ends)
+        mean = np.bincount(net.half_faces, across, net.face_count) / net.face_sizes
+        return np.asarray(diagonal_distances(mesh) / mean)
     first, second = _diagonal_lengths(mesh)
     return np.asarray(diagonal_distances(mesh) / (0.5 * (first + second)))
 
 
+def four_in_plane(mesh: QuadMesh) -> FloatArray:
+    """(P,) of ``flat_quads`` distance between the lines of the diagonals / their mean length."""
+    a, b, c, d = mesh.vertices[mesh.connectivity.flat_quads].transpose(1, 0, 2)
+    normal = unit_rows(np.cross(c - a, d - b))
+    apart = np.abs(np.einsum("ij,ij->i", 0.5 * (a + c - b - d), normal))
+    return np.asarray(apart / (0.5 * (row_lengths(c - a) + row_lengths(d - b))))
+
+
 def diagonal_distances(mesh: QuadMesh) -> FloatArray:
-    """(F,) distance between the lines of the diagonals, in the mesh's unit."""
+    """(F,) distance between the lines of the diagonals, in the mesh's unit.
+
+    That is twice the largest distance of a corner from the mean plane, as it is taken of faces with
+    other than four corners.
+    """
+    if mesh.connectivity.mixed:
+        return mesh.face_gaps
     a, b, c, d = _corners(mesh)
     between = 0.5 * (a + c - b - d)
     return np.asarray(np.abs(np.einsum("ij,ij->i", between, mesh.face_normals)))
@@ -233,11 +253,17 @@ def flipped(mesh: QuadMesh) -> BoolArray:
         axis=1,
     )
     against = np.einsum("ij,ij->i", normals, around) < 0
-    points = mesh.vertices[mesh.faces]
-    ahead = np.roll(points, -1, axis=1) - points
-    turns = np.cross(np.roll(ahead, 1, axis=1), ahead)
-    inside_out = (np.einsum("fij,fj->fi", turns, normals) <= 0).any(axis=1)
-    return np.asarray(against | inside_out)
+    return np.asarray(against | _inside_out(mesh))
+
+
+def _inside_out(mesh: QuadMesh) -> BoolArray:
+    """(F,) true where a corner of a face turns against it."""
+    net = mesh.connectivity
+    ends = mesh.vertices[net.half_edges]
+    ahead = ends[:, 1] - ends[:, 0]
+    turns = np.cross(ahead, ahead[net.following])
+    wrong = np.einsum("hk,hk->h", turns, mesh.face_normals[net.half_faces]) <= 0
+    return np.bincount(net.half_faces, wrong, net.face_count).astype(bool)
 
 
 def face_angles(mesh: QuadMesh) -> FloatArray:

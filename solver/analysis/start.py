@@ -66,6 +66,8 @@ def start_remarks(
         diagonal: whether the star property is asked of the diagonal net.
         held: (V,) true for vertices that are fixed or glide along a curve; none by default.
     """
+    if mesh.connectivity.mixed:
+        return tuple(filter(None, [threes_on_saddles(mesh)]))
     found = [closer_variant(mesh, net, diagonal)]
     if NETS[net].conjugate:
         found.append(asymptotic_lines(mesh))
@@ -74,6 +76,34 @@ def start_remarks(
         if held is not None:
             found.append(_turned_border(mesh, held))
     return tuple(remark for remark in found if remark is not None)
+
+
+def threes_on_saddles(mesh: QuadMesh) -> Remark | None:
+    """Say where three faces meet on a saddle, where they cannot be flat and without recesses.
+
+    The normals of three flat convex faces that meet go around as the faces do: such a corner bulges
+    or is hollow. On a saddle they go around the other way.
+    """
+    net, normals = mesh.connectivity, mesh.face_normals
+    inner = ~net.boundary_vertices & (net.face_valence == 3)
+    half = np.flatnonzero(inner[net.half_edges[:, 0]])
+    if not len(half):
+        return None
+    # Each face at such a vertex and the one across its side that begins there.
+    beside = net.half_faces[net.twins[half]]
+    around = np.cross(normals[beside], normals[net.half_faces[half]])
+    vertex = net.half_edges[half, 0]
+    turn = np.zeros(net.vertex_count)
+    np.add.at(turn, vertex, np.einsum("hk,hk->h", around, mesh.vertex_normals[vertex]))
+    share = float((turn[inner] < 0).mean())
+    if share <= _HARDLY:
+        return None
+    return Remark(
+        "oblique",
+        f"at {100 * share:.0f} % of the inner vertices where three faces meet the surface is a "
+        "saddle, where three flat faces without recesses cannot meet",
+        "quads there, or a surface that bulges all over",
+    )
 
 
 def twisted_lines(mesh: QuadMesh) -> Remark | None:

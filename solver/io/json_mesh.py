@@ -104,7 +104,7 @@ def write_json(
         OutputError: the folder is missing or cannot be written.
     """
     data: dict[str, object] = {} if unit is None else {"unit": unit}
-    data |= {"vertices": mesh.vertices.tolist(), "faces": mesh.faces.tolist()}
+    data |= {"vertices": mesh.vertices.tolist(), "faces": mesh.connectivity.polygons}
     if border:
         data["border"] = [line.tolist() for line in border]
     write_text(path, json.dumps(data) + "\n")

@@ -78,12 +78,14 @@ def write_obj(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = N
     Raises:
         OutputError: the folder is missing or cannot be written.
     """
-    head = [f"# {len(mesh.vertices)} vertices, {len(mesh.faces)} quads"]
+    net = mesh.connectivity
+    kind = "faces" if net.mixed else "quads"
+    head = [f"# {len(mesh.vertices)} vertices, {net.face_count} {kind}"]
     if unit is not None:
         head.append(UNIT_COMMENT + unit)
     points = ["v {!r} {!r} {!r}".format(*row) for row in mesh.vertices.tolist()]
-    quads = ["f {} {} {} {}".format(*row) for row in (mesh.faces + 1).tolist()]
-    write_text(path, "\n".join(head + points + quads) + "\n")
+    faces = ["f " + " ".join(str(corner + 1) for corner in row) for row in net.polygons]
+    write_text(path, "\n".join(head + points + faces) + "\n")
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:

@@ -225,7 +225,9 @@ def write_off(path: str | os.PathLike[str], mesh: QuadMesh, unit: str | None = N
         OutputError: the folder is missing or cannot be written.
     """
     head = ["OFF"] + ([] if unit is None else [UNIT_COMMENT + unit])
-    head.append(f"{len(mesh.vertices)} {len(mesh.faces)} {len(mesh.connectivity.edges)}")
+    head.append(
+        f"{len(mesh.vertices)} {mesh.connectivity.face_count} {len(mesh.connectivity.edges)}"
+    )
     points = ["{!r} {!r} {!r}".format(*row) for row in mesh.vertices.tolist()]
-    quads = ["4 {} {} {} {}".format(*row) for row in mesh.faces.tolist()]
-    write_text(path, "\n".join(head + points + quads) + "\n")
+    faces = [" ".join(map(str, [len(row), *row])) for row in mesh.connectivity.polygons]
+    write_text(path, "\n".join(head + points + faces) + "\n")

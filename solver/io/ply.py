@@ -163,7 +163,7 @@ def _lines(mesh: QuadMesh, unit: str | None) -> Iterator[str]:
         yield f"comment unit: {unit}"
     yield f"element vertex {len(mesh.vertices)}"
     yield from (f"property double {axis}" for axis in "xyz")
-    yield f"element face {len(mesh.faces)}"
+    yield f"element face {mesh.connectivity.face_count}"
     yield from ("property list uchar int vertex_indices", "end_header")
     yield from ("{!r} {!r} {!r}".format(*row) for row in mesh.vertices.tolist())
-    yield from ("4 {} {} {} {}".format(*row) for row in mesh.faces.tolist())
+    yield from (" ".join(map(str, [len(row), *row])) for row in mesh.connectivity.polygons)

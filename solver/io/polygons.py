@@ -11,7 +11,7 @@ from solver.io.json_mesh import read_json, write_json
 from solver.io.obj import ObjData, read_obj, write_obj
 from solver.io.off import read_off, write_off
 from solver.io.ply import read_ply, write_ply
-from solver.mesh.intake import quad_mesh
+from solver.mesh.intake import any_mesh, quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 READERS: dict[str, Callable[[str | os.PathLike[str]], ObjData]] = {
@@ -43,28 +43,41 @@ def read_polygons(path: str | os.PathLike[str]) -> ObjData:
     return READERS.get(extension, read_obj)(path)
 
 
-def quads_of(data: ObjData, path: str | os.PathLike[str]) -> tuple[QuadMesh, list[str]]:
+def quads_of(
+    data: ObjData, path: str | os.PathLike[str], mixed: bool = False
+) -> tuple[QuadMesh, list[str]]:
     """Make the contents of a file a quad mesh, as :func:`solver.mesh.intake.quad_mesh` does.
+
+    Args:
+        data: what was read.
+        path: of the file.
+        mixed: faces may have any number of corners.
 
     Raises:
         InputError: naming the file, and the line where that is known.
     """
     try:
-        mesh, remarks = quad_mesh(data.vertices, data.polygons, data.lines)
+        make = any_mesh if mixed else quad_mesh
+        mesh, remarks = make(data.vertices, data.polygons, data.lines)
     except InputError as error:
         raise InputError(f"{os.fspath(path)}: {error}") from None
     return mesh, [*data.remarks, *remarks]
 
 
-def read_mesh(path: str | os.PathLike[str]) -> QuadMesh:
+def read_mesh(path: str | os.PathLike[str], mixed: bool = False) -> QuadMesh:
     """Read the quad mesh of an OBJ, PLY, OFF or JSON file, in the file's own unit.
 
     What was mended on the way is said by :func:`quads_of` alone.
 
+    Args:
+        path: of the file.
+        mixed: faces may have any number of corners; such a mesh is for the net planar, panels and
+            beams.
+
     Raises:
-        InputError: no such file, or it holds no usable quad mesh.
+        InputError: no such file, or it holds no usable mesh.
     """
-    return quads_of(read_polygons(path), path)[0]
+    return quads_of(read_polygons(path), path, mixed)[0]
 
 
 def write_mesh(

@@ -1,6 +1,7 @@
 """Connectivity of a quad mesh: who is next to whom, without any positions.
 
-Everything here depends on the faces alone, is computed at most once, and never changes.
+Everything here depends on the faces alone, is computed at most once, and never changes. What does
+not need four corners a face is inherited by :mod:`solver.mesh.mixed`.
 """
 
 from __future__ import annotations
@@ -9,14 +10,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from solver.errors import InputError
+from solver.mesh.groups import BoolArray, IntArray, SameSize, components_of
 
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
+__all__ = ["BoolArray", "Connectivity", "IntArray", "SameSize"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +45,15 @@ class Connectivity:
         faces.setflags(write=False)
         object.__setattr__(self, "faces", faces)
         self.check_corners(faces, self.vertex_count)
-        key = self._half_edges[:, 0] * self.vertex_count + self._half_edges[:, 1]
+        self.refuse_double_edges()
+
+    def refuse_double_edges(self) -> None:
+        """Refuse edges with more than two faces or two of opposite orientation.
+
+        Raises:
+            InputError: naming the first.
+        """
+        key = self.half_edges[:, 0] * self.vertex_count + self.half_edges[:, 1]
         unique, counts = np.unique(key, return_counts=True)
         if (counts > 1).any():
             bad = int(unique[np.argmax(counts > 1)])
@@ -79,15 +85,79 @@ class Connectivity:
                 f"{faces[face].tolist()}; split or delete it"
             )
 
+    @property
+    def mixed(self) -> bool:
+        """Whether some faces have other than four corners."""
+        return False
+
+    @property
+    def face_count(self) -> int:
+        """F, number of faces."""
+        return len(self.faces)
+
+    @property
+    def quads(self) -> IntArray:
+        """(Q, 4) the faces that have four corners."""
+        return self.faces
+
+    @property
+    def polygons(self) -> list[list[int]]:
+        """Vertices of each face, counter-clockwise."""
+        found: list[list[int]] = self.faces.tolist()
+        return found
+
+    @property
+    def face_sizes(self) -> IntArray:
+        """(F,) number of corners of each face."""
+        return np.full(self.face_count, 4, dtype=np.int64)
+
+    @property
+    def by_size(self) -> tuple[SameSize, ...]:
+        """Faces with the same number of corners, together."""
+        every = np.arange(self.face_count)
+        return (SameSize(every, self.faces, np.arange(4 * len(every)).reshape(-1, 4)),)
+
+    @property
+    def flat_quads(self) -> IntArray:
+        """(P, 4) corners that have to lie in a plane each for all faces to be flat."""
+        return self.faces
+
+    @property
+    def flat_quads_faces(self) -> IntArray:
+        """(P,) the face of each of them."""
+        return np.arange(self.face_count)
+
+    @property
+    def triangles(self) -> IntArray:
+        """(T, 3) the faces cut into triangles, in the order of the faces."""
+        return self.faces[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)
+
     @cached_property
-    def _half_edges(self) -> IntArray:
-        """(4F, 2) start and end vertex of every half-edge."""
+    def half_faces(self) -> IntArray:
+        """(H,) the face of each half-edge."""
+        return np.repeat(np.arange(self.face_count), self.face_sizes)
+
+    @cached_property
+    def following(self) -> IntArray:
+        """(H,) the half-edge that follows each half-edge around its face."""
+        return self._next(np.arange(len(self.half_edges)))
+
+    def _next(self, half: IntArray) -> IntArray:
+        """The half-edge that follows each half-edge around its face."""
+        return half - half % 4 + (half + 1) % 4
+
+    def _previous(self, half: IntArray) -> IntArray:
+        return half - half % 4 + (half + 3) % 4
+
+    @cached_property
+    def half_edges(self) -> IntArray:
+        """(H, 2) start and end vertex of every half-edge; H is 4F where all faces are quads."""
         return np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=2).reshape(-1, 2)
 
     @cached_property
     def twins(self) -> IntArray:
         """(4F,) the opposite half-edge of each half-edge, -1 at the boundary."""
-        start, end = self._half_edges.T
+        start, end = self.half_edges.T
         forward = start * self.vertex_count + end
         backward = end * self.vertex_count + start
         order = np.argsort(forward)
@@ -97,9 +167,9 @@ class Connectivity:
 
     @cached_property
     def _edge_table(self) -> tuple[IntArray, IntArray]:
-        pairs = np.sort(self._half_edges, axis=1)
+        pairs = np.sort(self.half_edges, axis=1)
         edges, inverse = np.unique(pairs, axis=0, return_inverse=True)
-        return edges, inverse.reshape(-1, 4)
+        return edges, inverse.ravel()
 
     @property
     def edges(self) -> IntArray:
@@ -109,15 +179,20 @@ class Connectivity:
     @property
     def face_edges(self) -> IntArray:
         """(F, 4) edge number of each side; side k joins corners k and k + 1."""
+        return self.half_edge_edges.reshape(self.faces.shape)
+
+    @property
+    def half_edge_edges(self) -> IntArray:
+        """(H,) edge number of each half-edge."""
         return self._edge_table[1]
 
     @cached_property
     def edge_faces(self) -> IntArray:
         """(E, 2) faces left and right of each edge seen from its smaller vertex, -1 for none."""
         result = np.full((len(self.edges), 2), -1, dtype=np.int64)
-        start, end = self._half_edges.T
+        start, end = self.half_edges.T
         side = (start > end).astype(np.int64)
-        result[self.face_edges.ravel(), side] = np.repeat(np.arange(len(self.faces)), 4)
+        result[self.half_edge_edges, side] = self.half_faces
         return result
 
     @cached_property
@@ -136,13 +211,13 @@ class Connectivity:
     def referenced(self) -> BoolArray:
         """(V,) true where at least one face uses the vertex."""
         result = np.zeros(self.vertex_count, dtype=bool)
-        result[self.faces.ravel()] = True
+        result[self.half_edges[:, 0]] = True
         return result
 
     @cached_property
     def face_valence(self) -> IntArray:
         """(V,) number of faces at each vertex."""
-        return np.bincount(self.faces.ravel(), minlength=self.vertex_count)
+        return np.bincount(self.half_edges[:, 0], minlength=self.vertex_count)
 
     @cached_property
     def edge_valence(self) -> IntArray:
@@ -165,7 +240,9 @@ class Connectivity:
     @cached_property
     def singular_faces(self) -> BoolArray:
         """(F,) true where a corner of a face is a singular vertex."""
-        return np.asarray(self.singular[self.faces].any(axis=1))
+        return np.bincount(
+            self.half_faces, self.singular[self.half_edges[:, 0]], self.face_count
+        ).astype(bool)
 
     @cached_property
     def singular_stars(self) -> BoolArray:
@@ -180,19 +257,19 @@ class Connectivity:
     @cached_property
     def continuation(self) -> IntArray:
         """(4F,) the half-edge that goes straight on at the end of each half-edge, or -1."""
-        after = _next(np.arange(4 * len(self.faces)))
+        after = self.following
         across = self.twins[after]
-        straight = np.where(across >= 0, _next(across), -1)
-        return np.where(self.regular[self._half_edges[:, 1]], straight, -1)
+        straight = np.where(across >= 0, self._next(across), -1)
+        return np.where(self.regular[self.half_edges[:, 1]], straight, -1)
 
     @cached_property
     def boundary_loops(self) -> tuple[IntArray, ...]:
         """Vertices of each boundary loop in order; loops may touch, but do not cross."""
         half = np.flatnonzero(self.twins < 0)
-        onward = _next(half)
+        onward = self._next(half)
         while (inner := self.twins[onward] >= 0).any():
-            onward[inner] = _next(self.twins[onward[inner]])
-        start = self._half_edges[:, 0]
+            onward[inner] = self._next(self.twins[onward[inner]])
+        start = self.half_edges[:, 0]
         after = dict(zip(half.tolist(), onward.tolist(), strict=True))
         loops = []
         while after:
@@ -208,8 +285,8 @@ class Connectivity:
     def line_triples(self) -> IntArray:
         """(T, 3) consecutive vertices left, centre, right on a parameter line, each once."""
         here = np.flatnonzero(self.continuation >= 0)
-        left, centre = self._half_edges[here].T
-        right = self._half_edges[self.continuation[here], 1]
+        left, centre = self.half_edges[here].T
+        right = self.half_edges[self.continuation[here], 1]
         triples = np.stack([np.minimum(left, right), centre, np.maximum(left, right)], axis=1)
         return np.unique(triples, axis=0)
 
@@ -219,9 +296,9 @@ class Connectivity:
         first = np.flatnonzero(self.continuation >= 0)
         second = self.continuation[first]
         longer = self.continuation[second] >= 0
-        ends = self._half_edges[self.continuation[second[longer]], 1]
+        ends = self.half_edges[self.continuation[second[longer]], 1]
         lines = np.column_stack(
-            [self._half_edges[first[longer]], self._half_edges[second[longer], 1], ends]
+            [self.half_edges[first[longer]], self.half_edges[second[longer], 1], ends]
         )
         backward = lines[:, 0] > lines[:, 3]
         lines[backward] = lines[backward, ::-1]
@@ -235,10 +312,10 @@ class Connectivity:
         """
         half = np.flatnonzero((self.twins >= 0) & (self.twins > np.arange(4 * len(self.faces))))
         twin = self.twins[half]
-        d = self._half_edges[_next(half), 1]
-        a = self._half_edges[_next(_next(half)), 1]
-        e = self._half_edges[_next(twin), 1]
-        f = self._half_edges[_next(_next(twin)), 1]
+        d = self.half_edges[self._next(half), 1]
+        a = self.half_edges[self._next(self._next(half)), 1]
+        e = self.half_edges[self._next(twin), 1]
+        f = self.half_edges[self._next(self._next(twin)), 1]
         return np.stack([a, f, d, e], axis=1)
 
     def rectangles(self, rows: int, columns: int) -> IntArray:
@@ -250,7 +327,7 @@ class Connectivity:
         half = np.arange(4 * len(self.faces))
         begin, corners = half, []
         for count in (rows, columns, rows, columns):
-            corners.append(np.where(half >= 0, self._half_edges[half, 0], -1))
+            corners.append(np.where(half >= 0, self.half_edges[half, 0], -1))
             for _ in range(count - 1):
                 half = np.where(half >= 0, self.continuation[half], -1)
             half = self._turned(half)
@@ -260,7 +337,7 @@ class Connectivity:
 
     def _turned(self, half: IntArray) -> IntArray:
         """Half-edge that turns left, inside the rectangle, at the end of each half-edge."""
-        return np.where(half >= 0, _next(half), -1)
+        return np.where(half >= 0, self._next(half), -1)
 
     @cached_property
     def stars(self) -> IntArray:
@@ -276,13 +353,13 @@ class Connectivity:
     def _stars_and_corners(self) -> tuple[IntArray, IntArray]:
         centres = np.flatnonzero(self.regular & ~self.boundary_vertices)
         outgoing = np.full(self.vertex_count, -1, dtype=np.int64)
-        outgoing[self._half_edges[::-1, 0]] = np.arange(4 * len(self.faces))[::-1]
+        outgoing[self.half_edges[::-1, 0]] = np.arange(4 * len(self.faces))[::-1]
         half = outgoing[centres]
         star, diagonal = [centres], [centres]
         for _ in range(4):
-            star.append(self._half_edges[half, 1])
-            diagonal.append(self._half_edges[_next(half), 1])
-            half = self.twins[_previous(half)]
+            star.append(self.half_edges[half, 1])
+            diagonal.append(self.half_edges[self._next(half), 1])
+            half = self.twins[self._previous(half)]
         return np.stack(star, axis=1), np.stack(diagonal, axis=1)
 
     @cached_property
@@ -298,7 +375,7 @@ class Connectivity:
         one = np.concatenate([sides[:, 0], sides[:, 1], edge_of[half]])
         two = np.concatenate([sides[:, 2], sides[:, 3], edge_of[self.continuation[half]]])
         count = len(self.edges)
-        return _components(one, two, count)
+        return components_of(one, two, count)
 
     @cached_property
     def diagonal_edges(self) -> IntArray:
@@ -306,45 +383,7 @@ class Connectivity:
         return self.faces[:, [0, 2, 1, 3]].reshape(-1, 2)
 
     @cached_property
-    def diagonal_families(self) -> IntArray:
-        """(2F,) number of the family that each face diagonal belongs to.
-
-        In line at a regular vertex, and opposite each other around one, diagonals share a family.
-        """
-        key = np.sort(self.diagonal_edges, axis=1) @ np.array([self.vertex_count, 1])
-        order = np.argsort(key)
-
-        def number(one: IntArray, two: IntArray) -> IntArray:
-            pair = np.minimum(one, two) * self.vertex_count + np.maximum(one, two)
-            return order[np.searchsorted(key, pair, sorter=order)]
-
-        centre, d1, d2, d3, d4 = self.diagonal_stars.T
-        _, n1, n2, n3, n4 = self.stars.T
-        joined = [
-            (number(centre, d1), number(centre, d3)),
-            (number(centre, d2), number(centre, d4)),
-            (number(n1, n2), number(n3, n4)),
-            (number(n2, n3), number(n4, n1)),
-        ]
-        one, two = (np.concatenate(side) for side in zip(*joined, strict=True))
-        return _components(one, two, len(key))
-
-    @cached_property
     def components(self) -> IntArray:
         """(F,) number of the connected component of each face."""
         left, right = self.edge_faces[~self.boundary_edges].T
-        return _components(left, right, len(self.faces))
-
-
-def _components(one: IntArray, two: IntArray, count: int) -> IntArray:
-    """(count,) number of the component of each item, where ``one[k]`` is tied to ``two[k]``."""
-    graph = coo_array((np.ones(len(one)), (one, two)), shape=(count, count))
-    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
-
-
-def _next(half: IntArray) -> IntArray:
-    return half - half % 4 + (half + 1) % 4
-
-
-def _previous(half: IntArray) -> IntArray:
-    return half - half % 4 + (half + 3) % 4
+        return components_of(left, right, self.face_count)

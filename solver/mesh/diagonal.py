@@ -12,7 +12,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
+from solver.mesh.groups import components_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 
 
@@ -71,6 +72,30 @@ class DiagonalPair:
             self.crossings,
             self.starts,
         )
+
+
+def diagonal_families(net: Connectivity) -> IntArray:
+    """(2F,) number of the family that each face diagonal belongs to.
+
+    In line at a regular vertex, and opposite each other around one, diagonals share a family.
+    """
+    key = np.sort(net.diagonal_edges, axis=1) @ np.array([net.vertex_count, 1])
+    order = np.argsort(key)
+
+    def number(one: IntArray, two: IntArray) -> IntArray:
+        pair = np.minimum(one, two) * net.vertex_count + np.maximum(one, two)
+        return order[np.searchsorted(key, pair, sorter=order)]
+
+    centre, d1, d2, d3, d4 = net.diagonal_stars.T
+    _, n1, n2, n3, n4 = net.stars.T
+    joined = [
+        (number(centre, d1), number(centre, d3)),
+        (number(centre, d2), number(centre, d4)),
+        (number(n1, n2), number(n3, n4)),
+        (number(n2, n3), number(n4, n1)),
+    ]
+    one, two = (np.concatenate(side) for side in zip(*joined, strict=True))
+    return components_of(one, two, len(key))
 
 
 def diagonal_meshes(mesh: QuadMesh, boundary: str = "drop") -> DiagonalPair:

@@ -8,11 +8,12 @@ import numpy as np
 
 from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
-from solver.mesh.orientation import oriented
+from solver.mesh.mixed import MixedConnectivity, refuse_bad_polygons, words_of_sizes
+from solver.mesh.orientation import oriented, oriented_polygons
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import seams
 
-# A face whose area vector is below this part of its squared diagonals has no direction.
+# A face whose area vector is below this part of its squared sides has no direction.
 _ZERO_AREA = 1e-12
 # Coordinates beyond this lose their squares' meaning in floating point.
 _LARGEST = 1e100
@@ -47,6 +48,37 @@ def quad_mesh(
     faces = oriented(vertices, faces, remarks)
     mesh = QuadMesh(vertices, Connectivity(faces, len(vertices)))
     refuse_empty_faces(mesh)
+    return mesh, [*remarks, *_unusual(mesh)]
+
+
+def any_mesh(
+    vertices: FloatArray, polygons: Sequence[Sequence[int]], lines: Sequence[int] = ()
+) -> tuple[QuadMesh, list[str]]:
+    """The same of faces with any number of corners; a quad mesh where all of them have four.
+
+    Of other meshes :class:`solver.mesh.mixed.MixedConnectivity` is the connectivity.
+
+    Raises:
+        InputError: faces of fewer than three corners, bad numbers, non-manifold or non-orientable
+            edges.
+    """
+    corners = [_without_repeats(polygon) for polygon in polygons]
+    if not corners or all(len(polygon) == 4 for polygon in corners):
+        return quad_mesh(vertices, polygons, lines)
+    refuse_missing_vertices(corners, len(vertices), lines)
+    _refuse_wild_numbers(vertices)
+    refuse_bad_polygons(corners, len(vertices))
+    remarks: list[str] = []
+    net = MixedConnectivity(oriented_polygons(corners, remarks), len(vertices))
+    mesh = QuadMesh(vertices, net)
+    refuse_empty_faces(mesh)
+    remarks.append(f"faces of several sizes: {words_of_sizes(net.face_sizes)}")
+    return mesh, [*remarks, *_unusual(mesh)]
+
+
+def _unusual(mesh: QuadMesh) -> list[str]:
+    """Vertices without faces, several components, and what meets without being joined."""
+    remarks = []
     unused = np.flatnonzero(~mesh.connectivity.referenced)
     if len(unused):
         remarks.append(
@@ -57,7 +89,7 @@ def quad_mesh(
     parts = int(mesh.connectivity.components.max()) + 1
     if parts > 1:
         remarks.append(f"{parts} separate components; each is treated on its own")
-    return mesh, [*remarks, *seams(mesh).remarks()]
+    return [*remarks, *seams(mesh).remarks()]
 
 
 def _quads(
@@ -176,9 +208,9 @@ def refuse_empty_faces(mesh: QuadMesh) -> None:
             f"edges: {len(short)} have no length, the first is edge {start} - {end}; "
             "merge its vertices or move one"
         )
-    points = mesh.vertices[mesh.faces]
-    diagonals = points[:, 2] - points[:, 0], points[:, 3] - points[:, 1]
-    size = sum((diagonal**2).sum(axis=1) for diagonal in diagonals)
+    ends = mesh.vertices[mesh.connectivity.half_edges]
+    square = ((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1)
+    size = np.bincount(mesh.connectivity.half_faces, square, mesh.connectivity.face_count)
     empty = np.linalg.norm(mesh.face_area_vectors, axis=1) <= _ZERO_AREA * size
     if empty.any():
         raise InputError(

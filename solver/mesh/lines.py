@@ -62,6 +62,8 @@ class ParameterLines:
         The border of a diagonal mesh is a zigzag: where three faces meet at one of its vertices two
         lines cross that the connectivity alone would end there.
         """
+        if mesh.connectivity.mixed:
+            return cls(mesh.connectivity)
         return cls(mesh.connectivity, joined_at_border(mesh))
 
     @cached_property
@@ -82,6 +84,8 @@ class ParameterLines:
         number of faces meet inside the mesh. Edges are coloured by the components of a graph that
         holds every edge twice, once in each colour.
         """
+        if self.connectivity.mixed:
+            return np.full(len(self.connectivity.edges), -1)
         sides, count = self.connectivity.face_edges, len(self.connectivity.edges)
         one = np.concatenate([sides[:, k] + colour * count for k in range(3) for colour in (0, 1)])
         two = np.concatenate(
@@ -100,7 +104,7 @@ class ParameterLines:
         """(L, 2) pairs of edges that follow each other on a line."""
         onward = self.connectivity.continuation
         half = np.flatnonzero(onward >= 0)
-        edge_of = self.connectivity.face_edges.ravel()
+        edge_of = self.connectivity.half_edge_edges
         pairs = np.stack([edge_of[half], edge_of[onward[half]]], axis=1)
         return np.unique(np.sort(np.concatenate([pairs, self.joined]), axis=1), axis=0)
 

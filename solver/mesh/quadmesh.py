@@ -21,7 +21,8 @@ class QuadMesh:
 
     Args:
         vertices: (V, 3) coordinates in the model's unit.
-        faces: (F, 4) vertex numbers, counter-clockwise, or the connectivity of another mesh.
+        faces: (F, 4) vertex numbers, counter-clockwise, or the connectivity of another mesh; that
+            of faces with any number of corners is :class:`solver.mesh.mixed.MixedConnectivity`.
 
     Raises:
         InputError: wrong shape, a coordinate that is not finite, or faces that are no mesh.
@@ -52,7 +53,11 @@ class QuadMesh:
 
     @property
     def faces(self) -> IntArray:
-        """(F, 4) vertex numbers."""
+        """(F, 4) vertex numbers.
+
+        Raises:
+            InputError: some faces have other than four corners.
+        """
         return self.connectivity.faces
 
     def with_vertices(self, vertices: FloatArray) -> QuadMesh:
@@ -76,7 +81,12 @@ class QuadMesh:
 
     @cached_property
     def face_area_vectors(self) -> FloatArray:
-        """(F, 3) half the cross product of the diagonals: direction the normal, length the area."""
+        """(F, 3) half the cross product of the diagonals: direction the normal, length the area.
+
+        Of faces with other than four corners the sum of those of their triangles.
+        """
+        if self.connectivity.mixed:
+            return self._polygon_area_vectors()
         a, b, c, d = (self.vertices[self.faces[:, k]] for k in range(4))
         return 0.5 * np.cross(c - a, d - b)
 
@@ -88,10 +98,41 @@ class QuadMesh:
     @cached_property
     def vertex_normals(self) -> FloatArray:
         """(V, 3) unit normals, area-weighted mean of the faces; zero where no face is."""
-        corners, count = self.faces.ravel(), len(self.vertices)
-        area = np.repeat(self.face_area_vectors, 4, axis=0)
+        corners, count = self.connectivity.half_edges[:, 0], len(self.vertices)
+        area = self.face_area_vectors[self.connectivity.half_faces]
         total = [np.bincount(corners, area[:, k], count) for k in range(3)]
         return unit_rows(np.stack(total, axis=1))
+
+    @cached_property
+    def face_middles(self) -> FloatArray:
+        """(F, 3) means of the corners of each face."""
+        net = self.connectivity
+        return self._face_sums(self.vertices[net.half_edges[:, 0]]) / net.face_sizes[:, None]
+
+    @cached_property
+    def face_gaps(self) -> FloatArray:
+        """(F,) twice the largest distance of a corner from the mean plane of each face.
+
+        Of a face with four corners that is the distance between the lines of its diagonals.
+        """
+        net = self.connectivity
+        arms = self.vertices[net.half_edges[:, 0]] - self.face_middles[net.half_faces]
+        heights = np.einsum("hk,hk->h", arms, self.face_normals[net.half_faces])
+        gaps = np.zeros(net.face_count)
+        np.maximum.at(gaps, net.half_faces, 2 * np.abs(heights))
+        return gaps
+
+    def _face_sums(self, values: FloatArray) -> FloatArray:
+        """(F, 3) sums over the half-edges (H, 3) of each face."""
+        net = self.connectivity
+        sums = [np.bincount(net.half_faces, values[:, k], net.face_count) for k in range(3)]
+        return np.stack(sums, axis=1)
+
+    def _polygon_area_vectors(self) -> FloatArray:
+        net = self.connectivity
+        around = self.face_middles[net.half_faces]
+        start, end = (self.vertices[net.half_edges[:, k]] - around for k in (0, 1))
+        return 0.5 * self._face_sums(cross_rows(start, end))
 
 
 def row_lengths(vectors: FloatArray) -> FloatArray:

@@ -80,7 +80,7 @@ class Seams:
 def seams(mesh: QuadMesh) -> Seams:
     """Find where borders meet within 1e-5 of the mesh's size without being joined."""
     net, points = mesh.connectivity, mesh.vertices
-    reach = _reach(points, mesh.faces, MEETING)
+    reach = _reach(points, net.edges, MEETING)
     pairs, distances = _pairs(points, reach)
     rim = net.boundary_vertices[pairs].all(axis=1)
     used = points[net.referenced]
@@ -88,24 +88,23 @@ def seams(mesh: QuadMesh) -> Seams:
     return Seams(
         pairs[rim],
         _junctions(mesh, reach),
-        _doubles(mesh.faces, pairs, len(points)),
+        np.zeros((0, 2), np.int64) if net.mixed else _doubles(mesh.faces, pairs, len(points)),
         distances[rim] / size,
     )
 
 
 def meeting(vertices: FloatArray, faces: IntArray, part: float) -> IntArray:
     """(K, 2) vertices of faces (F, 4) that are the same within a part of the size of the whole."""
-    return _pairs(vertices, _reach(vertices, faces, part))[0]
+    sides = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    return _pairs(vertices, _reach(vertices, sides, part))[0]
 
 
-def _reach(vertices: FloatArray, faces: IntArray, part: float) -> FloatArray:
+def _reach(vertices: FloatArray, edges: IntArray, part: float) -> FloatArray:
     """(V,) how near other vertices are the same, by the size and the edges there; -1: no face."""
     shortest = np.full(len(vertices), np.inf)
-    for k in range(4):
-        one, two = faces[:, k], faces[:, (k + 1) % 4]
-        length = np.linalg.norm(vertices[one] - vertices[two], axis=1)
-        np.minimum.at(shortest, one, length)
-        np.minimum.at(shortest, two, length)
+    length = np.linalg.norm(vertices[edges[:, 1]] - vertices[edges[:, 0]], axis=1)
+    for k in (0, 1):
+        np.minimum.at(shortest, edges[:, k], length)
     used = np.isfinite(shortest)
     low, high = vertices[used].min(axis=0), vertices[used].max(axis=0)
     size = float(np.linalg.norm(high - low))
@@ -142,7 +141,9 @@ def _junctions(mesh: QuadMesh, reach: FloatArray) -> IntArray:
         apart = np.linalg.norm(points[vertex] - points[ends[:, k]], axis=1)
         on &= apart > np.maximum(reach[vertex], reach[ends[:, k]])
     owner = net.edge_faces[net.boundary_edges].max(axis=1)
-    on &= (mesh.faces[owner[edge]] != vertex[:, None]).all(axis=1)
+    # No corner of the edge's own face lies on it.
+    corners = net.half_faces * len(points) + net.half_edges[:, 0]
+    on &= ~np.isin(owner[edge] * len(points) + vertex, corners)
     return np.asarray(np.column_stack([vertex, ends])[on])
 
 

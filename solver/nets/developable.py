@@ -8,6 +8,7 @@ import numpy as np
 
 from solver.analysis import measures
 from solver.errors import InputError
+from solver.mesh.diagonal import diagonal_families
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
@@ -81,7 +82,7 @@ def _equal_edges(problem: Problem, options: NetOptions) -> Problem:
     edges = net.diagonal_edges if across else net.edges
     family = np.zeros(len(edges), dtype=np.int64)
     if options.per_family:
-        family = net.diagonal_families if across else net.edge_families
+        family = diagonal_families(net) if across else net.edge_families
     ends = problem.mesh.vertices[edges]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / problem.scale
     for number in range(int(family.max()) + 1):

@@ -133,6 +133,7 @@ class Net:
             without it the surface would give way rather than the lines.
         turning: options that, where they are given, turn lines so far that they leave the border:
             such a start is carried on beyond it.
+        any_faces: faces may have any number of corners.
         way: how it is reached where the start leads nowhere.
     """
 
@@ -159,6 +160,7 @@ class Net:
     nearest: bool = False
     stays: bool = False
     turning: tuple[str, ...] = ()
+    any_faces: bool = False
     way: Way = Way()
 
     @property

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from solver.analysis import measures
+from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets.net import Easier, Measure, Net, Way
 from solver.nets.options import NetOptions, stars_of
@@ -32,7 +33,28 @@ def planar(problem: Problem, options: NetOptions) -> Problem:
     """
     if options.flatness is not None:
         return _flat_within(problem, options.flatness)
+    if problem.mesh.connectivity.mixed:
+        return _flat_polygons(problem)
     return problem.require(Planarity(problem.mesh.faces), of_mesh(measures.planarity))
+
+
+def _flat_polygons(problem: Problem) -> Problem:
+    """Require flat faces of any number of corners: any four in a row of a face lie in a plane.
+
+    Raises:
+        InputError: there are only triangles.
+    """
+    net = problem.mesh.connectivity
+    if not len(net.flat_quads):
+        raise InputError(
+            "planar net: all faces are triangles, which are flat as they are; nothing is to be done"
+        )
+    face = net.flat_quads_faces
+    return problem.require(
+        Planarity(net.flat_quads),
+        of_mesh(measures.four_in_plane),
+        lambda index: f"face {face[index]}",
+    )
 
 
 def _flat_within(problem: Problem, flatness: float) -> Problem:
@@ -98,6 +120,7 @@ NETS = (
         general=True,
         conjugate=True,
         nearest=True,
+        any_faces=True,
     ),
     Net(
         "circular",

@@ -22,6 +22,7 @@ from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
 from solver.terms.isometry import Isometry
 from solver.terms.multi import multi_net
+from solver.terms.umbrella import umbrellas
 from solver.tuning import Tuning
 
 # Guides that do not fade.
@@ -246,10 +247,17 @@ def add_guides(
         "evenness": lambda: Evenness(net.line_quadruples),
         "smooth_motion": lambda: Fairness(net.line_triples, start, "smooth motion"),
         "edge_vectors": lambda: EdgeVectors(net.edges, start),
-        "isometry": lambda: Isometry(net.faces, points),
+        "isometry": lambda: Isometry(net.quads, points),
         "edge_guard": lambda: EdgeGuard(net.edges, guarded * problem.edge_ratio_start),
-        "face_guard": lambda: FaceGuard(net.faces, problem.tuning.upright),
+        "face_guard": lambda: FaceGuard(net.quads, problem.tuning.upright),
     }
+    if net.mixed:
+        # Pairs of faces are no rectangles there, and few lines can be drawn straight.
+        del guides["multi"]
+        guides["fairness"] = lambda: Fairness(net.line_triples, start)
+        weights = [one.fairness for one in ladder]
+        for ring in umbrellas(net, start, "fairness"):
+            problem.guides.append(Guide(ring, weights[0]))
     for name, build in guides.items():
         weights = [getattr(one, name) for one in ladder]
         if any(weight > 0 for weight in weights):

@@ -78,9 +78,10 @@ def refuse_foreign(
             )
 
 
-def all_measures() -> dict[str, Measure]:
-    """Every measure of every net, by name, each once."""
-    return {measure.name: measure for net in NETS.values() for measure in net.measures}
+def all_measures(mixed: bool = False) -> dict[str, Measure]:
+    """Every measure of every net, by name, each once; those of ``mixed`` faces alone."""
+    nets = [net for net in NETS.values() if net.any_faces or not mixed]
+    return {measure.name: measure for net in nets for measure in net.measures}
 
 
 def _found() -> Iterator[Net]:

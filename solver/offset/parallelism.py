@@ -27,12 +27,18 @@ def projections(direction: FloatArray) -> FloatArray:
 
 def edge_weights(mesh: QuadMesh) -> FloatArray:
     """(E,) weight of the constraint, lower where a face at the edge is not planar."""
+    if mesh.connectivity.mixed:
+        sizes = np.sqrt(2 * np.linalg.norm(mesh.face_area_vectors, axis=1))
+        return _weights_of(mesh, mesh.face_gaps / np.where(sizes > 0, sizes, 1.0))
     corner = mesh.vertices[mesh.faces]
     first, second = corner[:, 2] - corner[:, 0], corner[:, 3] - corner[:, 1]
     distance = np.abs(np.einsum("fk,fk->f", corner[:, 1] - corner[:, 0], mesh.face_normals))
     size = (np.linalg.norm(first, axis=1) + np.linalg.norm(second, axis=1)) / 2
-    planarity = np.append(distance / np.where(size > 0, size, 1.0), 0.0)
-    worst = planarity[mesh.connectivity.edge_faces].max(axis=1)
+    return _weights_of(mesh, distance / np.where(size > 0, size, 1.0))
+
+
+def _weights_of(mesh: QuadMesh, planarity: FloatArray) -> FloatArray:
+    worst = np.append(planarity, 0.0)[mesh.connectivity.edge_faces].max(axis=1)
     return np.asarray(_SOFT / np.maximum(worst, np.sqrt(_SOFT / _HARD)) ** 2)
 
 

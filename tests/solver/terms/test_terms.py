@@ -40,6 +40,7 @@ from solver.terms.repetition import SameAngles, SameLengths
 from solver.terms.spherical_star import SphericalStar
 from solver.terms.star_angles import ConicalStar, EqualAngleStar, GeodesicStar
 from solver.terms.tilted_line import TiltedLine
+from solver.terms.umbrella import Umbrella
 from tests.conftest import QuadMesh, grid_faces, surface_of_revolution, wavy_grid
 
 ROWS, COLUMNS = 5, 4
@@ -177,6 +178,9 @@ CASES = {
     "evenness": Case(lambda m: Evenness(m.connectivity.line_quadruples), BENT),
     "smooth motion": Case(
         lambda m: Fairness(m.connectivity.line_triples, REST.vertices.ravel()), REST, [], False
+    ),
+    "smooth motion of rings": Case(
+        lambda m: Umbrella(m.connectivity.stars, REST.vertices.ravel()), REST, [], False
     ),
     "edge vectors": Case(
         lambda m: EdgeVectors(m.connectivity.edges, REST.vertices.ravel()), REST, [], False

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
+from freecad_ortho.fabrication.part import Measures
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
-from solver.mesh.connectivity import Connectivity
+from freecad_ortho.fabrication.systems.panels.geometry import sides_of
+from solver.mesh.connectivity import Connectivity, SameSize
 from solver.mesh.quadmesh import FloatArray
 
 
-def bearings(connectivity: Connectivity, beams: BeamGeometry, sides: FloatArray) -> FloatArray:
+def bearings(
+    connectivity: Connectivity,
+    beams: BeamGeometry,
+    sides: FloatArray,
+    same: SameSize | None = None,
+) -> FloatArray:
     """(F, 4) least width of each side's bearing, mm; negative beside the beam, NaN without one.
 
     Across the beam, from its side to the panel's edge, at the worst place along both: the edge is
@@ -21,9 +28,9 @@ def bearings(connectivity: Connectivity, beams: BeamGeometry, sides: FloatArray)
         connectivity: of the net.
         beams: their geometry.
         sides: (F, 4, 2, 3) ends of the lower edges of each panel, in the site's mesh, mm.
+        same: the faces of the panels where these are some, with equally many corners.
     """
-    edge = connectivity.face_edges
-    on_left = connectivity.edge_faces[edge, 0] == np.arange(len(edge))[:, None]
+    edge, on_left = sides_of(connectivity, same or connectivity.by_size[0])
     arms = sides - beams.start[edge][:, :, None]
     local = np.einsum("fsek,fsdk->fsed", arms, beams.frame[edge])
     station, right = local[..., 0], local[..., 2]
@@ -57,3 +64,10 @@ def least_bearing(widths: FloatArray) -> FloatArray:
     carried = (~np.isnan(widths)).sum(axis=1)
     worst = np.where(np.isnan(widths), np.inf, widths).min(axis=1)
     return np.asarray(np.where(carried >= 2, worst, np.where(worst < 0, worst, 0.0)))
+
+
+def measures_of(gaps: FloatArray, bearing: FloatArray | None) -> list[Measures]:
+    """Of the panel in each face, from distances (F,) from planar and least bearings (F,), mm."""
+    wide = [None] * len(gaps) if bearing is None else bearing.tolist()
+    pairs = zip(gaps.tolist(), wide, strict=True)
+    return [Measures(gap_mm=gap, bearing_mm=width) for gap, width in pairs]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 # A corner that is cut at all loses at least this much along its bisector, mm.
@@ -65,7 +65,7 @@ class Corners:
     def outline(self, face: int, trimmed: FloatArray) -> FloatArray:
         """(N, 2) one panel from its sides (4, 2, 2): corners that are cut off are two points."""
         points: list[FloatArray] = []
-        for k in range(4):
+        for k in range(len(trimmed)):
             if self.cut[face, k]:
                 points.append(trimmed[k - 1, 1])
             points.append(trimmed[k, 0])
@@ -73,7 +73,11 @@ class Corners:
 
     def sides(self, face: int) -> list[int | None]:
         """The side of a face that each side of one panel's outline lies on, None at a cut."""
-        return [side for k in range(4) for side in ((None, k) if self.cut[face, k] else (k,))]
+        return [
+            side
+            for k in range(self.begins.shape[1])
+            for side in ((None, k) if self.cut[face, k] else (k,))
+        ]
 
     def spared(self, faces: BoolArray) -> Corners:
         """Lines that leave the chosen panels (F,) whole."""
@@ -84,8 +88,8 @@ class Corners:
         taken = np.array([np.add(*self.shares(ring)) for ring in rings])
         return np.asarray((taken > _MOST).any(axis=(0, 2)))
 
-    def refuse_meeting(self, *rings: FloatArray) -> None:
-        """Refuse cuts that leave nothing of a side.
+    def refuse_meeting(self, numbers: IntArray, *rings: FloatArray) -> None:
+        """Refuse cuts that leave nothing of a side of one of the faces with these numbers (F,).
 
         Raises:
             InputError: naming the face.
@@ -94,10 +98,10 @@ class Corners:
         if gone.any():
             raise InputError(
                 f"at hubs: corners cut off leave nothing of a side of the panel in face "
-                f"{int(gone.argmax())}; take smaller hubs"
+                f"{numbers[gone.argmax()]}; take smaller hubs"
             )
 
 
-def uncut(count: int) -> Corners:
-    """All corners stay."""
-    return Corners(np.zeros((count, 4, 2)), np.full((count, 4), -np.inf))
+def uncut(count: int, size: int = 4) -> Corners:
+    """All corners of so many faces with ``size`` of them stay."""
+    return Corners(np.zeros((count, size, 2)), np.full((count, size), -np.inf))

@@ -21,7 +21,7 @@ from freecad_ortho.fabrication.systems.panels.corners import Corners, uncut
 from freecad_ortho.fabrication.systems.panels.hubs import Stands, corner_cuts, lift_over
 from freecad_ortho.fabrication.systems.panels.planes import Planes
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
+from solver.mesh.connectivity import BoolArray, Connectivity, IntArray, SameSize
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # Sine of a corner's exterior angle below which its two sides count as one line.
@@ -31,6 +31,8 @@ _STRAIGHT = 1e-3
 @dataclass(frozen=True, eq=False)
 class PanelGeometry:
     """All panels of a mesh as arrays, one row a face; mm.
+
+    Where faces have several sizes, those with n corners each: then 4 is n.
 
     Attributes:
         origin: (F, 3) where the lower left corner of the flat pattern's box is.
@@ -74,6 +76,7 @@ def panel_geometry(
     wanted: BoolArray | None = None,
     bed: float = 0.0,
     depth: float = 0.0,
+    same: SameSize | None = None,
 ) -> PanelGeometry:
     """Compute the corners of all panels.
 
@@ -89,31 +92,34 @@ def panel_geometry(
         wanted: (F,) faces of which something is to be left, by default all.
         bed: what lies between panels and beams, mm.
         depth: of what is below panels, as wide as they are; square ones leave room for it, mm.
+        same: the faces, equally many corners each, by default all; of some the joints to others are
+            not measured.
 
     Raises:
         InputError: a face that the gap or the hubs leave nothing of.
     """
-    planes, thickness = Planes.of(mesh), levels[1] - levels[0]
-    lift = np.zeros(len(mesh.faces))
-    over_hubs = np.zeros(len(mesh.faces), dtype=bool)
+    faces = same or mesh.connectivity.by_size[0]
+    planes, thickness = Planes.of(mesh, faces), levels[1] - levels[0]
+    lift = np.zeros(len(faces.numbers))
+    over_hubs = np.zeros(len(lift), dtype=bool)
     if beams is not None:
-        lift = _lift(mesh.connectivity, beams, planes) + bed
+        lift = _lift(mesh.connectivity, faces, beams, planes) + bed
         if stands is not None:
             over_hubs |= not stands.cut
             if stands.cut:
                 both = np.stack([lift, lift + thickness])
-                rings = _rings(mesh, planes, both, gap, inward, depth)
+                rings = _rings(mesh, faces, planes, both, gap, inward, depth)
                 over_hubs = corner_cuts(planes, both, stands).through(*rings).gone(*rings)
             lift = np.where(over_hubs, np.maximum(lift, lift_over(planes, stands.hubs)), lift)
     lower = np.full(len(lift), levels[0]) if beams is None else lift
     both = np.stack([lower, lower + thickness])
-    rings = _rings(mesh, planes, both, gap, inward, depth)
+    rings = _rings(mesh, faces, planes, both, gap, inward, depth)
     for ring in rings:
-        _refuse_gap(gap, thickness, planes.flat, ring, wanted)
-    lines = uncut(len(lift))
+        _refuse_gap(gap, thickness, planes.flat, ring, wanted, faces.numbers)
+    lines = uncut(*faces.faces.shape)
     if stands is not None:
         lines = corner_cuts(planes, both, stands).spared(over_hubs).through(*rings)
-    lines.refuse_meeting(*rings)
+    lines.refuse_meeting(faces.numbers, *rings)
     outline = rings[0] if inward is None else _wider(rings[0], rings[1], planes.flat)
     low = np.concatenate([outline.min(axis=1), lower[:, None]], axis=1)
     origin = planes.middle + np.einsum("fd,fdk->fk", low, planes.frame)
@@ -129,7 +135,9 @@ def panel_geometry(
         both,
         lines,
         _distances(planes.flat, outline),
-        joint_widths(mesh.connectivity, np.concatenate(solid, axis=2)),
+        joint_widths(mesh.connectivity, np.concatenate(solid, axis=2))
+        if same is None
+        else np.full(faces.faces.shape, np.inf),
         lift,
         over_hubs,
     )
@@ -137,6 +145,7 @@ def panel_geometry(
 
 def _rings(
     mesh: QuadMesh,
+    faces: SameSize,
     planes: Planes,
     levels: FloatArray,
     gap: float,
@@ -146,7 +155,7 @@ def _rings(
     """Outlines (F, 4, 2) of the lower and upper side of the panels at levels (2, F)."""
     if inward is None:
         taken = np.stack([levels[0] - depth, levels[1]])
-        return [inset(planes.flat, _square_sides(mesh, taken, gap))] * 2
+        return [inset(planes.flat, _square_sides(mesh, faces, taken, gap))] * 2
     return [
         inset(planes.flat, _bevelled_sides(planes.frame, inward, level, gap)) for level in levels
     ]
@@ -167,26 +176,29 @@ def _distances(flat: FloatArray, ring: FloatArray) -> FloatArray:
 def joint_widths(connectivity: Connectivity, sides: FloatArray) -> FloatArray:
     """(F, 4) how far the sides of neighbouring plates (F, 4, 4, 3) are apart, inf at the boundary.
 
+    Of faces of several sizes (H,) from sides (H, 4, 3), by half-edges.
+
     Measured square to the plane midway between the two sides, between their nearest corners: what
     stays clear whatever the lift and the angle of the plates.
     """
-    start, end, high_start = sides[:, :, 0], sides[:, :, 1], sides[:, :, 2]
+    here = sides.reshape(-1, 4, 3)
+    start, end, high_start = here[:, 0], here[:, 1], here[:, 2]
     outward = unit_rows(np.cross(end - start, high_start - start))
     twins = np.where(connectivity.twins >= 0, connectivity.twins, 0)
-    other = sides.reshape(-1, 4, 3)[twins].reshape(sides.shape)
-    across = outward - outward.reshape(-1, 3)[twins].reshape(outward.shape)
-    across /= np.maximum(np.linalg.norm(across, axis=2, keepdims=True), 1e-12)
-    near = np.einsum("fsek,fsk->fse", sides, across).max(axis=2)
-    far = np.einsum("fsek,fsk->fse", other, across).min(axis=2)
-    inside = connectivity.twins.reshape(near.shape) >= 0
-    return np.where(inside, far - near, np.inf)
+    across = outward - outward[twins]
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+    near = np.einsum("hek,hk->he", here, across).max(axis=1)
+    far = np.einsum("hek,hk->he", here[twins], across).min(axis=1)
+    widths = np.where(connectivity.twins >= 0, far - near, np.inf)
+    return widths.reshape(sides.shape[:-2])
 
 
-def _square_sides(mesh: QuadMesh, levels: FloatArray, gap: float) -> FloatArray:
+def _square_sides(mesh: QuadMesh, faces: SameSize, levels: FloatArray, gap: float) -> FloatArray:
     """(F, 4) how far square sides move inwards, so that half of the gap stays clear."""
-    corner = mesh.vertices[mesh.faces]
+    corner = mesh.vertices[faces.faces]
     side = np.roll(corner, -1, axis=1) - corner
-    bend = half_angle_tangents(mesh.connectivity, mesh.face_normals, side)
+    across = neighbours(mesh.connectivity, faces)
+    bend = _tangents(mesh.face_normals[faces.numbers], mesh.face_normals, side, across)
     closing = np.max([-level[:, None] * bend for level in levels] + [0 * bend], axis=0)
     sides = np.maximum(gap / 2, closing + gap / 4 * np.hypot(1.0, bend))
     return np.asarray(np.where(np.isnan(bend), gap / 2, sides))
@@ -201,32 +213,46 @@ def _bevelled_sides(
     return np.asarray((gap / 2 - up * level[:, None]) / flat)
 
 
-def neighbours(connectivity: Connectivity) -> IntArray:
-    """(F, 4) face across each side, -1 at the boundary."""
-    twins = connectivity.twins
-    return np.where(twins >= 0, twins // 4, -1).reshape(-1, 4)
+def neighbours(connectivity: Connectivity, same: SameSize | None = None) -> IntArray:
+    """(F, 4) face across each side, -1 at the boundary; by default of all faces."""
+    chosen = same or connectivity.by_size[0]
+    twins = connectivity.twins[chosen.half_edges]
+    return np.where(twins >= 0, connectivity.half_faces[twins], -1)
 
 
 def half_angle_tangents(
     connectivity: Connectivity, normal: FloatArray, side: FloatArray
 ) -> FloatArray:
     """(F, 4) tan(theta / 2) across each side, positive at a ridge, NaN at the boundary."""
-    across = neighbours(connectivity)
-    other = normal[across]
+    return _tangents(normal, normal, side, neighbours(connectivity))
+
+
+def _tangents(
+    normal: FloatArray, normals: FloatArray, side: FloatArray, across: IntArray
+) -> FloatArray:
+    """The same of faces with these normals; those across (F, 4) have theirs in ``normals``."""
+    other = normals[across]
     sine = np.einsum("fck,fck->fc", np.cross(normal[:, None], other), unit_rows(side))
     cosine = np.einsum("fk,fck->fc", normal, other)
     tangent = sine / np.maximum(1 + cosine, 1e-6)
     return np.where(across >= 0, tangent, np.nan)
 
 
-def _lift(connectivity: Connectivity, beams: BeamGeometry, planes: Planes) -> FloatArray:
+def sides_of(connectivity: Connectivity, faces: SameSize) -> tuple[IntArray, BoolArray]:
+    """(F, 4) edge number of each side, and whether the face is on its left."""
+    edges = connectivity.half_edge_edges[faces.half_edges]
+    return edges, connectivity.edge_faces[edges, 0] == faces.numbers[:, None]
+
+
+def _lift(
+    connectivity: Connectivity, faces: SameSize, beams: BeamGeometry, planes: Planes
+) -> FloatArray:
     """(F,) how far the beams' upper sides stand above each face of the parallel mesh."""
-    on_left = connectivity.edge_faces[connectivity.face_edges, 0]
-    on_left = on_left == np.arange(len(on_left))[:, None]
+    edges, on_left = sides_of(connectivity, faces)
     top = np.where(
         on_left[:, :, None, None],
-        beams.points[:, LEFT_TOP][connectivity.face_edges],
-        beams.points[:, RIGHT_TOP][connectivity.face_edges],
+        beams.points[:, LEFT_TOP][edges],
+        beams.points[:, RIGHT_TOP][edges],
     )
     above = np.einsum("fcpk,fk->fcp", top - planes.middle[:, None, None], planes.frame[:, 2])
     return np.asarray(np.maximum(above.max(axis=(1, 2)), 0.0))
@@ -253,6 +279,7 @@ def _refuse_gap(
     polygon: FloatArray,
     outline: FloatArray,
     wanted: BoolArray | None,
+    numbers: IntArray,
 ) -> None:
     side = np.roll(polygon, -1, axis=1) - polygon
     left = np.roll(outline, -1, axis=1) - outline
@@ -264,5 +291,6 @@ def _refuse_gap(
         largest = gap / (1 - float(kept.min()))
         raise InputError(
             f"gap: {gap:g} mm with panels {thickness:g} mm thick leaves nothing "
-            f"of face {face}; take a gap below {rounded_down(largest)} mm or thinner panels"
+            f"of face {numbers[face]}; take a gap below {rounded_down(largest)} mm or thinner "
+            "panels"
         )

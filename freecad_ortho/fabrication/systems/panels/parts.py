@@ -108,7 +108,7 @@ def panel_parts(
     return PanelParts(parts, tuple(plate.layered for plate in plates), left_out, joined)
 
 
-class _Plate(NamedTuple):
+class Plate(NamedTuple):
     """A panel, or a piece of one; its origin is the lower left corner of its pattern's box."""
 
     name: str
@@ -120,7 +120,7 @@ class _Plate(NamedTuple):
 
 def _plates(
     site: Site, geometry: PanelGeometry, thickness: float, least_width: FloatArray, join: bool
-) -> tuple[list[_Plate], Pieces]:
+) -> tuple[list[Plate], Pieces]:
     """The panels, and the pieces of panels narrower than the least of their face (F,)."""
     names = part_names("P", len(site.mesh.faces))
     rings = [
@@ -141,7 +141,7 @@ def _plates(
     for face in np.flatnonzero(made).tolist():
         beside = [names[k] if k >= 0 and made[k] else "" for k in across[face].tolist()]
         if face not in pieces.wide:
-            plates.append(_plate(names[face], geometry, rings, face, made_of, beside))
+            plates.append(plate_of(names[face], geometry, rings, face, made_of, beside))
         for number, piece in enumerate(pieces.wide.get(face, ())):
             name = piece_name(names[face], number)
             plates.append(_cut_plate(name, geometry, face, piece, made_of, beside))
@@ -149,7 +149,7 @@ def _plates(
 
 
 def _formed(
-    plate: _Plate, geometry: PanelGeometry, thickness: float, formed: ColdBent | Fold | None
+    plate: Plate, geometry: PanelGeometry, thickness: float, formed: ColdBent | Fold | None
 ) -> tuple[Body, FlatPattern, FloatArray]:
     """Solid, pattern and origin of a panel.
 
@@ -170,7 +170,7 @@ def _formed(
 
 
 def _folded(
-    plate: _Plate, geometry: PanelGeometry, cassette: Cassette
+    plate: Plate, geometry: PanelGeometry, cassette: Cassette
 ) -> tuple[Body, FlatPattern, FloatArray]:
     """A panel with folded edges; its coordinates begin where the flat sheet does."""
     flat, bends = cassette.flat()
@@ -201,20 +201,30 @@ def _at_the_border(
     return found
 
 
-def _plate(
+def plate_of(
     name: str,
     geometry: PanelGeometry,
     rings: Sequence[FloatArray],
     face: int,
     made_of: tuple[float, Material],
     beside: list[str],
-) -> _Plate:
+) -> Plate:
+    """The panel of one row of a geometry.
+
+    Args:
+        name: of the panel.
+        geometry: of panels in faces with equally many corners.
+        rings: trimmed lower, upper and whole outlines of all of them.
+        face: number of the row.
+        made_of: thickness, mm, and material.
+        beside: names of the panels across the sides, "" where there is none.
+    """
     low = geometry.outline[face].min(axis=0)
     under, over, outline = (geometry.corners.outline(face, ring[face]) - low for ring in rings)
     layered = Layered.of((under, over), *made_of, name)
     pattern = _flat_pattern(name, outline, geometry.outline[face] - low, beside)
     pattern = replace(pattern, bevels=bevels_of(layered.whole), seen="above")
-    return _Plate(name, face, layered, pattern, geometry.origin[face])
+    return Plate(name, face, layered, pattern, geometry.origin[face])
 
 
 def _cut_plate(
@@ -224,7 +234,7 @@ def _cut_plate(
     piece: Trimmed,
     made_of: tuple[float, Material],
     beside: list[str],
-) -> _Plate:
+) -> Plate:
     """A piece that the border leaves."""
     low = piece.outline.min(axis=0)
     piece = piece.moved(-low)
@@ -234,7 +244,7 @@ def _cut_plate(
     pattern = replace(pattern, bevels=bevels_of(layered.whole), seen="above")
     corner = np.append(low, geometry.levels[0, face])
     origin = geometry.planes.middle[face] + corner @ geometry.planes.frame[face]
-    return _Plate(name, face, layered, pattern, origin)
+    return Plate(name, face, layered, pattern, origin)
 
 
 def _flat_pattern(
@@ -262,7 +272,7 @@ def _flat_pattern(
     for k, text in enumerate(beside):
         if text:
             size = fitted_text_size(text, 0.5 * float(length[k]), 0.3 * radius, 12.0)
-            place = (corner[k] + corner[(k + 1) % 4]) / 2 + 0.2 * radius * inward[k]
+            place = (corner[k] + corner[(k + 1) % len(corner)]) / 2 + 0.2 * radius * inward[k]
             angle = float(np.degrees(np.arctan2(along[k, 1], along[k, 0])))
             marks.append(Mark(place[None], text, size, angle))
     label_size = min(1.1 * radius / float(np.hypot(len(name), 1)), 30.0)

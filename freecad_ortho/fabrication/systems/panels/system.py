@@ -8,17 +8,21 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import Measures, Part
+from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import (
     check_options,
     offset_levels,
     size,
 )
-from freecad_ortho.fabrication.systems.beams.frames import beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
-from freecad_ortho.fabrication.systems.panels.bearing import at_the_edge, bearings, least_bearing
+from freecad_ortho.fabrication.systems.panels.bearing import (
+    at_the_edge,
+    bearings,
+    least_bearing,
+    measures_of,
+)
 from freecad_ortho.fabrication.systems.panels.cassette import Fold, fold_report, refuse_brittle
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, bending_report
 from freecad_ortho.fabrication.systems.panels.framing import FRAMES, Framing
@@ -29,13 +33,14 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 )
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.layers import build_up_report
+from freecad_ortho.fabrication.systems.panels.mixed import mixed_panels
 from freecad_ortho.fabrication.systems.panels.parts import PanelParts, panel_parts
 from freecad_ortho.fabrication.systems.panels.trimmed import (
     joined_words,
     trimming_report,
     uncarried_words,
 )
-from freecad_ortho.fabrication.systems.panels.way_in import closing, judged
+from freecad_ortho.fabrication.systems.panels.way_in import closing, inward_normals, judged
 from freecad_ortho.fabrication.systems.panels.words import (
     UNDER_BEAMS,
     faces_down,
@@ -56,7 +61,7 @@ from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from freecad_ortho.fabrication.trimming import Trimming
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.connectivity import BoolArray, SameSize
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.option import Option, Range
 
@@ -249,9 +254,11 @@ class Panels(System):
         if self.folding is not None:
             refuse_brittle(site.material)
         beams = site.geometry_of("beams", BeamGeometry)
+        if site.mesh.connectivity.mixed:
+            return self._mixed(site, beams)
         edge_beam = site.geometry_of("edge-beam", EdgeGeometry)
         mesh, levels = self._bed(site, beams, edge_beam)
-        inward = _inward(site) if self.edge == "bevel" else None
+        inward = inward_normals(site) if self.edge == "bevel" else None
         whole = np.ones(len(mesh.faces), dtype=bool)
         geometry = panel_geometry(
             *(mesh, levels, self.gap, beams, inward, self._stands(site, beams)),
@@ -262,7 +269,7 @@ class Panels(System):
         least = None if beams is None else self._bearing(site, geometry, beams, edge_beam)
         gaps = diagonal_distances(site.mesh)
         cold = None if self.bending == "none" else ColdBent.of(geometry.planes, mesh)
-        measures = _measures(gaps, least)
+        measures = measures_of(gaps, least)
         if cold is not None:
             measures = cold.measured(measures, site.material, self.thickness)
         join = self.slivers == "join" and self.edge == "square"
@@ -299,6 +306,16 @@ class Panels(System):
             tables = (laid.table, *tables)
         made_of, bought = (*parts, *held.parts), held.supplies
         return SystemParts(made_of, report, messages, geometry, tables=tables, supplies=bought)
+
+    def _mixed(self, site: Site, beams: BeamGeometry | None) -> SystemParts:
+        """The panels of faces of several sizes."""
+        mesh, levels = self._bed(site, beams, None)
+        stands = self._stands(site, beams)
+
+        def making(same: SameSize) -> PanelGeometry:
+            return panel_geometry(mesh, levels, self.gap, beams, None, stands, same=same)
+
+        return mixed_panels(self, site, making, beams)
 
     def _stands(self, site: Site, beams: BeamGeometry | None) -> Stands | None:
         """Hubs in the way of panels."""
@@ -373,18 +390,3 @@ class Panels(System):
         raised = site.mesh.vertices + tops[0] * site.axes.offsets
         bed = self.below[0]
         return site.mesh.with_vertices(raised), (bed, bed + self.thickness)
-
-
-def _measures(gaps: FloatArray, bearing: FloatArray | None) -> list[Measures]:
-    """Of the panel in each face, from distances (F,) from planar and least bearings (F,), mm."""
-    wide = [None] * len(gaps) if bearing is None else bearing.tolist()
-    pairs = zip(gaps.tolist(), wide, strict=True)
-    return [Measures(gap_mm=gap, bearing_mm=width) for gap, width in pairs]
-
-
-def _inward(site: Site) -> FloatArray:
-    """(F, 4, 3) normals of the beams' planes at the sides of each face, into the face."""
-    net = site.mesh.connectivity
-    left = beam_frames(site.mesh, site.axes).left[net.face_edges]
-    on_left = net.edge_faces[net.face_edges, 0] == np.arange(len(net.faces))[:, None]
-    return np.where(on_left[:, :, None], left, -left)

@@ -14,6 +14,9 @@ import numpy as np
 from scipy.optimize import linprog
 
 from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.beams.frames import beam_frames
+from freecad_ortho.fabrication.systems.panels.geometry import sides_of
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -77,3 +80,11 @@ def judged(
         f"{first.name} for one: it {first.assembly}; a larger gap, thinner panels or square edges "
         "help"
     ]
+
+
+def inward_normals(site: Site) -> FloatArray:
+    """(F, 4, 3) normals of the beams' planes at the sides of each face, into the face."""
+    net = site.mesh.connectivity
+    edges, on_left = sides_of(net, net.by_size[0])
+    left = beam_frames(site.mesh, site.axes).left[edges]
+    return np.where(on_left[:, :, None], left, -left)
