@@ -12,7 +12,7 @@ TITLES = {name.capitalize(): name for name in SYSTEMS}
 # Systems whose parts may lie on beams that are a structure of their own.
 ON_BEAMS = ("panels", "nodes")
 # Systems whose parts end at an edge beam that is a structure of its own, or lie on it.
-AT_EDGE_BEAM = ("beams", "nodes", "panels")
+AT_EDGE_BEAM = ("beams", "nodes", "panels", "lamellas")
 
 
 class Built(outdated.Following):

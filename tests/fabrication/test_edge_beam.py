@@ -7,7 +7,7 @@ import pytest
 import shapely
 from cadquery import importers
 
-from freecad_ortho.fabrication import Beams, Panels, build
+from freecad_ortho.fabrication import Beams, Lamellas, Panels, build
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.files import write
 from freecad_ortho.fabrication.profiles import profile
@@ -136,6 +136,25 @@ def test_beams_leave_the_clearance_before_it_and_little_more(roof, beams):
     ends = roof.connectivity.boundary_vertices[roof.connectivity.edges]
     assert touched[0] == set()
     assert len(touched[1]) >= 0.9 * min(len(made), int((ends.sum(axis=1) == 1).sum()))
+
+
+@pytest.mark.parametrize("section", ["plate", "strip"])
+@pytest.mark.parametrize("trims", [True, False], ids=["trimmed", "whole"])
+def test_lamellas_end_the_clearance_before_it(roof, border, trims, section):
+    systems = [EdgeBeam(section, width=10, clearance=2), Lamellas(80, 5)]
+    made = build(roof, systems, border=border if trims else ())
+    assert check_clashes(made.parts).clashes == ()
+    lamellas = made.results["lamellas"].parts
+    # All lines that cross others: on a whole net none along its boundary.
+    assert len(lamellas) == (16 if trims else 5 + 8)
+    # As high as they are, at their level.
+    (height,) = {part.height or part.width for part in pieces_of(made)}
+    assert height == pytest.approx(80)
+    if not trims:
+        # A little more, and they run into it: none ends before a crossing here.
+        wider = pieces_of(build(roof, [EdgeBeam(section, width=15)]))
+        touched = {clash.second for clash in check_clashes([*wider, *lamellas]).clashes}
+        assert len(touched) >= 0.9 * len(lamellas)
 
 
 def test_panels_at_the_border_lie_on_it(roof, border):

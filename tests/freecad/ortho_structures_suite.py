@@ -219,6 +219,10 @@ class TestSettings(StructureCase):
             api.export_fabrication([beams, panels], folder)
         self.assertIn("AtEdgeBeam", str(refused.exception))
         panels.AtEdgeBeam = edge
+        lamellas = api.add_lamellas(self.net)
+        self.assertIs(lamellas.AtEdgeBeam, edge)
+        self.assertEqual(lamellas.State, ["Up-to-date"])
+        self.document.removeObject(lamellas.Name)
         shorter = beams.Shape.Volume
         api.change_structure(edge, edge_width="160 mm")
         self.assertLess(beams.Shape.Volume, shorter)

@@ -78,7 +78,7 @@ class EdgeBeam(System):
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "edge-beam"
     excludes: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("louvres", "lamellas", "bent-panels", "patches"), _STANDS
+        ("louvres", "bent-panels", "patches"), _STANDS
     )
     options: ClassVar[tuple[Option, ...]] = (
         Option(
@@ -129,8 +129,10 @@ class EdgeBeam(System):
         return cls(**{own: given.pop(f"edge_{word}") for own, word in words.items()}, **given)
 
     def beside(self, others: Mapping[str, System]) -> EdgeBeam:
-        """The same at the level of the beams that it is built with: theirs may be a section's."""
-        beams = others.get("beams")
+        """The same at the level of the beams or lamellas that it is built with, in the middle."""
+        beams, lamellas = others.get("beams"), others.get("lamellas")
+        if beams is None and lamellas is not None:
+            return replace(self, height=getattr(lamellas, "high", self.height), offset="centre")
         height = getattr(beams, "height", self.height)
         return replace(self, height=height, offset=getattr(beams, "offset", self.offset))
 

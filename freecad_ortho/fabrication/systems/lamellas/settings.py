@@ -171,6 +171,16 @@ class LamellaSettings:
             )
 
     @property
+    def across(self) -> float:
+        """How wide the section is along the surface, mm."""
+        return self.thickness if self.standing else self.width
+
+    @property
+    def high(self) -> float:
+        """How high it is, of all layers, mm."""
+        return self.width if self.standing else self.layers * self.thickness
+
+    @property
     def standing(self) -> bool:
         """Whether the strips stand on the surface, upright or tilted."""
         return self.position != "lying"

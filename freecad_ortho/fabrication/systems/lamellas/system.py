@@ -85,7 +85,7 @@ class Lamellas(LamellaSettings, System):
                 "layers: the lines of this net cannot be told apart into families u and v, so two "
                 "layers cannot be made; take layers 1"
             )
-        border = Border(site)
+        border = Border(site, self)
         runs = border.runs(lines)
         if not runs:
             return SystemParts(())
