@@ -1,20 +1,21 @@
 """Doubles and halves every number of the solver and prints what changes on the authors' meshes.
 
 Run with the project's Python:
-    python scripts/bench_tuning.py [--write] [--quick] [NUMBER ...]
+    python scripts/bench_tuning.py [--write] [--quick] [--only way|last-phase] [NUMBER ...]
 
-A case is *elsewhere* where a vertex of its mesh comes to lie more than 0.01 mean edges from its
-usual place. ``--write`` puts the table into docs/tuning.md, ``--quick`` leaves large and hard cases
-out.
+Numbers of the way to a net are tried on one case for each mesh, those of the last phase on the
+first case with one that heeds them. A case is *elsewhere* where a vertex of its mesh comes to lie
+more than 0.01 mean edges from its usual place. ``--write`` puts the tables into docs/tuning.md,
+``--quick`` leaves large and hard cases out.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from bench import ROOT, SHARED, write
@@ -22,6 +23,7 @@ from bench import ROOT, SHARED, write
 from freecad_ortho import api
 from freecad_ortho.words import counted
 from solver import Constraints, NetOptions, Outcome, QuadMesh, optimise
+from solver.analysis.form import surface_of
 from solver.tuning import Tuning
 
 # What the paper's authors made their meshes for.
@@ -42,18 +44,28 @@ CASES = {
 }
 # Those of fewer than a thousand vertices that are near to their net.
 QUICK = ("heart", "cmc1", "knet1", "chebyshev_sphere", "quad_dome", "6-sub-lifted")
+WAY, LAST_PHASE = "way", "last-phase"
+FIRST_OF_THE_LAST_PHASE = "along_evenness"
 MOST_STEPS = 200
 MOVED = 0.01
 
 
 @dataclass(frozen=True)
 class Case:
-    """A mesh and the net that it is to become; with a handle that is drawn aside or without."""
+    """A mesh and the net that it is to become, and what else is wanted.
+
+    Attributes:
+        pulled: a handle that is drawn aside.
+        near: the surface that was drawn, to within this part of a mean edge.
+        kinds: so many kinds of panels.
+    """
 
     name: str
     mesh: QuadMesh
     net: str
     pulled: bool = False
+    near: float | None = None
+    kinds: int | None = None
 
     def outcome(self, tuning: Tuning) -> Outcome:
         """Optimise with these numbers."""
@@ -63,11 +75,17 @@ class Case:
             middle = len(self.mesh.vertices) // 2
             lift = self.mesh.mean_edge * self.mesh.vertex_normals[middle]
             wanted = Constraints(handles={middle: self.mesh.vertices[middle] + lift})
+        if self.near is not None:
+            drawn = surface_of(self.mesh)
+            wanted = Constraints(close_to=(drawn.vertices, drawn.triangles))
         return optimise(
             self.mesh,
             net,
             options=NetOptions(diagonal=bool(diagonal)),
             constraints=wanted,
+            within=None if self.near is None else self.near * self.mesh.mean_edge,
+            repeat="none" if self.kinds is None else "panels",
+            kinds=self.kinds,
             max_steps=MOST_STEPS,
             tuning=tuning,
         )
@@ -82,6 +100,28 @@ def cases(quick: bool) -> Iterator[Case]:
     dome = SHARED / "quad_dome.obj"
     if dome.is_file():
         yield Case("quad_dome, a handle", api.read_mesh(dome).mesh, "principal", pulled=True)
+
+
+def cases_of_the_last_phase() -> Iterator[Case]:
+    """Near to a surface, with a handle, with few kinds of panels, and led on early."""
+    path = SHARED / "quad_dome.obj"
+    if path.is_file():
+        dome = api.read_mesh(path).mesh
+        yield Case("planar", dome, "planar", near=0.005)
+        yield Case("a handle", dome, "asymptotic", pulled=True)
+        yield Case("few kinds", dome, "planar", kinds=6)
+        yield Case("stress", dome, "stress", near=0.02)
+
+
+class Recorded(Tuning):
+    """The numbers as they are, and which of them were asked for."""
+
+    heeded: ClassVar[set[str]] = set()
+
+    def __getattribute__(self, name: str) -> Any:
+        """A number; its name is noted."""
+        Recorded.heeded.add(name)
+        return super().__getattribute__(name)
 
 
 def scaled(value: Any, factor: float) -> Any:
@@ -117,37 +157,61 @@ def written(value: Any) -> str:
     return ", ".join(f"{part:g}" for part in (value if isinstance(value, tuple) else (value,)))
 
 
+def numbers() -> dict[str, list[str]]:
+    """Names of the numbers: those of the way to a net, and those of the last phase."""
+    names = [item.name for item in fields(Tuning)]
+    begin = names.index(FIRST_OF_THE_LAST_PHASE)
+    return {WAY: names[:begin], LAST_PHASE: names[begin:]}
+
+
+def table(asked: Sequence[Case], names: Sequence[str], first: bool) -> Iterator[str]:
+    """Lines of a table of these numbers; the first says how the cases are.
+
+    Args:
+        asked: on which they are varied.
+        names: of the numbers.
+        first: each on the first case only that heeds it.
+    """
+    plain, usual, heeds = Tuning(), {}, {}
+    for case in asked:
+        Recorded.heeded.clear()
+        usual[case.name] = case.outcome(Recorded())
+        heeds[case.name] = set(Recorded.heeded)
+    steps = sum(outcome.report.iterations for outcome in usual.values())
+    yield f"{len(asked)} cases, {steps} steps as it is."
+    yield from ("", "| number | value | halved | doubled |", "| --- | ---: | --- | --- |")
+    for name in names:
+        value, effects = getattr(plain, name), []
+        heeding = [case for case in asked if name in heeds[case.name]]
+        for factor in (0.5, 2.0):
+            other = replace(plain, **{name: scaled(value, factor)})
+            tried = heeding[:1] if first else heeding
+            found = {case.name: case.outcome(other) for case in tried}
+            effects.append(effect({**usual, **found}, usual))
+        yield f"| {name} | {written(value)} | {effects[0]} | {effects[1]} |"
+
+
 def main() -> None:
     """Print a row a number."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--write", action="store_true", help="update docs/tuning.md")
     parser.add_argument("--quick", action="store_true", help="without large and hard cases")
+    parser.add_argument("--only", choices=(WAY, LAST_PHASE), help="numbers of one table")
     parser.add_argument("names", nargs="*", metavar="NUMBER", help="only these numbers")
     options = parser.parse_args()
-    asked, plain = list(cases(options.quick)), Tuning()
-    if not asked:
-        sys.exit(f"{SHARED} is missing: these are the meshes that the numbers are tried on")
-    usual = {case.name: case.outcome(plain) for case in asked}
-    steps = sum(outcome.report.iterations for outcome in usual.values())
-    lines = [
-        f"{len(asked)} cases, {steps} steps as it is.",
-        "",
-        "| number | value | halved | doubled |",
-        "| --- | ---: | --- | --- |",
-    ]
-    print(lines[0], flush=True)
-    for item in fields(Tuning):
-        if options.names and item.name not in options.names:
+    for which, names in numbers().items():
+        if options.only not in (None, which):
             continue
-        value = getattr(plain, item.name)
-        effects = []
-        for factor in (0.5, 2.0):
-            other = replace(plain, **{item.name: scaled(value, factor)})
-            effects.append(effect({case.name: case.outcome(other) for case in asked}, usual))
-        lines.append(f"| {item.name} | {written(value)} | {effects[0]} | {effects[1]} |")
-        print(lines[-1], flush=True)
-    if options.write and not options.names:
-        write(ROOT / "docs" / "tuning.md", "tuning", "\n".join(lines))
+        asked = list(cases(options.quick) if which == WAY else cases_of_the_last_phase())
+        if not asked:
+            sys.exit(f"{SHARED} is missing: these are the meshes that the numbers are tried on")
+        wanted = [name for name in names if not options.names or name in options.names]
+        lines = []
+        for line in table(asked, wanted, which == LAST_PHASE) if wanted else ():
+            print(line, flush=True)
+            lines.append(line)
+        if options.write and not options.names:
+            write(ROOT / "docs" / "tuning.md", which, "\n".join(lines))
 
 
 if __name__ == "__main__":

@@ -19,9 +19,6 @@ from solver.problem import Detail, Problem
 from solver.report import Spread
 from solver.tuning import Tuning
 
-# Evenness of lines, or part of the shortest edge, that being nearer to a surface may cost.
-_DEAR = 0.01
-
 
 @dataclass(frozen=True)
 class Candidate:
@@ -104,7 +101,7 @@ class Candidate:
 
     def dearer_than(self, other: Candidate) -> bool:
         """Whether lines bend less evenly, or short edges are shorter, than those of another."""
-        return max(other.smoothness - self.smoothness, other.kept - self.kept) > _DEAR
+        return max(other.smoothness - self.smoothness, other.kept - self.kept) > self.tuning.dear
 
     @property
     def creased(self) -> bool:

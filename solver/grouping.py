@@ -13,12 +13,9 @@ from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.terms.base import Term
 from solver.terms.repetition import SameAngles, SameLengths
+from solver.tuning import Tuning
 
 Groups = SameLengths | SameAngles
-# Parts farther from their shape are pulled the more: sums of this power, not of squares.
-_POWER, _LEAST_STRESS = 4, 0.1
-# Rounds in which parts find their first kinds.
-_ROUNDS = 30
 
 
 def groups_of(terms: Sequence[Term]) -> list[Groups]:
@@ -54,13 +51,13 @@ def merged(terms: Sequence[Groups], number: int, x: FloatArray) -> list[Groups]:
     return [_merged(term, share).follow(x) for term, share in zip(terms, shares, strict=True)]
 
 
-def near_ones(mesh: QuadMesh, x: FloatArray, of: str, number: int) -> list[Groups]:
-    """The parts in so many groups of those that are alike already, by k-means."""
+def near_ones(mesh: QuadMesh, x: FloatArray, of: str, number: int, rounds: int) -> list[Groups]:
+    """The parts in so many groups of those that are alike already, by so many rounds of k-means."""
     rng, blank, found = np.random.default_rng(0), ungrouped(mesh, of), []
     shares = _shares([len(numbers) for numbers, _ in blank], number)
     for (_, term), share in zip(blank, shares, strict=True):
         term = replace(term, shapes=_seeds(term, x, share, rng))
-        for _ in range(_ROUNDS):
+        for _ in range(rounds):
             before, term = term.shapes, term.follow(x)
             if np.array_equal(before, term.shapes):
                 break
@@ -68,12 +65,12 @@ def near_ones(mesh: QuadMesh, x: FloatArray, of: str, number: int) -> list[Group
     return found
 
 
-def stressed(term: Groups, x: FloatArray) -> Groups:
+def stressed(term: Groups, x: FloatArray, tuning: Tuning) -> Groups:
     """The same with more weight on parts that are far from their shapes."""
     placed = term.sorted(x)
     miss = np.abs(placed.values(x) - placed.wanted).max(axis=1)
-    share = np.clip(miss / max(float(miss.max()), 1e-300), _LEAST_STRESS, 1.0)
-    stress = share ** (_POWER / 2 - 1)
+    share = np.clip(miss / max(float(miss.max()), 1e-300), tuning.least_stress, 1.0)
+    stress = share ** (tuning.stress_power / 2 - 1)
     return replace(placed, stress=stress / np.sqrt((stress**2).mean()))
 
 

@@ -10,26 +10,7 @@ from solver.mesh.closest import TriangleSurface
 from solver.nearest import Wish, drawn, limit_in_reach, missing, nearness, pull_of
 from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED
-
-# Weight of lines that bend evenly in the last phase, in another where they zigzag then, and where
-# the net is nearly on the surface already; in one that comes early because lines zigzag.
-EVENNESS, EVENER, NEARLY, EARLY = 0.04, 1.0, 0.07, 0.1
-# The last phase takes as many steps as there were before it, and so many where those were fewer:
-# more of them where to be near is what was asked for.
-_NEARER_STEPS, _NEAREST_STEPS = 24, 60
-# One that comes early takes at least so many.
-_EARLY_STEPS = 40
-# One that comes early makes other attempts needless where it kept this part of the area.
-_ALIKE = 0.95
-# A net that is nearer but has less than this part of the area is less of what was drawn.
-_STILL_WHOLE = 0.85
-# Nor is one that is flatter than this part of its thickness, where the start itself was meant.
-_STILL_THICK = 0.5
-# Its edges are pushed back near the shortest, and give way where the surface asks for it.
-_STILL_ROOMY = 0.4
-# Handles that lack more than this part of their way were lost, and are pulled along the nets:
-# others are near where they were dragged, and the mesh is not to jump when they are let go.
-_LOST = 0.5
+from solver.tuning import Tuning
 
 
 @dataclass(frozen=True)
@@ -89,7 +70,7 @@ def has_a_wish(net: Candidate, original: Problem, surface: TriangleSurface | Non
     if pull_of(problem) is None:
         return surface is not None
     before = missing(problem, problem.at(original.mesh)).max()
-    return bool(missing(problem, net.x).max() > _LOST * before)
+    return bool(missing(problem, net.x).max() > problem.tuning.lost * before)
 
 
 def far_off(net: Candidate, surface: TriangleSurface | None) -> float:
@@ -108,17 +89,18 @@ def is_sound(found: Candidate, before: Candidate) -> bool:
     """Whether it kept what made the net before it good."""
     creased = found.creased and not before.creased
     uneven = found.uneven and not before.uneven
-    return found.valid and found.kept >= _STILL_ROOMY and not creased and not uneven
+    return found.valid and found.kept >= found.tuning.still_roomy and not creased and not uneven
 
 
 def is_whole(found: Candidate, before: Candidate) -> bool:
     """Whether it kept the area of the net before it."""
-    return found.area_ratio >= _STILL_WHOLE * before.area_ratio
+    return found.area_ratio >= found.tuning.still_whole * before.area_ratio
 
 
 def is_enough(found: Candidate) -> bool:
     """Whether other attempts are needless after a last phase that came early."""
-    return found.good and _ALIKE <= found.area_ratio <= 1 / _ALIKE
+    least = found.tuning.alike
+    return found.good and least <= found.area_ratio <= 1 / least
 
 
 def verdict(net: Candidate, meant: bool) -> str:
@@ -129,17 +111,18 @@ def verdict(net: Candidate, meant: bool) -> str:
         meant: no flatter one than the start was asked for.
     """
     thick = net.thickness_start >= net.tuning.thick
-    lost = meant and thick and net.thickness < _STILL_THICK * net.thickness_start
+    lost = meant and thick and net.thickness < net.tuning.still_thick * net.thickness_start
     return COLLAPSED if net.gone or lost else CONVERGED
 
 
-def most_steps(done: int, wanted: bool, hoped: bool) -> int:
+def most_steps(tuning: Tuning, done: int, wanted: bool, hoped: bool) -> int:
     """How many steps it takes.
 
     Args:
+        tuning: the numbers of the solver.
         done: steps before it.
         wanted: to be near is what was asked for.
         hoped: it comes early.
     """
-    least = _EARLY_STEPS if hoped else _NEAREST_STEPS if wanted else _NEARER_STEPS
-    return max(done, least)
+    least = tuning.nearest_steps if wanted else tuning.along_steps
+    return max(done, tuning.early_steps if hoped else least)

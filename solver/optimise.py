@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -23,7 +22,7 @@ from solver.mesh.quadmesh import QuadMesh, refuse_other
 from solver.nets import Net, net_named, refuse_foreign
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
 from solver.nets.options import NetOptions
-from solver.nets.settings import Weights
+from solver.nets.settings import WEIGHTS, Weights
 from solver.nets.supports import supports_of
 from solver.plan import Plan
 from solver.problem import Problem
@@ -165,8 +164,7 @@ def start_optimisation(
     if isinstance(mesh.connectivity, MixedConnectivity) and not asked.any_faces:
         mesh.connectivity.refuse(f"{net} net")
     refuse_no_end(tolerance, max_steps)
-    if within is not None and not (math.isfinite(within) and within > 0):
-        raise InputError(f"within: expected a positive distance, got {within}")
+    WEIGHTS["within"].check(within, "")
     if min(multi_patch) < 1 or max(multi_patch) < 2:
         raise InputError(
             f"multi_patch: expected two counts, one of them 2 or more, got {multi_patch}"
@@ -270,8 +268,7 @@ def refuse_no_end(tolerance: float, max_steps: int) -> None:
     Raises:
         InputError: a tolerance or a number of steps that is none.
     """
-    if not math.isfinite(tolerance) or tolerance <= 0:
-        raise InputError(f"tolerance: expected a positive number such as 1e-10, got {tolerance}")
+    WEIGHTS["tolerance"].check(tolerance)
     refuse_no_steps(max_steps)
 
 

@@ -59,10 +59,10 @@ class Attempt:
 
 
 # Yields attempts and is sent what each of them reached, judged as the net that it was at.
-Way = Generator[Attempt, Candidate, None]
+Attempts = Generator[Attempt, Candidate, None]
 
 
-def alone(problem: Problem) -> Way:
+def alone(problem: Problem) -> Attempts:
     """The way of a problem that somebody posed: one attempt."""
     yield Attempt(problem)
 
@@ -93,7 +93,7 @@ class Plan:
     supports: BoolArray | None = None
     patch: tuple[int, int] = (1, 2)
 
-    def way(self) -> Way:
+    def way(self) -> Attempts:
         """From the start to the net."""
         if self.once:
             return self._first()
@@ -106,7 +106,7 @@ class Plan:
         """The net from the start as it is, against which results are judged."""
         return self._pose(self.net, self.mesh, self._at_first)
 
-    def _first(self) -> Way:
+    def _first(self) -> Attempts:
         """The wanted net from the start, with one set of guides after the other.
 
         Where one leads to a surface of another size, faces that keep their shape lead next, once.
@@ -121,14 +121,14 @@ class Plan:
                 keeping = [replace(self.weights, isometry=weight) for weight in self.tuning.keeping]
                 yield from self._tries(self.mesh, keeping)
 
-    def _round_by_easier_nets(self) -> Way:
+    def _round_by_easier_nets(self) -> Attempts:
         """The net; where that is not good, an easier net and from it the net; then other guides."""
         yield from self._first()
         for easier in self.net.way.easier:
             yield from self._by(easier)
         yield from self._tries(self.mesh, self._ladder[1:])
 
-    def _by(self, easier: Easier) -> Way:
+    def _by(self, easier: Easier) -> Attempts:
         """The easier net, until it is reached; from what was reached the wanted one."""
         ladder = self._ladder
         smoother = [replace(one, fairness=easier.fairness * one.fairness) for one in ladder]
@@ -141,7 +141,7 @@ class Plan:
                 yield from self._tries(reached.mesh, ladder)
                 return
 
-    def _of_a_sheet(self) -> Way:
+    def _of_a_sheet(self) -> Attempts:
         """The sheet as it is, then bent in one direction only, then as it is with other guides.
 
         A net that no doubly curved start reaches begins with the bent ones.
@@ -154,7 +154,7 @@ class Plan:
             yield from self._from_bent_starts()
         yield from self._tries(self.mesh, self._ladder[len(self._at_first) :])
 
-    def _from_bent_starts(self) -> Way:
+    def _from_bent_starts(self) -> Attempts:
         """The net from the sheet without its curvature in one direction, then in the other."""
         if self.fixed.any() or self.constraints != Constraints():
             return
@@ -162,7 +162,7 @@ class Plan:
         for direction in central_directions(self.mesh):
             yield from self._tries(unbent(self.mesh, direction), ladder)
 
-    def _tries(self, mesh: QuadMesh, ladder: Sequence[Weights]) -> Way:
+    def _tries(self, mesh: QuadMesh, ladder: Sequence[Weights]) -> Attempts:
         """The wanted net from a mesh, with one set of guides after the other."""
         problem = self._pose(self.net, mesh, ladder)
         yield from _attempts(problem, ladder, hasty=self._hasty)
@@ -236,7 +236,7 @@ class Plan:
 
 def _attempts(
     problem: Problem, ladder: Sequence[Weights], easier: bool = False, hasty: bool = False
-) -> Way:
+) -> Attempts:
     """One attempt for each set of guides, the first of them patient."""
     for number, weights in enumerate(ladder, 1):
         yield Attempt(problem, weights, number == 1, easier, number == len(ladder), hasty)

@@ -35,26 +35,6 @@ from solver.problem import Problem
 from solver.report import Repeated
 from solver.terms.gliding import OnCurve
 
-# Weights of the pull, one stage each, where that of the distance from the surface is one.
-_STAGES = (1.0, 30.0, 1e3, 3e4)
-# Steps of a stage at most.
-_STEPS = 25
-# Weight of lines that bend evenly: that lengths jump from kind to kind works against it.
-_EVENNESS = 0.3
-# Numbers of groups that are tried in turn, as parts of the number of kinds there was.
-_TRIES = (0.5, 0.25, 0.12)
-# Rows that come out alike become so many groups, as parts of what was asked for.
-_FEWER = (1.0, 0.85)
-# Weights of the border, without which a net draws back to where the surface is simpler; the second
-# where the first leads to too many kinds.
-_BORDERS = (0.3, 0.01)
-# Less of the area, or shorter edges than these parts, and it is another shape.
-_STILL_WHOLE, _STILL_ROOMY = 0.85, 0.4
-# So is what is farther off the surface than this part of its size, where nothing else was said.
-_FAR = 0.02
-# With this residual parts of a kind are equal as far as numbers tell.
-_EQUAL = 1e-11
-
 
 @dataclass(frozen=True)
 class Repeat:
@@ -133,9 +113,11 @@ class Repetition:
         backend: str | None = None,
     ) -> None:
         self.problem, self.asked, self._backend = net.problem, asked, backend
+        self._tuning = net.tuning
         self._net, self._original, self._tolerance = net, original, tolerance
         self._surface, self._within = surface, within
-        self._wishes = nearness(net.problem, original.mesh, surface, _EVENNESS, within)
+        evenness = self._tuning.kinds_evenness
+        self._wishes = nearness(net.problem, original.mesh, surface, evenness, within)
         self.found = self._first = self._counted(net.x)
         self._stages = self._way()
         self._nearest: NearestNet | None = None
@@ -169,7 +151,7 @@ class Repetition:
         assert self._nearest is not None
         result = self._nearest.step()
         self._taken += 1
-        if self._nearest.finished or self._taken >= _STEPS:
+        if self._nearest.finished or self._taken >= self._tuning.stage_steps:
             self.finished = not self._next()
         return result
 
@@ -211,7 +193,7 @@ class Repetition:
 
     def _way(self) -> Iterator[NearestNet]:
         """The stages of all groups that are tried, each from the net itself."""
-        for border in _BORDERS:
+        for border in self._tuning.kinds_borders:
             wishes = [
                 wish._replace(weight=border) if isinstance(wish.term, OnCurve) else wish
                 for wish in self._wishes
@@ -225,8 +207,8 @@ class Repetition:
         self, wishes: list[Wish], x: FloatArray, terms: list[Groups]
     ) -> Iterator[NearestNet]:
         """Pull groups together, more from stage to stage."""
-        for weight in _STAGES:
-            pulls = [Wish(stressed(term, x), weight) for term in terms]
+        for weight in self._tuning.stages:
+            pulls = [Wish(stressed(term, x, self._tuning), weight) for term in terms]
             nearest = NearestNet(self.problem, x, [*wishes, *pulls], self._backend)
             if nearest.finished:
                 return
@@ -245,16 +227,20 @@ class Repetition:
         if families(mesh) > 1:
             for family in range(families(mesh)):
                 yield x, in_rows(mesh, x, of, family, asked)
-        for part in _FEWER:
+        for part in self._tuning.kinds_fewer:
             if asked is not None and not self._enough and self._terms:
                 yield self.found.x, merged(self._terms, round(part * asked), self.found.x)
         if self._enough:
             return
         before = self._first.kinds.number
-        numbers = [round(part * before) for part in _TRIES] if asked is None else [asked]
+        numbers = (
+            [round(part * before) for part in self._tuning.kinds_tries]
+            if asked is None
+            else [asked]
+        )
         for number in dict.fromkeys(max(1, number) for number in numbers):
             if number < self.found.kinds.number:
-                yield x, near_ones(mesh, x, of, number)
+                yield x, near_ones(mesh, x, of, number, self._tuning.kinds_rounds)
 
     def _weigh(self, x: FloatArray, terms: list[Groups]) -> bool:
         """Keep a net that is better; return whether its kinds are few enough."""
@@ -286,7 +272,10 @@ class Repetition:
         there = NearestNet(problem, begin, [], self._backend).exact()
         rest = [np.abs(term.linearise(there).residual).max() for term in problem.constraints]
         there = there[: len(x)]
-        good = max(rest) <= _EQUAL and self._counted(there).kinds.number <= self.found.kinds.number
+        good = (
+            max(rest) <= self._tuning.equal
+            and self._counted(there).kinds.number <= self.found.kinds.number
+        )
         return there if good and self._sound(there) else None
 
     def _judge(self, x: FloatArray) -> Candidate:
@@ -294,11 +283,11 @@ class Repetition:
 
     def _sound(self, x: FloatArray) -> bool:
         """Whether a net with fewer kinds of parts is still what was drawn."""
-        before, found = self._net, self._judge(x)
-        whole = found.area_ratio >= _STILL_WHOLE * before.area_ratio
+        before, found, tuning = self._net, self._judge(x), self._tuning
+        whole = found.area_ratio >= tuning.still_whole * before.area_ratio
         rough = (found.creased and not before.creased) or (found.uneven and not before.uneven)
-        if not (found.valid and whole and found.kept >= _STILL_ROOMY) or rough:
+        if not (found.valid and whole and found.kept >= tuning.still_roomy) or rough:
             return False
         far = [float(off_surface(net.mesh, self._surface).max()) for net in (before, found)]
         size = float(np.linalg.norm(np.ptp(before.mesh.vertices, axis=0)))
-        return far[1] <= max(self._within or _FAR * size, far[0])
+        return far[1] <= max(self._within or tuning.far_off * size, far[0])

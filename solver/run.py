@@ -16,7 +16,7 @@ from solver.last_phase import Aim
 from solver.linear.backends import default_backend
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.plan import Attempt, Way, alone
+from solver.plan import Attempt, Attempts, alone
 from solver.problem import Problem
 from solver.repetition import Repeat
 from solver.report import STOPPED, Outcome, StepRecord
@@ -48,7 +48,7 @@ class Optimisation:
     def __init__(
         self,
         original: Problem,
-        way: Callable[[], Way] | None = None,
+        way: Callable[[], Attempts] | None = None,
         tolerance: float = 1e-10,
         max_steps: int = 1000,
         backend: str | None = None,

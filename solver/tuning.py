@@ -73,6 +73,37 @@ class Tuning:
         flattened: has less than this part of its thickness left.
         solid: a shape that was no plane to so much of its size,
         gone: and of whose thickness less than that is left, has gone.
+        along_evenness: weight of lines that bend evenly in the last phase, where that of the
+            distance from the surface is one,
+        along_near: of a net that is nearly on the surface already,
+        along_early: of one that is led on early because its lines zigzag,
+        along_evener: and in another attempt where they zigzag after that.
+        along_steps: the last phase takes as many steps as there were before, or so many:
+        nearest_steps: more where to be near is what was asked for,
+        early_steps: and where it comes early.
+        alike: an early one makes other attempts needless where it kept this part of the area.
+        still_whole: a net that is nearer but has less than this part of the area is less of what
+            was drawn,
+        still_roomy: as is one with edges shorter than this part,
+        still_thick: and one flatter than this part, where the start itself was meant.
+        dear: lines that are less even, or edges that are shorter, by more than this are too much
+            for being nearer where nobody asked for it.
+        lost: handles that lack more than this part of their way are pulled along the nets: others
+            are near, and the mesh is not to jump when they are let go.
+        futile: so many attempts that are given up as too slow are all.
+        stages: weights of the pull that makes parts alike, where that of the distance is one;
+        stage_steps: steps for each of them.
+        kinds_evenness: weight of even lines meanwhile: that lengths jump works against it.
+        kinds_borders: of the border, without which a net draws back to where the surface is
+            simpler; the second where the first leads to too many kinds.
+        kinds_tries: numbers of kinds that are tried, as parts of how many there were,
+        kinds_fewer: and of rows that come out alike, as parts of what was asked for.
+        stress_power: parts farther from their shape are pulled the more: sums of this power,
+        least_stress: but none less than this part.
+        kinds_rounds: rounds in which parts find their first kinds.
+        far_off: what is farther off the surface than this part of its size is another shape, where
+            nothing else was said.
+        equal: with this residual parts of a kind are equal as far as numbers tell.
     """
 
     fade: float = 0.3
@@ -127,3 +158,28 @@ class Tuning:
     flattened: float = 0.4
     solid: float = 5e-3
     gone: float = 0.1
+    along_evenness: float = 0.04
+    along_near: float = 0.07
+    along_early: float = 0.1
+    along_evener: float = 1.0
+    along_steps: int = 24
+    nearest_steps: int = 60
+    early_steps: int = 40
+    alike: float = 0.95
+    still_whole: float = 0.85
+    still_roomy: float = 0.4
+    still_thick: float = 0.5
+    dear: float = 0.01
+    lost: float = 0.5
+    futile: int = 2
+    stages: tuple[float, ...] = (1.0, 30.0, 1e3, 3e4)
+    stage_steps: int = 25
+    kinds_evenness: float = 0.3
+    kinds_borders: tuple[float, ...] = (0.3, 0.01)
+    kinds_tries: tuple[float, ...] = (0.5, 0.25, 0.12)
+    kinds_fewer: tuple[float, ...] = (1.0, 0.85)
+    stress_power: float = 4.0
+    least_stress: float = 0.1
+    kinds_rounds: int = 30
+    far_off: float = 0.02
+    equal: float = 1e-11

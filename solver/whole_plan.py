@@ -18,13 +18,10 @@ from solver.last_phase import Aim
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nearest import NearestNet, pull_of
-from solver.plan import Attempt, Way
+from solver.plan import Attempt, Attempts
 from solver.problem import Problem
 from solver.repetition import Repeat, Repetition
 from solver.report import CONVERGED, STALLED, STOPPED, Repeated, StepRecord
-
-# A net that so many attempts have given up is.
-_GIVEN_UP = 2
 
 
 class Ended(NamedTuple):
@@ -63,7 +60,7 @@ class WholePlan:
     def __init__(
         self,
         original: Problem,
-        begin: Callable[[], Way],
+        begin: Callable[[], Attempts],
         aim: Aim,
         repeat: Repeat | None,
         tolerance: float,
@@ -74,7 +71,8 @@ class WholePlan:
         self.original, self.begin, self.aim, self.repeat = original, begin, aim, repeat
         self._tolerance, self._backend, self._history = tolerance, backend, history
         self._most = max_steps if original.free.any() else 0
-        self.best, self.given_up = Best(original.tuning.worth), 0
+        self._tuning = original.tuning
+        self.best, self.given_up = Best(self._tuning.worth), 0
         self.repetition: Repeated | None = None
         self._stopped = self._pressed = False
         self._mended: Candidate | None = None
@@ -83,9 +81,7 @@ class WholePlan:
         """A net, from it the one nearest to what was drawn, and from that one of few kinds."""
         net = yield from self._to_a_net()
         if self._may_go_nearer(net):
-            near = self._is_near(net)
-            evenness = last_phase.NEARLY if near else last_phase.EVENNESS
-            net = yield from self._nearer(net, evenness, near=near)
+            net = yield from self._nearer(net)
         return (yield from self.from_net(net))
 
     def from_net(self, net: Candidate) -> WholeWay:
@@ -139,25 +135,26 @@ class WholePlan:
                 break
             if solved == 1 and self._may_be_mended(net):
                 # Along the nets lines turn even and edges long in less time than in other attempts.
-                best = self._mended = yield from self._nearer(net, last_phase.EARLY, early=True)
+                best = self._mended = yield from self._nearer(net, early=True)
                 if last_phase.is_enough(best) or not self._may_go_on:
                     break
             attempt = _after(way, reached)
         return best
 
-    def _nearer(
-        self, net: Candidate, evenness: float, early: bool = False, near: bool = False
-    ) -> Whole:
+    def _nearer(self, net: Candidate, early: bool = False) -> Whole:
         """Along the nets to the surface, or to handles; then the best of what there is now.
 
         Where that spoilt the net, once more with evener lines; where the net is farther off than
         it may be, once more with what is beyond that weighing more.
         """
-        best = self.best.so_far() or net
+        tuning, best = self._tuning, self.best.so_far() or net
+        near = not early and self._is_near(net)
+        usual = tuning.along_near if near else tuning.along_evenness
+        evenness = tuning.along_early if early else usual
         found = yield from self._along(net, evenness, early, near)
         spoilt = not last_phase.is_sound(found, best)
         if spoilt and self._may_go_on and not early and not self._pressed:
-            evenness = last_phase.EVENER
+            evenness = tuning.along_evener
             found = yield from self._along(best, evenness, early, near)
         best = self._kept(found, best)
         limit = self._in_reach(best) if near and self.aim.within is None else self.aim.within
@@ -183,7 +180,7 @@ class WholePlan:
         # Nobody asked for what is tried beside a surface, so that it may not take long.
         asked = limit is not None and self.aim.within is not None
         before = len(self._history) if asked or not self._pressed else 0
-        most = last_phase.most_steps(before, asked or self.aim.nearest, early)
+        most = last_phase.most_steps(self._tuning, before, asked or self.aim.nearest, early)
 
         def reached() -> Candidate:
             return judge(net.problem, nearest.exact(), self._tolerance, self.original)
@@ -208,14 +205,14 @@ class WholePlan:
 
     def _keep(self, net: Candidate) -> Candidate:
         """Take a net for the best, whatever there was before it."""
-        self.best = Best(self.original.tuning.worth)
+        self.best = Best(self._tuning.worth)
         return self.best.consider(net)
 
     def _is_enough(self, net: Candidate, solved: int) -> bool:
         """Whether no further attempt is to be made, so many having reached the net."""
         # Whoever drags a mesh may crease it.
         good = net.valid if self._pulled else net.good
-        tries = solved >= self.original.tuning.enough or self.given_up >= _GIVEN_UP
+        tries = solved >= self._tuning.enough or self.given_up >= self._tuning.futile
         return good or tries or self._steps_left <= 0
 
     def _may_be_mended(self, net: Candidate) -> bool:
@@ -270,7 +267,7 @@ Whole = Generator[Attempt | Along, Ended, Candidate]
 WholeWay = Generator[Attempt | Along, Ended, str]
 
 
-def _after(way: Way, reached: Candidate) -> Attempt | None:
+def _after(way: Attempts, reached: Candidate) -> Attempt | None:
     """The next attempt of a way, None at its end."""
     try:
         return way.send(reached)

@@ -18,8 +18,9 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
-# Nets that can be aligned, and by how much their lines are turned from those of curvature, or of
-# stress.
+# What a net can be aligned as, and by how much its lines are turned from those of curvature, or of
+# stress: the nets whose lines others begin with (``Net.lines``), and with ``developable`` all those
+# of sheets of that ``Net.shape``.
 TURNED = {
     "principal": 0.0,
     "developable": 0.0,

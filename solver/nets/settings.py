@@ -196,8 +196,7 @@ class Weights:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
-            if not np.isfinite(value) or value < 0:
-                raise InputError(f"{name}: expected a weight of zero or more, got {value}")
+            WEIGHTS.get(name, Option(name, 0.0, "weight", "")).check(value)
 
     def ladder(self, tuning: Tuning) -> list[Weights]:
         """Weights of successive attempts.

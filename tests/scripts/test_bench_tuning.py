@@ -41,3 +41,18 @@ def test_effects_are_told_apart(tool):
     assert tool.effect({"wave": moved}, {"wave": usual}).startswith("1 case elsewhere, wave by 1.7")
     stopped = optimise(case.mesh, max_steps=1)
     assert tool.effect({"wave": stopped}, {"wave": usual}) == "1 steps; wave: stopped"
+
+
+def test_a_number_is_tried_on_the_first_case_that_heeds_it(tool):
+    start = wavy_grid(6, 5, shear=0.2)
+    cases = [
+        tool.Case("wave", start, "principal"),
+        tool.Case("near", start, "principal", near=0.01),
+    ]
+    lines = list(tool.table(cases, ["fade", "along_evenness", "stages"], True))
+    steps = sum(case.outcome(Tuning()).report.iterations for case in cases)
+    assert lines[0] == f"2 cases, {steps} steps as it is."
+    rows = {line.split(" | ")[0]: line for line in lines[4:]}
+    assert "elsewhere, near by" not in rows["| fade"] and "steps" in rows["| fade"]
+    assert "steps" in rows["| along_evenness"]
+    assert rows["| stages"].endswith("| nothing | nothing |")

@@ -14,6 +14,7 @@ from solver.nets import NETS
 from solver.problem import Problem
 from solver.report import CONVERGED
 from solver.terms.closeness import Closeness
+from solver.tuning import Tuning
 from tests.meshes import hanging_net
 
 
@@ -199,12 +200,12 @@ def test_edges_that_cut_across_a_steep_ridge_lift_nothing(slope, lifted):
     assert not lifts[~beside].any()
 
 
-def test_a_last_phase_that_is_stopped_is_not_tried_again(start, surface, monkeypatch):
-    run = start_optimisation(start, constraints=Constraints(close_to=surface))
+def test_a_last_phase_that_is_stopped_is_not_tried_again(start, surface):
+    # No result of the last phase is roomy enough, so that each would be tried again.
+    tuning = Tuning(still_roomy=10.0)
+    run = start_optimisation(start, constraints=Constraints(close_to=surface), tuning=tuning)
     while run.attempts == 1:
         run.step()
-    # No result of the last phase is roomy enough, so that each would be tried again.
-    monkeypatch.setattr("solver.last_phase._STILL_ROOMY", 10.0)
     run.step()
     run.stop()
     assert run.finished and run.outcome().report.status == CONVERGED

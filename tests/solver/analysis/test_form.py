@@ -98,7 +98,7 @@ def test_within_is_a_wish_with_a_verdict():
     assert tight.as_dict()["is_within"] is False
     assert tight.as_dict()["off_surface"]["max"] == tight.form.off_surface.max
     for wrong in (0.0, -1.0, float("nan")):
-        with pytest.raises(InputError, match="within: expected a positive distance"):
+        with pytest.raises(InputError, match="within: expected a number"):
             optimise(start, "principal", within=wrong)
 
 

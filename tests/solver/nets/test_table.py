@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from solver import InputError, optimise
+from solver.align.guides import TURNED
 from solver.analysis import measures
 from solver.analysis.advisor import advise
 from solver.analysis.check import check
@@ -103,3 +104,11 @@ def test_every_net_with_a_variant_has_measures_of_it():
             assert stars and stars[0].on(mesh).mean() != stars[0].on(mesh, diagonal=True).mean()
             assert closer_variant(mesh, net.name, False) is None
     assert np.isfinite([one.distance for one in advise(mesh)]).all()
+
+
+def test_nets_are_aligned_as_those_that_others_begin_with():
+    begins = {net.lines for net in NETS.values()} - {""}
+    shapes = {net.shape for net in NETS.values()} - {"any"}
+    assert begins <= set(TURNED)
+    for name in set(TURNED) - begins:
+        assert name in shapes, f"{name} is no net, nor what a net needs of a surface"
