@@ -14,10 +14,11 @@ is kept in build/mutations and made anew with --map.
 from __future__ import annotations
 
 import argparse
-import json
+import compileall
 import os
 import random
-import shutil
+import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -29,180 +30,90 @@ from dataclasses import dataclass
 from pathlib import Path
 from queue import Queue
 
+from mutation_map import FOLDERS, KEPT, ONE_THREAD, ROOT, Coverage, copy_of_tree, make_map, read_map
 from mutation_places import Mutation, mutations_of
 
-ROOT = Path(__file__).resolve().parents[1]
-KEPT = ROOT / "build" / "mutations"
-FOLDERS = ("solver", "freecad_ortho/fabrication", "freecad_ortho/sources", "freecad_ortho/cli")
-# These start whole systems; what they run is tested more closely elsewhere.
-LEFT_OUT = ("tests/freecad", "tests/scripts")
-# Seconds of tests for one change; the quickest are taken first.
-ALLOWANCE = 120.0
 WANTED = 0.9
 
 
+def prepared(folder: Path) -> Path:
+    """Copy the tree and write the bytecode of all its files, which saves a second a change."""
+    tree = copy_of_tree(folder)
+    compileall.compile_dir(tree, quiet=1, maxlevels=20)
+    return tree
+
+
 @dataclass(frozen=True)
-class Coverage:
-    """Which tests run which line.
+class Tried:
+    """What the tests said of a tree.
 
     Attributes:
-        lines: file -> line -> tests, by their pytest names; of what a fixture ran, test files.
-        seconds: how long each test took.
+        failed: the test that failed first, or what pytest could not even load.
+        passed: whether all passed.
+        endless: whether they were broken off. That is no notice: a machine may be busy.
     """
 
-    lines: dict[str, dict[int, list[str]]]
-    seconds: dict[str, float]
-
-    def tests(self, mutation: Mutation) -> list[str]:
-        """List the tests of the changed lines, the quickest first, within the allowance."""
-        of_file = self.lines.get(mutation.file, {})
-        named = {name for line in mutation.lines for name in of_file.get(line, [])}
-        # What runs on import has no test of its own: all that use the module may notice it.
-        named = named or {name for tests in of_file.values() for name in tests}
-        found = {test for name in named for test in self._tests_named(name)}
-        chosen, spent = [], 0.0
-        for test in sorted(found, key=lambda one: (self.seconds[one], one)):
-            spent += self.seconds[test]
-            if chosen and spent > ALLOWANCE:
-                break
-            chosen.append(test)
-        return chosen
-
-    def _tests_named(self, name: str) -> list[str]:
-        if name in self.seconds:
-            return [name]
-        return [test for test in self.seconds if test.startswith(f"{name}::")]
+    failed: str = ""
+    passed: bool = False
+    endless: bool = False
 
 
-def copy_of_tree(folder: Path) -> Path:
-    """Copy what git tracks into a folder, with the environment and ../shared beside it."""
-    target = folder / "tree"
-    names = subprocess.run(
-        ["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True
-    ).stdout.split("\0")
-    for name in filter(None, names):
-        (target / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(ROOT / name, target / name)
-    (target / ".venv").symlink_to((ROOT / ".venv").resolve())
-    if (shared := ROOT.parent / "shared").is_dir():
-        (folder / "shared").symlink_to(shared)
-    return target
-
-
-def run_tests(tree: Path, arguments: Sequence[str], limit: float | None) -> tuple[bool, str]:
-    """Run pytest in a tree; return whether all passed in time, and what it printed."""
-    # A file written twice within a second must not be taken from the cache of its bytecode.
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"}
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *arguments]
+def run_tests(tree: Path, tests: Sequence[str], seconds: float) -> Tried:
+    """Run tests in a tree, for no longer than some seconds of a processor, until one fails."""
+    # Bytecode was written once (`prepared`), a changed file has none: written twice within a
+    # second it would be taken for the one before.
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", **ONE_THREAD}
+    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider"]
+    command += ["--tb=no", "-rfE", "--no-header", *tests]
     with tempfile.TemporaryFile("w+") as output:
-        try:
-            done = subprocess.run(
-                command,
-                cwd=tree,
-                env=environment,
-                timeout=limit,
-                stdout=output,
-                stderr=subprocess.STDOUT,
-                stdin=subprocess.DEVNULL,
-            )
-        except subprocess.TimeoutExpired:
-            return False, "took too long"
+        running = subprocess.Popen(
+            command,
+            cwd=tree,
+            env=environment,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            stdin=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        endless = not _ends(running, seconds)
         output.seek(0)
-        return done.returncode == 0, output.read()
+        printed = output.read()
+    failed = re.search(r"^(?:FAILED|ERROR) (\S+?)(?:\[| |$)", printed, re.MULTILINE)
+    return Tried(
+        failed=failed[1] if failed else printed.strip().rpartition("\n")[2],
+        passed=running.returncode == 0,
+        endless=endless,
+    )
 
 
-# Loaded by pytest, and by each of the processes that it shares tests out to: measures which lines
-# each test runs, and writes that down beside how long it took.
-_PLUGIN = """
-import json
-import os
-from pathlib import Path
-
-import coverage
-import pytest
-
-HERE = Path(__file__).resolve().parent
-WORKER = os.environ.get("PYTEST_XDIST_WORKER")
-measured = coverage.Coverage(
-    data_file=str(HERE / f"map.coverage.{WORKER}"),
-    source=[str(HERE / folder) for folder in os.environ["MUTATED_FOLDERS"].split(",")],
-)
-if WORKER:
-    measured.start()
-seconds = {}
-
-def switch(name):
-    if WORKER:
-        measured.switch_context(name)
-
-@pytest.hookimpl(tryfirst=True)
-def pytest_runtest_setup(item):
-    switch(item.nodeid.split("::")[0])
-
-@pytest.hookimpl(tryfirst=True)
-def pytest_runtest_call(item):
-    switch(item.nodeid.split("[")[0])
-
-@pytest.hookimpl(tryfirst=True)
-def pytest_runtest_teardown(item):
-    switch("")
-
-def pytest_runtest_logreport(report):
-    name = report.nodeid.split("[")[0]
-    seconds[name] = seconds.get(name, 0.0) + report.duration
-
-def pytest_sessionfinish():
-    if WORKER:
-        measured.stop()
-        measured.save()
-        (HERE / f"seconds.{WORKER}.json").write_text(json.dumps(seconds))
-"""
+def _ends(running: subprocess.Popen[bytes], seconds: float) -> bool:
+    """Wait for a process; end it and all that it started when its time is up."""
+    # One that waits for nothing takes no time of a processor.
+    last = time.monotonic() + 120.0 + 20.0 * seconds
+    while True:
+        try:
+            running.wait(0.5)
+            return True
+        except subprocess.TimeoutExpired:
+            if time.monotonic() < last and _processor_seconds(running.pid) < seconds:
+                continue
+        os.killpg(running.pid, signal.SIGKILL)
+        running.wait()
+        return False
 
 
-def make_map(tests: Sequence[str], workers: int = 2) -> None:
-    """Run all tests once under coverage and keep which ran what."""
-    import coverage
-
-    with tempfile.TemporaryDirectory() as name:
-        tree = copy_of_tree(Path(name))
-        (tree / "mutation_plugin.py").write_text(_PLUGIN)
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "mutation_plugin", *tests]
-        command += ["-n", str(workers), "--dist", "loadfile"]
-        command += [f"--ignore={folder}" for folder in LEFT_OUT]
-        environment = {
-            **os.environ,
-            "OMP_NUM_THREADS": "1",
-            "PYTHONPATH": str(tree),
-            "MUTATED_FOLDERS": ",".join(FOLDERS),
-        }
-        subprocess.run(command, cwd=tree, env=environment, check=False)
-        lines: dict[str, dict[int, set[str]]] = defaultdict(lambda: defaultdict(set))
-        for path in tree.glob("map.coverage.*"):
-            data = coverage.CoverageData(str(path))
-            data.read()
-            for file in data.measured_files():
-                of_file = lines[str(Path(file).relative_to(tree))]
-                for line, contexts in data.contexts_by_lineno(file).items():
-                    of_file[line].update(filter(None, contexts))
-        seconds: dict[str, float] = {}
-        for path in tree.glob("seconds.*.json"):
-            seconds |= json.loads(path.read_text())
-    KEPT.mkdir(parents=True, exist_ok=True)
-    sorted_lines = {
-        file: {line: sorted(names) for line, names in of_file.items()}
-        for file, of_file in lines.items()
-    }
-    (KEPT / "map.json").write_text(json.dumps({"lines": sorted_lines, "seconds": seconds}))
-
-
-def read_map() -> Coverage:
-    """Read the map that was kept."""
-    kept = json.loads((KEPT / "map.json").read_text())
-    lines = {
-        file: {int(line): tests for line, tests in of_file.items()}
-        for file, of_file in kept["lines"].items()
-    }
-    return Coverage(lines, kept["seconds"])
+def _processor_seconds(session: int) -> float:
+    """Add up what the processes of a session, and those they waited for, used of a processor."""
+    ticks = 0
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            # The name of a program, in brackets, may hold blanks.
+            fields = path.read_text().rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(fields[3]) == session:
+            ticks += sum(map(int, fields[11:15]))
+    return ticks / os.sysconf("SC_CLK_TCK")
 
 
 def all_mutations(only: str) -> list[Mutation]:
@@ -216,43 +127,86 @@ def all_mutations(only: str) -> list[Mutation]:
     return found
 
 
-def noticed(mutation: Mutation, tree: Path, tests: list[str], seconds: float) -> bool:
+def tried(mutation: Mutation, tree: Path, tests: list[str], seconds: float) -> Tried:
     """Make a change in a tree, run its tests there, undo it."""
     path = tree / mutation.file
     whole = path.read_text(encoding="utf-8")
+    for old in (path.parent / "__pycache__").glob(f"{path.stem}.*"):
+        old.unlink()
     path.write_text(mutation.applied(whole), encoding="utf-8")
     try:
-        passed, _ = run_tests(tree, tests, 30.0 + 4.0 * seconds)
+        return run_tests(tree, tests, 60.0 + 4.0 * seconds)
     finally:
         path.write_text(whole, encoding="utf-8")
-    return not passed
 
 
-def try_all(chosen: list[Mutation], known: Coverage, workers: int) -> list[Mutation]:
+class Trial:
+    """Tries changes and keeps which were not noticed.
+
+    Attributes:
+        survivors: changes that no test noticed, by their numbers.
+        known: which tests run what.
+    """
+
+    def __init__(self, known: Coverage) -> None:
+        self.known = known
+        self.survivors: dict[int, Mutation] = {}
+        # Whether a test that failed with a change passes without one.
+        self._sound: dict[str, bool] = {}
+
+    def attempt(self, number: int, mutation: Mutation, tree: Path) -> None:
+        """Try one change and print what came of it."""
+        start = time.perf_counter()
+        words = self._words(mutation, tree)
+        if not words.startswith("noticed"):
+            self.survivors[number] = mutation
+        spent = time.perf_counter() - start
+        print(f"{number + 1:4d} {mutation}: {words} ({spent:.0f} s)", flush=True)
+
+    def _words(self, mutation: Mutation, tree: Path) -> str:
+        tests = self.known.tests(mutation)
+        while tests:
+            seconds = sum(self.known.seconds[test] for test in tests)
+            found = tried(mutation, tree, tests, seconds)
+            if found.passed:
+                break
+            if found.endless:
+                return "NOT noticed, its tests did not end"
+            if found.failed not in tests:
+                # Not even loaded: the unchanged tree was, for the map.
+                return f"noticed, {found.failed}"
+            if self._is_sound(found.failed, tree):
+                return f"noticed by {found.failed}"
+            tests.remove(found.failed)
+        return f"NOT noticed by {len(tests)} tests"
+
+    def _is_sound(self, test: str, tree: Path) -> bool:
+        if test not in self._sound:
+            done = run_tests(tree, [test], 60.0 + 4.0 * self.known.seconds[test])
+            self._sound[test] = done.passed
+            if not done.passed:
+                print(f"fails now without a change, not asked: {test}", flush=True)
+        return self._sound[test]
+
+
+def try_all(chosen: list[tuple[int, Mutation]], known: Coverage, workers: int) -> list[Mutation]:
     """Try the changes and return those that no test noticed."""
-    survivors: dict[int, Mutation] = {}
+    trial = Trial(known)
     with tempfile.TemporaryDirectory() as name:
         trees: Queue[Path] = Queue()
         for number in range(workers):
-            trees.put(copy_of_tree(Path(name) / str(number)))
+            trees.put(prepared(Path(name) / str(number)))
 
-        def attempt(number: int) -> None:
-            mutation, tree, start = chosen[number], trees.get(), time.perf_counter()
-            tests = known.tests(mutation)
+        def attempt(numbered: tuple[int, Mutation]) -> None:
+            tree = trees.get()
             try:
-                seconds = sum(known.seconds[test] for test in tests)
-                found = bool(tests) and noticed(mutation, tree, tests, seconds)
+                trial.attempt(*numbered, tree)
             finally:
                 trees.put(tree)
-            if not found:
-                survivors[number] = mutation
-            words = "noticed" if found else f"NOT noticed by {len(tests)} tests"
-            spent = time.perf_counter() - start
-            print(f"{number + 1:4d} {mutation}: {words} ({spent:.0f} s)", flush=True)
 
         with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(attempt, range(len(chosen))))
-    return [survivors[number] for number in sorted(survivors)]
+            list(pool.map(attempt, chosen))
+    return [trial.survivors[number] for number in sorted(trial.survivors)]
 
 
 def main() -> int:
@@ -264,15 +218,22 @@ def main() -> int:
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--map", action="store_true", help="make the map of lines and tests anew")
     parser.add_argument("--map-only", action="store_true", help="... and stop there")
+    parser.add_argument("--map-more", nargs="+", help="measure these tests, add them to the map")
+    parser.add_argument("--again", default="", help="numbers of one draw to try again: 3,17,40")
     given = parser.parse_args()
     if given.map or given.map_only or not (KEPT / "map.json").exists():
-        make_map(["tests"], given.workers)
-    if given.map_only:
+        make_map([], given.workers)
+    if given.map_more:
+        make_map(given.map_more, given.workers)
+    if given.map_only or given.map_more:
         return 0
     possible = all_mutations(given.only)
     count = min(given.count, len(possible))
-    chosen = random.Random(given.seed).sample(possible, count)
-    print(f"{count} of {len(possible)} possible changes")
+    drawn = random.Random(given.seed).sample(possible, count)
+    print(f"{count} of {len(possible)} possible changes", flush=True)
+    again = {int(number) for number in given.again.split(",") if number}
+    chosen = [one for one in enumerate(drawn) if not again or one[0] + 1 in again]
+    count = len(chosen)
     survivors = try_all(chosen, read_map(), given.workers)
     by_file = defaultdict(list)
     for mutation in survivors:

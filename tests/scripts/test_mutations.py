@@ -10,6 +10,7 @@ import pytest
 from tests.conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "scripts"))
+from mutation_map import Coverage, read_at
 from mutation_places import mutations_of
 
 SOURCE = '''\
@@ -72,3 +73,32 @@ def test_every_change_is_one_that_python_reads_and_makes_a_difference(path):
     for one in found:
         assert ast.dump(ast.parse(one.applied(source))) != tree, str(one)
         assert str(one).startswith(f"{path}:{one.lines.start}: ")
+
+
+def test_what_runs_on_import_is_shown_by_whoever_uses_it():
+    lines = len(SOURCE.splitlines())
+    assert read_at(SOURCE, 8) == (["LIMIT"], range(1, lines + 2))
+    assert read_at("A, B = 1, 2\n", 1) == (["A", "B"], range(1, 3))
+    assert read_at("class C:\n    size: int = 3\n", 2) == (["C"], range(1, 4))
+    # The head of a function is shown by what is in it; a line in it runs by itself.
+    assert read_at(SOURCE, 11) == ([], range(12, lines + 1))
+    assert read_at(SOURCE, 13) == ([], None)
+
+
+def test_the_quickest_tests_come_first_and_end_with_the_allowance():
+    path = "solver/linear/dissection.py"
+    source = (ROOT / path).read_text(encoding="utf-8")
+    one = next(
+        one for one in mutations_of(path, source) if read_at(source, one.lines.start)[1] is None
+    )
+    line = one.lines.start
+    # "c" stands for what a fixture of the file runs.
+    lines = {path: {line: ["a::slow", "b::quick", "c"], line + 999: ["d::elsewhere"]}}
+    seconds = {
+        "a::slow": 100.0,
+        "b::quick": 1.0,
+        "c::one": 30.0,
+        "c::two": 2.0,
+        "d::elsewhere": 0.1,
+    }
+    assert Coverage(lines, seconds).tests(one) == ["b::quick", "c::two", "c::one"]
