@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -76,9 +77,12 @@ def test_not_converged_still_writes_the_best_mesh(mesh_file, tmp_path, capsys):
 
 
 def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
-    main(["optimise", str(mesh_file), "-o", str(tmp_path / "n.obj"), "-v", "--max-steps", "5"])
+    main(["optimise", str(mesh_file), "-o", str(tmp_path / "n.obj"), "-v"])
     text = capsys.readouterr().err
     assert all(f"step {k}:" in text for k in range(1, 6))
+    # The share that is done grows as the residual falls, on a scale of its logarithm.
+    done = [int(share) for share in re.findall(r"^ *(\d+) % step", text, re.MULTILINE)]
+    assert done[0] == 0 and 0 < min(done[1:]) <= max(done) and done[-1] == 100
 
 
 @pytest.mark.parametrize(
@@ -351,3 +355,13 @@ def test_verbose_says_each_message_once(capsys):
         for done, words in ((0.1, "parts"), (0.2, "parts"), (0.3, "files"), (0.4, "files")):
             say(done, words)
     assert capsys.readouterr().err == " 10 % parts\n 30 % files\n"
+
+
+def test_a_terminal_has_a_bar_that_fills_and_goes(capsys, monkeypatch):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    with reporting.Progress(False) as say:
+        for done in (-1.0, 0.1, 0.5, 2.0):
+            say(done, "parts")
+    *bars, last = capsys.readouterr().err.split("\r\033[K")[1:]
+    assert bars == [f"[{'#' * full}{'.' * (30 - full)}] parts" for full in (0, 3, 15, 30)]
+    assert last == ""

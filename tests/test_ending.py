@@ -6,13 +6,15 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from freecad_ortho import api
-from freecad_ortho.cli import supervising
+from freecad_ortho.cli import endings, supervising
 from solver.io import leftovers
 from tests.conftest import ROOT, wavy_grid
 
@@ -80,6 +82,23 @@ def test_ctrl_c_and_being_asked_to_end_at_once_is_one_ending():
     assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", "")
 
 
+def test_what_is_kept_whole_ends_after_it_and_threads_go_on():
+    through = []
+    with pytest.raises(KeyboardInterrupt), endings.kept_whole():
+        os.kill(os.getpid(), signal.SIGINT)
+        through.append("block")
+
+    def load():
+        with endings.kept_whole():
+            through.append("thread")
+
+    # Only the main thread may say what a signal does.
+    thread = threading.Thread(target=load)
+    thread.start()
+    thread.join()
+    assert through == ["block", "thread"]
+
+
 def test_work_that_does_not_end_is_ended():
     work = subprocess.Popen([sys.executable, "-c", DEAF], stdout=subprocess.PIPE)
     work.stdout.readline()
@@ -118,16 +137,32 @@ def test_what_killed_work_left_in_a_folder_that_was_there_is_swept(tmp_path, mon
     (staging / leftovers.NEW).mkdir(parents=True)
     (staging / leftovers.NEW / "parts.csv").write_text("half a file")
     (tmp_path / "kept.txt").write_text("of somebody else")
+    killed_at_once(monkeypatch, ["fabricate", "net.obj", f"--out={tmp_path}"])
+    assert [path.name for path in tmp_path.iterdir()] == ["kept.txt"]
+
+
+def killed_at_once(monkeypatch, arguments):
     killed = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
     popen = subprocess.Popen
     monkeypatch.setattr(subprocess, "Popen", lambda command: popen(killed))
     before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
-        assert supervising.supervised(["fabricate", "net.obj", f"--out={tmp_path}"]) == 2
+        assert supervising.supervised(arguments) == 2
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-    assert [path.name for path in tmp_path.iterdir()] == ["kept.txt"]
+
+
+def test_a_folder_that_cannot_be_cleared_is_named(tmp_path, monkeypatch, capsys):
+    def sweep(target):
+        if target == tmp_path:
+            raise PermissionError(13, "Permission denied")
+
+    module = SimpleNamespace(sweep=sweep)
+    monkeypatch.setattr("freecad_ortho.cli.supervising._leftovers", lambda: module)
+    killed_at_once(monkeypatch, ["fabricate", f"--out={tmp_path}"])
+    said = capsys.readouterr().err.splitlines()
+    assert f"error: {tmp_path}: cannot be cleared (Permission denied)" in said
 
 
 def test_work_ends_when_its_command_is_killed_and_the_next_run_sweeps(fabrication):

@@ -136,6 +136,9 @@ def test_ifc_is_valid_and_holds_every_part(jobs, folders, name):
     assert {each.is_a() for each in elements.get_decomposition(storey, is_recursive=False)} <= {
         *("IfcElementAssembly", "IfcCurtainWall"),
     }
+    # Glass is a curtain wall, and nothing else is one.
+    walls = {"panels"} if name == "framed" else set()
+    assert {each.Name for each in model.by_type("IfcCurtainWall")} == walls
     products = {each.Name: each for each in model.by_type("IfcElement") if each.Tag}
     assert set(products) == {part.name for part in job.parts}
     kinds = {"beam": "IfcBeam", "panel": "IfcPlate", "node": "IfcDiscreteAccessory"}

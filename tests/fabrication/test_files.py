@@ -206,6 +206,8 @@ def test_rows_do_not_overlap(structure):
     assert (apart | np.eye(len(patterns), dtype=bool)).all()
     width, height = high.max(axis=0)
     assert 0.2 < width / height < 5
+    # 30 mm for cutter and clamps, as the manual of files has it.
+    assert low[1, 0] - high[0, 0] == pytest.approx(30, abs=1e-9)
 
 
 def test_parts_list_reads_back(structure, folder):

@@ -191,6 +191,8 @@ def test_feet_and_frames_say_what_is_bought(roof):
     feet = made.report()["feet"]
     assert rows["anchor"][1] == "M16"
     assert rows["anchor"][6] == rows["anchor nut"][6] == str(feet["anchors"])
+    grades = [rows[f"anchor{item}"][5] for item in ("", " washer", " nut")]
+    assert grades == ["8.8", "200 HV", "8"]
     frames = next(t for t in made.results["panels"].tables if t.name == "frames.csv")
     blocks = next(t for t in made.results["panels"].tables if t.name == "setting-blocks.csv")
     assert rows["setting block"][6] == str(len(blocks.rows))

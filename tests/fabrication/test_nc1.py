@@ -118,8 +118,12 @@ def test_plates_have_their_outline_and_their_bevels(made):
     parts, pieces, solids = made["plates"]
     for part in parts:
         piece = pieces[part.name]
+        # A plate has no flanges and no radius, both its faces are painted, its ends are not sawn.
         assert (piece.code, piece.web) == ("B", 20.0)
+        assert (piece.width, piece.flange, piece.radius) == (0.0, 0.0, 0.0)
+        assert (piece.mass, piece.paint, piece.cuts) == (20 * 7.85, 2.0, (0.0,) * 4)
         assert piece.length == pytest.approx(part.length, abs=0.01)
+        assert piece.height == pytest.approx(part.pattern.size[1], abs=0.01)
         (rows,) = piece.faces("v")
         assert shapely.Polygon(np.array(rows)[:, :2]).area == pytest.approx(part.area, rel=1e-5)
         read = sorted(angle for row in rows[:-1] for angle in (row[3], row[5]) if angle)
