@@ -73,7 +73,7 @@ def run_tests(tree: Path, tests: Sequence[str], seconds: float) -> Tried:
             stdout=output,
             stderr=subprocess.STDOUT,
             stdin=subprocess.DEVNULL,
-            start_new_session=True,
+            process_group=0,
         )
         endless = not _ends(running, seconds)
         output.seek(0)
@@ -102,8 +102,8 @@ def _ends(running: subprocess.Popen[bytes], seconds: float) -> bool:
         return False
 
 
-def _processor_seconds(session: int) -> float:
-    """Add up what the processes of a session, and those they waited for, used of a processor."""
+def _processor_seconds(group: int) -> float:
+    """Add up what the processes of a group, and those they waited for, used of a processor."""
     ticks = 0
     for path in Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -111,7 +111,7 @@ def _processor_seconds(session: int) -> float:
             fields = path.read_text().rpartition(")")[2].split()
         except OSError:
             continue
-        if int(fields[3]) == session:
+        if int(fields[2]) == group:
             ticks += sum(map(int, fields[11:15]))
     return ticks / os.sysconf("SC_CLK_TCK")
 
