@@ -117,6 +117,21 @@ def test_near_the_origin_the_choice_makes_no_difference(near, tmp_path):
     assert b"'site'" not in (tmp_path / "keep" / "structure.step").read_bytes()
 
 
+def test_places_that_differ_by_rounding_are_one():
+    def turned(angle, *origin):
+        cosine, sine = np.cos(angle), np.sin(angle)
+        return Place(np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]]), np.array(origin))
+
+    here, far = turned(0.3, 1.0, 2.0, 3.0), turned(0.3, 4e9, 5e9, 6e9)
+    assert here.near(turned(0.3 + 1e-10, 1.0, 2.0, 3.0 + 5e-7))
+    assert not here.near(turned(0.3 + 1e-8, 1.0, 2.0, 3.0))
+    assert not here.near(turned(0.3, 1.0, 2.0, 3.0 + 2e-6))
+    # A number of ten digits has no more than that.
+    assert far.near(turned(0.3, 4e9 + 1.0, 5e9, 6e9)) and not far.near(
+        turned(0.3, 4e9, 5e9 + 9, 6e9)
+    )
+
+
 def test_a_structure_that_is_turned_is_written_turned(strip, near, tmp_path):
     angle = np.radians(30)
     rotation = np.array(

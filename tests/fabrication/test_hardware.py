@@ -97,6 +97,24 @@ def test_heads_stand_free_and_threads_end_in_the_parts_that_have_them(bolted, ho
         assert not any(solid.isInside(tuple(under)) for solid in solids.values())
 
 
+def test_washers_lie_on_both_outer_faces_of_crossing_lamellas(bolted):
+    structure = bolted["crossings of lamellas"]
+    (each,) = structure.fasteners
+    solids = {part.name: part.solid() for part in structure.parts}
+    washer = each.bolt.washer
+    for number in range(0, each.count, 5):
+        place, way = each.places[number], each.directions[number]
+        aside = place + bolt_frames(each)[number, 0] * (each.bolt.hole / 2 + 1.5)
+        inside = [
+            [name for name, solid in solids.items() if solid.isInside(tuple(aside + depth * way))]
+            for depth in (washer - 0.1, washer + 0.1, each.grip - washer - 0.1)
+        ]
+        first, last = each.joins[number]
+        assert inside == [[], [first], [last]]
+        beyond = aside + (each.grip - washer + 0.1) * way
+        assert not any(solid.isInside(tuple(beyond)) for solid in solids.values())
+
+
 def test_the_list_counts_bolts_washers_and_nuts():
     bolt = bolt_of("M16")
     spots = [(np.full(3, 9.0 * k), np.eye(3)[2], (f"A{k}", f"B{k}")) for k in range(5)]

@@ -40,6 +40,15 @@ def test_a_raised_and_scaled_mesh_is_off_by_as_much():
     assert steep.height_ratio == pytest.approx(0.5)
 
 
+def test_of_many_faces_the_corners_are_looked_at_alone(monkeypatch):
+    monkeypatch.setattr("solver.analysis.form._MOST", 16)
+    level = grid(*parameters(5, 5, 4.0, 4.0), np.zeros((5, 5)))
+    heights = np.linspace(0.1, 0.4, 25)
+    raised = level.with_vertices(level.vertices + heights[:, None] * [0, 0, 1])
+    found = off_surface(raised, surface_of(level))
+    np.testing.assert_allclose(found, heights[level.faces], rtol=1e-12)
+
+
 def test_faces_are_looked_at_between_their_corners():
     """A face whose corners lie on a cylinder leaves it in its middle."""
     coarse = grid(*parameters(3, 2, 2.0, 1.0), np.array([[0.0, 0.0], [1.0, 1.0], [0.0, 0.0]]))

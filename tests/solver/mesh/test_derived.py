@@ -28,6 +28,13 @@ def star_of(valence: int, rings: int = 1) -> QuadMesh:
     return mesh if rings == 1 else subdivided(mesh, rings - 1)
 
 
+def pinched_grid() -> QuadMesh:
+    """A grid of which two far corners are one vertex."""
+    mesh = wavy_grid(4, 4)
+    faces = np.where(mesh.faces == 15, 0, mesh.faces)
+    return QuadMesh(mesh.vertices[:15], faces)
+
+
 def face_set(mesh: QuadMesh, digits: int = 9) -> set:
     """Faces as oriented cycles of coordinates, whatever the numbering."""
     result = set()
@@ -210,6 +217,7 @@ def test_border_rings_come_off():
         (lambda: coarsened(wavy_grid(6, 5), 1), "at least 2"),
         (lambda: coarsened_grid(primitive("sphere", 8, 5), 3), "divides the 8"),
         (lambda: coarsened_grid(star_of(5, 2)), "grid type"),
+        (lambda: grid_of(pinched_grid()), "grid type"),
         (lambda: trimmed(wavy_grid(6, 5), (5, 0), (0, 0)), "0 to 4 of 5"),
         (lambda: trimmed(primitive("sphere", 8, 5), (1, 0), (0, 0)), "runs around"),
         (lambda: without_border(wavy_grid(4, 4), 2), "no face is left"),

@@ -92,6 +92,25 @@ def test_projection_finds_the_nearest_point(kind):
         assert (distance >= np.linalg.norm(offset, axis=1) - 1e-12).all()
 
 
+@pytest.mark.parametrize("name", PRESETS)
+def test_presets_run_smoothly_and_closed_ones_return(name):
+    chosen = PRESETS[name]
+    first, second = chosen.curve(np.linspace(0.0, 1.0, 201))
+    # Places from 0 to 1 are one sign of a coordinate; both run 4 of them at most.
+    assert (first >= 0.0).all() and (first <= 1.0).all()
+    assert max(np.abs(np.diff(first)).max(), np.abs(np.diff(second)).max()) <= 4 / 200 + 1e-9
+    assert (first[-1] == pytest.approx(first[0])) == (chosen.closed or name == "arch")
+    around = (second[-1] - second[0]) / 4
+    assert (around == pytest.approx(round(around), abs=1e-12)) == chosen.closed
+
+
+@pytest.mark.parametrize("make", [Quadric.ellipsoid, Quadric.one_sheeted, Quadric.two_sheeted])
+def test_a_quadric_stands_upright_in_the_origin_unless_told(make):
+    quadric = make((3.0, 2.0, 1.5))
+    points = np.random.default_rng(7).normal(size=(5, 3))
+    np.testing.assert_array_equal(quadric.to_frame(points), points)
+
+
 @pytest.mark.parametrize(("moving", "name"), list(itertools.product(MOVING, PRESETS)))
 def test_every_preset_and_moving_coordinate_is_exact(moving, name):
     chosen = PRESETS[name]

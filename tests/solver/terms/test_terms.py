@@ -305,7 +305,40 @@ def test_linear_terms_have_a_constant_jacobian_that_all_elements_share(case):
         assert (here == here[0]).all()
 
 
+# Of the terms that have no normals, centres or slacks: equations of the grid's 31 edges, 12 faces,
+# 6 stars, 22 triples and 13 quadruples of its lines and 20 vertices.
+EQUATIONS = {
+    "fairness": 3 * 22,
+    "smooth motion": 3 * 22,
+    "evenness": 3 * 13,
+    "edge vectors": 3 * 31,
+    "edge guard": 31,
+    "equal edges": 31,
+    "face guard": 2 * 12,
+    "isometry": 3 * 12,
+    "koenigs": 6,
+    "equilibrium": 3 * 2,
+    "closeness": 3 * 20,
+    "handles": 3 * 20,
+    "on curve": 2 * 20,
+    "on surface": 20,
+    "in plane": 8 + 1,
+    "mirrored": 3 * 8,
+}
+WITH_UNKNOWNS = {
+    "flat within": (12, 12),
+    "circular": (3 * 12, 4 * 12),
+    "conical": (3 * 6, 5 * 6),
+    "equal angles": (12 * 6, 15 * 6),
+    "sphere own": (4 * 6, 5 * 6),
+    "tilt": (6 * 6, 9 * 6),
+    "tilts of both lines, one free": (9 * 6, 14 * 6),
+}
+
+
 def test_sizes_are_those_of_the_paper():
+    wanted = WITH_UNKNOWNS | {name: (0, count) for name, count in EQUATIONS.items()}
+    assert {name: CASES[name].build(REST).size for name in wanted} == wanted
     mesh = wavy_grid(ROWS, COLUMNS)
     faces, stars = 12, 6
     assert Orthogonality(mesh.faces).size == (0, faces)
