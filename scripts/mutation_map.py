@@ -48,6 +48,9 @@ class Coverage:
             for line in lines
             for name in self.lines.get(file, {}).get(line, [])
         }
+        if not named and any(line in self.lines.get(mutation.file, {}) for line in mutation.lines):
+            # A function that only runs on import makes what the whole file works with.
+            named = {name for names in self.lines[mutation.file].values() for name in names}
         found = {test for name in named for test in self._tests_named(name)}
         chosen: list[str] = []
         spent = 0.0

@@ -31,6 +31,17 @@ def call(tmp_path, *words, name="out.obj"):
     return api.read_mesh(out)
 
 
+def test_help_says_what_each_command_does(capsys):
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    # Lines break anywhere, within words with hyphens as well.
+    said = "".join(capsys.readouterr().out.split())
+    for command in ("checkerboard", "subdivide", "coarsen", "trim", "mirror", "inversion"):
+        meaning = source(command).meaning
+        words = command + meaning[0].lower() + meaning[1:]
+        assert "".join(words.split()) in said
+
+
 @pytest.mark.parametrize("moving", ["lambda", "mu", "nu"])
 @pytest.mark.parametrize("curve", ["wave", "ring", "arch"])
 def test_multinet_keeps_its_contract(tmp_path, capsys, moving, curve):

@@ -182,6 +182,15 @@ def test_cleats_without_room_are_left_out_and_named():
         build(flat_grid().scaled(0.08), [Lamellas(60, 4), Feet()])
 
 
+@pytest.mark.parametrize("spare", [-0.5, 0.5])
+def test_between_two_cleats_there_is_room_for_both(spare):
+    lamellas = Lamellas(60, 4, cleats=True)
+    sizes = sizes_of(lamellas, math.pi / 2)
+    edge = 2 * sizes.reach + sizes.plate + lamellas.clearance + spare
+    made = build(flat_grid(2, 2).scaled(edge / 400), [lamellas])
+    assert (made.report()["lamellas"]["cleats"] > 0) == (spare > 0)
+
+
 @pytest.mark.parametrize(
     ("values", "words"),
     [

@@ -43,6 +43,13 @@ def test_a_panel_that_cannot_be_made_says_why(part, words):
     assert found == words if words == "ok" else words in found
 
 
+def test_a_pattern_has_to_be_straight_unless_it_is_cut_curved():
+    part = panel(2008, 1008)
+    bent = replace(part, measures=replace(part.measures, straightness_mm=5.0))
+    assert verdict(bent, Limits()) == "straightness 5 mm exceeds 1 mm"
+    assert verdict(replace(bent, curved=True), Limits()) == "ok"
+
+
 def test_the_strictest_of_several_panes_counts():
     part = panel(6008, 3008, made_of=material("glass:8/16/8t"), thickness=32.0)
     assert "at most 6000 x 2800 mm" in verdict(part, Limits())

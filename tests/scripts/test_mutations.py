@@ -92,7 +92,7 @@ def test_the_quickest_tests_come_first_and_end_with_the_allowance():
         one for one in mutations_of(path, source) if read_at(source, one.lines.start)[1] is None
     )
     line = one.lines.start
-    # A file at a time, that which takes least first; "c" stands for what a fixture of the file runs.
+    # A file at a time, that which takes least first; "c" stands for what a fixture runs.
     lines = {path: {line: ["a::slow", "b::quick", "c"], line + 999: ["d::elsewhere"]}}
     seconds = {
         "a::slow": 100.0,

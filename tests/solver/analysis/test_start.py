@@ -14,6 +14,7 @@ from solver.nets.constraints import BoundaryGlide
 from tests.conftest import demo_roof, shared_mesh, surface_of_revolution, wavy_grid
 from tests.meshes import grid, helicoid, noisy, scherk, unduloid
 from tests.solver.analysis.test_directions import saddle
+from tests.solver.mesh.test_derived import star_of
 
 GLIDE = Constraints(glide=(BoundaryGlide(),))
 
@@ -125,6 +126,14 @@ def test_gliding_border_that_is_out_of_reach_is_told_before_the_first_step():
 
 def test_gliding_border_that_is_within_reach_gets_no_remark():
     assert not start_optimisation(demo_roof(), constraints=GLIDE).remarks
+
+
+def test_right_angles_that_no_face_has_to_have_are_no_distance():
+    flat = star_of(5)
+    flat = flat.with_vertices(flat.vertices * [1, 1, 0])
+    assert flat.connectivity.singular_faces.all()
+    (principal,) = [one for one in advise(flat) if one.net == "principal" and not one.diagonal]
+    assert principal.distance < 1e-12
 
 
 def test_advice_names_what_was_held():
