@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.step import read_step, write_step
 from freecad_ortho.fabrication.stock import different_tubes
 from freecad_ortho.fabrication.systems.beams.balls import BallJoints
+from freecad_ortho.fabrication.turned import TurnedBody
 from solver.errors import InputError
 from tests.fabrication.test_beam_sections_and_ends import assert_closed
 
@@ -43,6 +44,21 @@ def test_nothing_clashes_with_default_sizes(meshes, joined, name):
     found = check_clashes(made.parts)
     assert found.near > len(of_kind(made, "beam"))
     assert (found.clashes, found.open) == ((), ())
+
+
+def test_polyhedra_for_the_clash_check_hold_balls_and_cones_closely():
+    (held,) = Ball(50.0, np.array([[1.0, 0.0, 0.0]]), 45.0, 20.0, 30.0).pieces()
+    corners = np.asarray(held.corners)
+    # Planes 30 degrees apart touch it all around; one of them is the seat.
+    assert np.linalg.norm(corners, axis=1).max() < 50.0 * 1.1
+    assert corners.max(axis=0) == pytest.approx([45.0, 50.0, 50.0], rel=0.04)
+    assert corners.min(axis=0) == pytest.approx([-50.0, -50.0, -50.0], rel=0.04)
+    cone = TurnedBody(np.array([[0.0, 30.0], [40.0, 20.0]]), np.array([[0.0, 5.0], [40.0, 5.0]]))
+    for station, radius in cone.outer:
+        ring = cone.points[cone.points[:, 2] == station][:, :2]
+        # The middles of its sides touch the circle.
+        middles = (ring + np.roll(ring, -1, axis=0)) / 2
+        np.testing.assert_allclose(np.linalg.norm(middles, axis=1), radius, rtol=1e-12)
 
 
 @pytest.mark.parametrize("offset", ["above", "below"])

@@ -96,6 +96,13 @@ def test_closed_net_with_odd_valences(dodecahedron, kind):
     assert_sound(build(dodecahedron, [beams(ends=kind, clearance=2)]), 1, 1)
 
 
+def test_patterns_lie_as_the_parts_do_that_are_cut_by_them(skewed):
+    for part in build(skewed, [beams(section="I", flange_thickness=9.0)]).parts:
+        points = np.asarray(part.body.points)[:, :2]
+        for end in (np.min, np.max):
+            np.testing.assert_allclose(end(part.pattern.outline, axis=0), end(points, axis=0))
+
+
 def prism_volume(geometry, low, high, half):
     """Volume between two heights: length less slopes of the axes, less the four mitre wedges."""
     start, end = geometry.slopes.T

@@ -9,6 +9,7 @@ import pytest
 from freecad_ortho.fabrication import Beams, Panels, build, material
 from freecad_ortho.fabrication.part import part_names
 from solver.errors import InputError
+from solver.mesh.grid import grid_mesh
 from solver.mesh.mirror import reversed_orientation
 from solver.mesh.quadmesh import QuadMesh, unit_rows
 
@@ -246,6 +247,18 @@ def test_sizes_that_do_not_fit_name_the_place_and_the_limit(roof, settings, limi
     build(roof, settings(0.98 * largest))
     with pytest.raises(InputError):
         build(roof, settings(1.02 * largest))
+
+
+@pytest.mark.parametrize(("offset", "times"), [("below", 1), ("centre", 2)])
+def test_beams_of_a_tube_end_at_its_axis(offset, times):
+    turn, along = np.meshgrid(np.arange(12) * np.pi / 6, np.arange(3.0), indexing="ij")
+    points = np.stack([np.cos(turn), np.sin(turn), along], axis=2)
+    with pytest.raises(InputError) as caught:
+        build(grid_mesh(5000.0 * points, closed_u=True), [Beams(30000, 12, offset)])
+    limit = float(re.search(r"take less than ([\d.]+) mm", str(caught.value))[1])
+    # The height is that of all beams on average: 36 around lean by 15 degrees, 24 along do not.
+    lean = (36 * math.cos(math.radians(15)) + 24) / 60
+    assert limit == pytest.approx(times * 5000 * lean, rel=2e-3)
 
 
 def test_edge_without_length_is_named(roof):

@@ -71,6 +71,14 @@ def test_bars_are_rebuilt(made, name):
             assert (piece.height, piece.width) == pytest.approx(
                 np.ptp(points[:, 1:], axis=0), abs=0.01
             )
+        if name in ("I", "M"):
+            # From below the same flange or wall, mirrored.
+            both = [np.array(piece.faces(face)[0])[:-1, :2] for face in ("o", "u")]
+            for rows in both:
+                across = [0.0, piece.width / 2, piece.width]
+                assert sorted(set(rows[:, 1].tolist())) == pytest.approx(across, abs=1e-3)
+            above, below = (shapely.Polygon(rows).area for rows in both)
+            assert below == pytest.approx(above, rel=0.06)
         faces = planes_across(solid, part.frame)
         for end, sign in (("start", -1), ("end", 1)):
             seen = [face for face in faces if sign * face[0] > 0]

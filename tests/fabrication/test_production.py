@@ -164,6 +164,7 @@ def test_tubes_within_the_tolerance_of_rolling_are_one_section(roof, tmp_path):
     assert (entry["section"], entry["bars"], entry["parts"]) == (section, len(bars), len(heights))
     page = (tmp_path / "report.html").read_text()
     assert page.count(f"<td>{section}</td>") == 1
+    assert f"<td>{min(heights.values()):.1f} to {max(heights.values()):.1f}</td>" in page
 
 
 def test_tubes_beyond_the_tolerance_share_no_bar(roof):

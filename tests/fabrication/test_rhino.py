@@ -14,6 +14,7 @@ from freecad_ortho.__main__ import main
 from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
 from freecad_ortho.fabrication.exchange.rhino import write_3dm
+from freecad_ortho.fabrication.exchange.rhino_solids import solid_of
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.site import Selection
@@ -21,6 +22,7 @@ from freecad_ortho.fabrication.systems.nodes import Nodes
 from solver import read_mesh, write_mesh
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
+from tests.meshes import grid
 
 needed = pytest.mark.skipif(
     find_spec("rhino3dm") is None, reason="needs rhino3dm (requirements-exchange.txt)"
@@ -109,6 +111,24 @@ def test_parts_are_solids_where_their_sides_are_plane(roof, tmp_path):
 
 
 @needed
+@needed
+def test_a_panel_with_an_opening_is_an_extrusion_with_one():
+    import rhino3dm
+
+    x, y = np.meshgrid(np.arange(2.0), np.arange(2.0), indexing="ij")
+    net = grid(1000.0 * x, 1000.0 * y, 0 * x)
+    turn = np.linspace(0, 2 * np.pi, 9)[:-1]
+    ring = np.stack([500 + 200 * np.cos(turn), 500 + 200 * np.sin(turn), 0 * turn], axis=1)
+    around = np.array([[-9.0, -9, 0], [1009, -9, 0], [1009, 1009, 0], [-9, 1009, 0]])
+    (part,) = build(net, [Panels(20, 10)], border=[around, ring]).parts
+    assert len(part.pattern.cutouts) == 1
+    found = solid_of(rhino3dm, part, Place())
+    assert found is not None
+    body = found.ToBrep(True)
+    assert body.IsValid and body.IsSolid
+    assert len(body.Faces) == len(part.pattern.outline) + len(part.pattern.cutouts[0]) + 2
+
+
 def test_lines_and_axes_are_curves(made):
     job, _, model = made
     layers, site = by_layer(model), job.site
