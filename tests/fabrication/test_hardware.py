@@ -2,6 +2,7 @@
 
 import csv
 import re
+from collections import Counter
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from freecad_ortho.fabrication.bolts import SMALL, bolt_in, bolt_of
 from freecad_ortho.fabrication.fasteners import Supply, gathered, hardware_rows
 from freecad_ortho.fabrication.files import write
 from freecad_ortho.fabrication.hardware import bolt_bodies, bolt_frames, bolt_shape
+from freecad_ortho.fabrication.site import Selection
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.systems import Lamellas
 from freecad_ortho.fabrication.workshop import Workshop
@@ -95,6 +97,16 @@ def test_heads_stand_free_and_threads_end_in_the_parts_that_have_them(bolted, ho
         assert solids[last].isInside(tuple(tip))
         under = place - 1 * way + aside
         assert not any(solid.isInside(tuple(under)) for solid in solids.values())
+
+
+def test_of_eight_bolts_of_a_wide_splice_four_go_through_each_end():
+    some = Selection(family="u", lines=(0,))
+    lamellas = Lamellas(150, 3, stock=2500.0)
+    made = build(helicoid().scaled(3000.0), [lamellas], selection=some)
+    joins = Counter(names for each in made.fasteners for names in each.joins)
+    plates = [part.name for part in made.parts if part.kind == "splice"]
+    assert len(joins) == 2 * len(plates) > 0
+    assert set(joins.values()) == {4}
 
 
 def test_washers_lie_on_both_outer_faces_of_crossing_lamellas(bolted):

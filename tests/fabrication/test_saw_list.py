@@ -1,6 +1,7 @@
 """The saw list, its lengths and angles measured on the solids that a STEP file holds."""
 
 import csv
+import re
 
 import numpy as np
 import pytest
@@ -92,6 +93,27 @@ def test_angles_are_those_of_the_solids(jobs, folders, solids, name):
                 if row[f"{end}_mitre{k}_deg"]
             )
             np.testing.assert_allclose(listed, seen, rtol=0, atol=1.1e-3)
+
+
+def test_the_cuts_of_tubes_in_words_are_those_of_the_solids(jobs, solids):
+    for part in jobs["tubes"].parts:
+        sides = {}
+        for face in solids["tubes"][part.name].Faces():
+            normal = part.frame @ np.array(face.normalAt(face.Center()).toTuple())
+            if abs(normal[0]) > 1e-6:
+                aside = float(part.frame[2] @ np.array(face.Center().toTuple()))
+                slopes = np.degrees(np.arctan(normal[1:] / normal[0]))
+                sides.setdefault("end" if normal[0] > 0 else "start", []).append((aside, *slopes))
+        for end, elevation, right, left in re.findall(
+            r"(start|end): elevation (\S+), plan right (\S+) left (\S+) deg", part.note
+        ):
+            # In the beam's frame the third direction is to the right.
+            first, last = min(sides[end]), max(sides[end])
+            way = 1.0 if end == "end" else -1.0
+            assert float(elevation) == pytest.approx(-first[1], abs=0.006)
+            assert float(right) == pytest.approx(way * last[2], abs=0.006)
+            assert float(left) == pytest.approx(-way * first[2], abs=0.006)
+        assert part.note.count("elevation") == 2
 
 
 @pytest.mark.parametrize("name", [name for name in JOBS if name not in ("hubs", "round", "rolled")])
