@@ -289,6 +289,18 @@ def test_the_clearance_that_keeps_lying_layers_apart_is_named():
         assert named is not apart
 
 
+def test_layers_that_twist_are_kept_apart_to_their_corners():
+    net = helicoid(5, 5).scaled(2500.0)
+    settings = Lamellas(60, 5, position="lying", layers=2, strip="twisted")
+    (words,) = [w for w in build(net, [settings]).report()["messages"] if "take clearance" in w]
+    least = float(words.rpartition(" ")[2])
+    for clearance, apart in ((least, True), (0.93 * least, False)):
+        made = build(net, [dataclasses.replace(settings, clearance=clearance)])
+        assert (not check_clashes(made.parts).clashes) is apart
+        named = any("touch at" in words for words in made.report()["messages"])
+        assert named is not apart
+
+
 def test_files_read_back(minimal, tmp_path):
     structure = build(minimal, [Lamellas(40, 3)], selection=Selection(lines=(3, 7)))
     write(structure, tmp_path)

@@ -50,6 +50,25 @@ def test_the_tangent_is_the_derivative_of_the_forces(bent):
     assert np.abs(difference).max() < 1e-6
 
 
+def test_forces_are_the_derivative_of_the_energy_that_is_strained_into_a_member(bent):
+    ends, axes, lengths, k = bent
+    strained = [6, 3, 4, 5, 9, 10, 11]
+    stiffness = k[0][np.ix_(strained, strained)]
+
+    def energy(place):
+        inner = corotational.forces(place, axes, lengths, k)[1][0, strained]
+        return 0.5 * inner @ np.linalg.pinv(stiffness) @ inner
+
+    found = corotational.forces(ends, axes, lengths, k)[0][0]
+    for unknown in range(12):
+        size = 1e-3 if unknown % 6 < 3 else 1e-6
+        up, down = (energy(nudged(ends, unknown, s)) for s in (size, -size))
+        part = found[:3] if unknown % 6 < 3 else found[3:6]
+        other = found[6:9] if unknown % 6 < 3 else found[9:12]
+        scale = max(np.abs(part).max(), np.abs(other).max())
+        assert (up - down) / (2 * size) == pytest.approx(found[unknown], abs=1e-5 * scale)
+
+
 def test_forces_are_in_balance_and_rigid_motion_gives_none(bent):
     ends, axes, lengths, k = bent
     found = corotational.forces(ends, axes, lengths, k)[0][0]
