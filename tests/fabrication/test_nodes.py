@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import ConvexHull
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, build
@@ -10,6 +11,8 @@ from freecad_ortho.fabrication.files import write
 from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.systems.nodes.hubs import hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
+from freecad_ortho.fabrication.systems.panels.hubs import Stands, corner_cuts
+from freecad_ortho.fabrication.systems.panels.planes import Planes
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.conftest import grid_faces
@@ -26,6 +29,18 @@ def test_square_hub_in_closed_form():
     assert np.abs(body.outline) == pytest.approx(50)
 
 
+def test_a_straight_corner_of_a_panel_is_cut_square_to_its_sides():
+    triangle = np.array([[0.0, 0, 0], [1000, 0, 0], [2000, 0, 0], [1000, 1500, 0]])
+    planes = Planes.of(QuadMesh(triangle, np.array([[0, 1, 2, 3]])))
+    square = np.array([[-50.0, -50, 0], [50, -50, 0], [50, 50, 0], [-50, 50, 0]])
+    hub = np.stack([square - [0, 0, 90], square + [0, 0, 90]]) + triangle[1]
+    found = corner_cuts(planes, np.array([[0.0], [10.0]]), Stands({1: hub}, True, 3.0))
+    np.testing.assert_allclose(found.inwards[0, 1], [0.0, 1.0], atol=1e-12)
+    # The panel begins 3 mm beyond the hub, 50 mm from its side; its middle is 375 mm from there.
+    assert found.begins[0, 1] == pytest.approx(53.0 - 375.0)
+    assert np.isneginf(found.begins[0, [0, 2, 3]]).all()
+
+
 @pytest.mark.parametrize("degrees", [[0], [0, 180], [0, 95, 170], [0, 60, 130, 200, 290]])
 def test_socket_is_a_disc_with_pillars(degrees):
     angles, half = np.radians(degrees), 4.0
@@ -36,6 +51,10 @@ def test_socket_is_a_disc_with_pillars(degrees):
     assert solid.Volume() == pytest.approx(body.volume)
     heights = body.corners[:, 2]
     assert set(heights) == {-10.0, 0.0, 25.0}
+    # For the clash check it is blocks that fill it, convex ones where beams come from two sides.
+    assert sum(block.volume for block in body.blocks) == pytest.approx(body.volume)
+    for block in body.blocks if len(degrees) > 1 else ():
+        assert ConvexHull(block.corners).volume == pytest.approx(block.volume)
     # Nothing of a pillar stands in a slot.
     for angle in angles:
         along = np.array([np.cos(angle), np.sin(angle)])
