@@ -1,5 +1,7 @@
 """Bolted nodes: by the rules, reachable, clear of beams and panels, listed."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -154,6 +156,21 @@ def test_sharper_angles_get_larger_hubs():
     # A bolt M12x35 passes the head of the one across in 76.6 mm between the outer faces.
     assert widths[1] == 80
     assert check_clashes(made.parts).clashes == ()
+
+
+def test_the_hub_diameter_that_is_named_is_the_least_that_takes_the_beams(dodecahedron):
+    def made(diameter):
+        return api.fabricate(
+            dodecahedron, "beams+nodes", node="bolted", hub_diameter=diameter, hub_wall=8,
+            section="tube:100x100x5",
+        )  # fmt: skip
+
+    with pytest.raises(InputError, match="hub: at N") as caught:
+        made(80.0)
+    named = float(re.search(r"or (\d+) mm hub diameter", str(caught.value))[1])
+    assert made(named).report()["nodes"]
+    with pytest.raises(InputError, match="hub: at N"):
+        made(named - 5.0)
 
 
 def test_bolts_that_cannot_be_reached_are_said_in_the_verdict(dodecahedron):

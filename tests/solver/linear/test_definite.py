@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.sparse import csr_array, random_array
+from scipy.sparse import csr_array, eye_array, random_array
 
 from solver.errors import SingularSystemError
 from solver.linear.definite import DefiniteSolver
@@ -60,6 +60,19 @@ def test_one_and_several_right_sides(sheet):
         solve, wanted = solver.factor(normal), numbers.normal(size=(500, 3))
         assert np.allclose(solve(normal @ wanted), wanted, rtol=0, atol=1e-9)
         assert np.allclose(solve(normal @ wanted[:, 0]), wanted[:, 0], rtol=0, atol=1e-9)
+
+
+def test_a_long_chain_of_which_parts_share_two_unknowns():
+    count = 300
+    ends = np.concatenate([[(k, k + 1), (k, k + 2)] for k in range(count - 2)])
+    rows = np.repeat(np.arange(len(ends)), 2)
+    values = np.tile([1.0, -1.0], len(ends))
+    slopes = csr_array((values, (rows, ends.ravel())), shape=(len(ends), count))
+    matrix = csr_array(slopes.T @ slopes + eye_array(count))
+    places = np.arange(float(count))[:, None] * [1.0, 0.0, 0.0]
+    wanted = np.random.default_rng(6).normal(size=count)
+    solve = DefiniteSolver(matrix, places).factor(matrix)
+    assert np.allclose(solve(matrix @ wanted), wanted, rtol=0, atol=1e-12)
 
 
 def test_a_matrix_that_is_not_definite_is_refused(sheet):

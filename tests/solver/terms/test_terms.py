@@ -26,7 +26,7 @@ from solver.terms.evenness import Evenness
 from solver.terms.face_angles import CircularFace
 from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
-from solver.terms.flatness import FlatWithin
+from solver.terms.flatness import FlatWithin, slack_of
 from solver.terms.gliding import Mirrored, OnCurve, OnPlane, OnSurface
 from solver.terms.in_plane import InPlane
 from solver.terms.isometry import Isometry
@@ -303,6 +303,15 @@ def test_linear_terms_have_a_constant_jacobian_that_all_elements_share(case):
         there = term.linearise(flat(2 * mesh.vertices**2, case)).jacobian
         assert np.array_equal(here, there)
         assert (here == here[0]).all()
+
+
+def test_slacks_stand_at_the_distances_of_faces_from_plane():
+    gaps, limit = np.array([-0.5, -0.01, 0.0, 0.2, 0.7]), 0.8
+    slack = slack_of(gaps, limit)
+    np.testing.assert_allclose(slack / np.sqrt(1 + (slack / limit) ** 2), gaps, atol=1e-15)
+    # Beyond the limit they stand within it, and can come back.
+    beyond = slack_of(np.array([-3.0, 3.0]), limit)
+    assert np.isfinite(beyond).all() and beyond[0] == -beyond[1] < slack[0]
 
 
 # Of the terms that have no normals, centres or slacks: equations of the grid's 31 edges, 12 faces,
