@@ -11,6 +11,7 @@ from freecad_ortho.fabrication.drawing_form import PAPERS, SCALES, scale_for
 from freecad_ortho.fabrication.exchange.drawings import write_drawings
 from freecad_ortho.fabrication.exchange.drawings.node_detail import typical_node
 from freecad_ortho.fabrication.exchange.drawings.part_detail import typical_parts
+from freecad_ortho.fabrication.exchange.drawings.pen import Pen
 from freecad_ortho.fabrication.exchange.outlines import seen_lines
 from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.production import produce
@@ -26,6 +27,35 @@ pytestmark = pytest.mark.skipif(
     FORMATS["drawings"].missing, reason="needs the packages of requirements-exchange.txt"
 )
 POINTS = 72 / 25.4
+
+
+class Drawn(Pen):
+    """Keeps the lines that are drawn."""
+
+    def __init__(self):
+        self.kept = []
+
+    def lines(self, lines, *_, **__):
+        self.kept += lines
+
+    def text(self, *_, **__):
+        pass
+
+
+@pytest.mark.parametrize("turn", [90.0, -90.0])
+def test_arrows_of_an_angle_stand_at_both_ends_and_point_at_them(turn):
+    pen = Drawn()
+    pen.angle(np.zeros(2), 0.0, turn, 20.0, "90")
+    ring, *strokes = pen.kept
+    ends = np.array([[20.0, 0.0], [0.0, np.sign(turn) * 20.0]])
+    np.testing.assert_allclose(ring[[0, -1]], ends, atol=1e-12)
+    for end, pair in zip(ends, (strokes[:2], strokes[2:]), strict=True):
+        # From the tip back into the arc, one stroke within the circle and one without.
+        back = ring[16] - end
+        for tip, tail in pair:
+            np.testing.assert_allclose(tip, end, atol=1e-12)
+            assert (tail - tip) @ back > 0
+        assert min(np.linalg.norm(tail) for _, tail in pair) < 20.0
 
 
 def drawn(job, path, **options):

@@ -3,6 +3,7 @@
 import re
 
 import pytest
+import shapely
 
 from freecad_ortho.fabrication import Beams, Panels, build
 from freecad_ortho.fabrication.nodes import nodes
@@ -50,3 +51,9 @@ def test_plates_along_lines_are_named_after_them(roof):
         assert part.name == f"B-{part.family.upper()}{part.line:03d}"
         engraved = {text for mark in part.pattern.marks for text in mark.text.split()}
         assert {f"N{vertex:04d}" for vertex in part.vertices} <= engraved
+        # They stand on the plate, half way up it.
+        plate = shapely.Polygon(part.pattern.outline)
+        places = [mark.points[0] for mark in part.pattern.marks if mark.text]
+        for place in [part.pattern.label, *places]:
+            room = plate.exterior.distance(shapely.Point(place))
+            assert plate.contains(shapely.Point(place)) and room > 0.4 * 200

@@ -79,6 +79,10 @@ def test_bars_are_rebuilt(made, name):
                 assert sorted(set(rows[:, 1].tolist())) == pytest.approx(across, abs=1e-3)
             above, below = (shapely.Polygon(rows).area for rows in both)
             assert below == pytest.approx(above, rel=0.06)
+        for rows in (np.array(rows) for _, _, rows in piece.contours):
+            # A side is bevelled by an angle and over a depth, or not at all.
+            assert ((np.abs(rows[:, [3, 5]]) > 5e-4) <= (rows[:, [4, 6]] > 0)).all()
+            assert ((rows[:, [4, 6]] > 0) <= (rows[:, [4, 6]] > 1.5)).all()
         faces = planes_across(solid, part.frame)
         for end, sign in (("start", -1), ("end", 1)):
             seen = [face for face in faces if sign * face[0] > 0]
