@@ -3,6 +3,8 @@
 usage: python scripts/mutations.py                 200 random changes, half an hour or more
        python scripts/mutations.py --count 40 --seed 7 --only solver/io
        python scripts/mutations.py --map-only      only work out which test runs which line
+       python scripts/mutations.py --map-more tests/test_units.py     add a file's tests to that
+       python scripts/mutations.py --again 3,17    these of the 200 changes once more
 
 A change turns round a comparison, swaps + and -, * and /, and / or, drops a minus, a "not" or a
 statement, or alters a number (`mutation_places.py`). It is made in a copy of the tree, where the
