@@ -38,15 +38,17 @@ class Sizes(TypedDict, total=False):
     section_width: Length
     flange_thickness: Length | None
     ends: Literal[
-        "mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", "through-u", "through-v"
-    ]
+        "mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", "through-u", "through-v",
+        "spliced-u", "spliced-v"
+    ]  # fmt: skip
+    splice_every: int
     hub_diameter: Length | None
     bolt: Literal["M12", "M16", "M20", "M24", "M27", "M30"]
     bolts: int
     hub_wall: Length | None
     no_boundary_beams: bool
     least_length: Length
-    node: Literal["hub", "bolted", "star", "ball", "socket"]
+    node: Literal["hub", "bolted", "star", "ball", "through", "socket"]
     bore: Length
     socket_depth: Length
     overhang: Length | None

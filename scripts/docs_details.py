@@ -66,6 +66,12 @@ LAMELLAS: dict[str, Any] = {"width": 100.0, "thickness": 8.0, "hole": 11.0, "str
 DETAILS = {
     "bolted": Detail("beams+nodes+panels", {"node": "bolted", **TUBES}),
     "star": Detail("beams+nodes+panels", {"node": "star", "section": "I", "thickness": 10.0}),
+    "through": Detail(
+        "beams+nodes",
+        {"node": "through", "splice_every": 2},
+        place=(2.3, 3),
+        reach=800.0,
+    ),
     "ball": Detail("beams+nodes+panels", {"node": "ball", "section": "chs:88.9x5"}),
     "edge": Detail(
         "edge-beam+beams+nodes+panels",
@@ -204,6 +210,8 @@ def dimensions() -> Iterator[Dimension]:
     drilled = [*of_kind(made["star"], "cover-plate"), *of_kind(made["star"], "node")]
     yield Dimension("star", "bolt to the edge of a plate", edges(drilled), 1.2 * 18, EC3)
     yield Dimension("star", "bolt to bolt", apart(drilled), 2.2 * 18, EC3)
+    joined = [part for part in made["through"].parts if part.kind in ("cover-plate", "beam")]
+    yield Dimension("through", "bolt to the edge of a plate", edges(joined), 1.2 * 18, EC3)
     yield from _of_balls(made["ball"])
     yield from _of_feet(made["foot"])
     yield from _of_lamellas(made)

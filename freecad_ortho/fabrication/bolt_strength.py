@@ -106,7 +106,7 @@ def bolts_used(nodes: Mapping[str, Any], forces: Mapping[str, float]) -> str:
     count, pull, shear = nodes["bolts_an_end"], forces["tension_kN"], forces["shear_kN"]
     along, across = nodes["bolt_tension_kN"], nodes.get("bolt_shear_kN", 0.0)
     across = min(across, nodes.get("bolt_bearing_kN", across))
-    if nodes["kind"] == "star":
+    if nodes["kind"] in ("star", "through"):
         used = math.hypot(max(pull, forces["compression_kN"]), shear) / (count * across)
         words = f"{across:g} kN each across"
     elif nodes["kind"] == "ball":

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -75,6 +75,7 @@ class FoldedPlate:
         middles: (K, 2) the unrolled middles of the plates.
         bends: at the nodes inside.
         height: of the lowest plate, mm.
+        sides: (left, right) numbers of the sides of each plate among the body's.
     """
 
     body: Divided
@@ -83,6 +84,7 @@ class FoldedPlate:
     middles: FloatArray
     bends: tuple[Bend, ...]
     height: float
+    sides: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True)
@@ -114,8 +116,9 @@ class _Points:
 def folded_plate(chain: Chain) -> FoldedPlate:
     """Compute corners, sides and flat pattern."""
     count = len(chain.frame)
-    points, loops, rings = _Points(), [], []
-    low, high = [], []
+    points, rings = _Points(), []
+    loops: list[tuple[int, ...]] = []
+    low, high, sides = [], [], []
     for plate in range(count):
         start_low, start_high = (_corners(chain, points, plate, 0, up) for up in (False, True))
         end_low, end_high = (_corners(chain, points, plate, 1, up) for up in (False, True))
@@ -123,6 +126,7 @@ def folded_plate(chain: Chain) -> FoldedPlate:
         top = [*end_high, *reversed(start_high)]
         ring = bottom + top
         rings.append((bottom, top))
+        sides.append((len(loops) + 1, len(loops)))
         loops.append(tuple(corner.right for corner in ring))
         loops.append(tuple(corner.left for corner in reversed(ring)))
         for chainlet in (bottom, top):
@@ -138,7 +142,7 @@ def folded_plate(chain: Chain) -> FoldedPlate:
     corners = (np.array(points.rows) - origin) @ frame.T
     blocks = [block for bottom, top in rings for block in _blocks(corners, bottom, top)]
     body = Divided(corners, tuple(loops), tuple(blocks))
-    return _unrolled(chain, body, low, high)
+    return replace(_unrolled(chain, body, low, high), sides=tuple(sides))
 
 
 def _corners(chain: Chain, points: _Points, plate: int, end: int, up: bool) -> list[_Corner]:
@@ -340,7 +344,7 @@ def _unrolled(
     outline = np.concatenate([*bottoms, *reversed(tops)])
     distinct = np.linalg.norm(outline - np.roll(outline, 1, axis=0), axis=1) > 1e-9
     return FoldedPlate(
-        body, outline[distinct], np.array(line), np.array(middles), tuple(bends), min(heights)
+        body, outline[distinct], np.array(line), np.array(middles), tuple(bends), min(heights), ()
     )
 
 

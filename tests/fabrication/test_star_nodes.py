@@ -139,7 +139,7 @@ def test_beams_too_short_for_their_cover_plates_are_refused(roof):
     "values, words",
     [
         ({"hub_diameter": 100}, "hub: at N.* degrees, where the cover plates of a star of 100 mm"),
-        ({"height": 90}, "bolts: the lowest web is .* 2 of M16 take 83.6 mm"),
+        ({"height": 70}, "bolts: the lowest web is .* 2 of M12, the smallest, take 61.2 mm"),
         ({"section": "tube:100x60x5"}, "ends: cover plates join webs of plates, got section tube"),
         ({"bolts": 0}, "bolts: expected a whole number, 1 to 2, got 0"),
         ({"thickness": 100}, "bolt: M16 through 200 mm would be .* take thinner plates"),
@@ -149,3 +149,14 @@ def test_what_does_not_fit_is_one_line(roof, values, words):
     with pytest.raises(InputError, match=words) as caught:
         api.fabricate(roof, "beams+nodes", node="star", **values)
     assert "\n" not in str(caught.value)
+
+
+def test_webs_without_room_take_smaller_bolts_and_say_so(roof):
+    """Cover plates of 70 mm: 2 of M16 take 83.6 mm, 2 of M12 61.2."""
+    made = api.fabricate(roof, "beams+nodes", node="star", height=90.0)
+    [words] = [words for words in made.report()["messages"] if "no room for 2 of M16" in words]
+    ends = 2 * len(made.results["beams"].parts)
+    assert f"all {ends} bolted ends have M12" in words
+    assert {row[0] for table in made.results["nodes"].tables[:1] for row in table.rows} == {"M12"}
+    assert {hole.diameter for part in made.parts for hole in part.pattern.holes} == {13.0}
+    assert not any(part.assembly for part in made.parts)

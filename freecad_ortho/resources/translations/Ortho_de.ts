@@ -1294,6 +1294,11 @@
    <translation>Hülsentiefe: die Bleche stehen so tief in den Hülsen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Splice every: spliced beams have a splice after so many nodes, 0 for none</source>
+   <translation>Stoß alle: gestoßene Träger haben nach so vielen Knoten einen Stoß, 0 für keinen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Stands for all that the shape was built from</source>
    <translation>Steht für alles, woraus die Form gebaut wurde</translation>
@@ -4268,6 +4273,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Splice every</source>
+   <translation>Stoß alle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stands on</source>
    <translation>Steht auf</translation>
   </message>
@@ -6116,6 +6126,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>spliced beams have a splice after so many nodes, 0 for none</source>
+   <translation>gestoßene Träger haben nach so vielen Knoten einen Stoß, 0 für keinen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>spliced-u</source>
+   <translation>gestoßen-u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>spliced-v</source>
+   <translation>gestoßen-v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>square</source>
    <translation>rechtwinklig</translation>
   </message>
@@ -6428,6 +6453,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>those of its file</source>
    <translation>die seiner Datei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>through</source>
+   <translation>durchlaufend</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

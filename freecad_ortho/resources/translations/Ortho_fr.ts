@@ -1294,6 +1294,11 @@
    <translation>Profondeur des douilles : les plats entrent de cette profondeur dans les douilles</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Splice every: spliced beams have a splice after so many nodes, 0 for none</source>
+   <translation>Joint tous les: les poutres éclissées ont un joint après autant de nœuds, 0 pour aucun</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
    <source>Stands for all that the shape was built from</source>
    <translation>Représente tout ce dont la forme a été construite</translation>
@@ -4268,6 +4273,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Splice every</source>
+   <translation>Joint tous les</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Stands on</source>
    <translation>Appuis</translation>
   </message>
@@ -6116,6 +6126,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>spliced beams have a splice after so many nodes, 0 for none</source>
+   <translation>les poutres éclissées ont un joint après autant de nœuds, 0 pour aucun</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>spliced-u</source>
+   <translation>éclissé-u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>spliced-v</source>
+   <translation>éclissé-v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>square</source>
    <translation>d'équerre</translation>
   </message>
@@ -6428,6 +6453,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>those of its file</source>
    <translation>celles de son fichier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>through</source>
+   <translation>continu</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

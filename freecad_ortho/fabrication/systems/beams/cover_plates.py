@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.bolts import Bolt, plate_of
+from freecad_ortho.fabrication.bolts import BOLTS, Bolt, plate_of
 from freecad_ortho.fabrication.part import part_names
 from freecad_ortho.fabrication.sizes import check_size
 from freecad_ortho.fabrication.systems.beams.frames import Around
@@ -30,7 +30,7 @@ class CoverPlates:
     """Sizes of all cover plates and arms of a structure.
 
     Args:
-        bolt: their size.
+        bolt: their size; where webs have no room for it the next smaller one that they have.
         count: 1 or 2 on each side of a joint, above each other.
         web: thickness of the webs and arms, mm.
         section: width of the beams, mm.
@@ -55,14 +55,26 @@ class CoverPlates:
     def __post_init__(self) -> None:
         if self.diameter is not None:
             check_size("hub diameter", self.diameter)
-        needed = 2 * self.bolt.edge + (self.count - 1) * self.bolt.spacing
-        if self.height < needed:
-            fewer = "one bolt above each other, " if self.count > 1 else ""
+        sizes = list(BOLTS.values())
+        while not self.has_room and (place := sizes.index(self.bolt)) > 0:
+            object.__setattr__(self, "bolt", sizes[place - 1])
+        if not self.has_room:
+            fewer = "one bolt above each other or " if self.count > 1 else ""
             raise InputError(
                 f"bolts: the lowest web is {self.low:.1f} mm high and takes cover plates of "
-                f"{self.height:g} mm, {self.count} of {self.bolt.name} take {needed:.1f} mm; take "
-                f"smaller bolts, {fewer}or higher beams"
+                f"{self.height:g} mm, {self.count} of {self.bolt.name}, the smallest, take "
+                f"{self._column:.1f} mm; take {fewer}higher beams"
             )
+
+    @property
+    def has_room(self) -> bool:
+        """Whether the webs are high enough for the bolts."""
+        return self.height >= self._column
+
+    @property
+    def _column(self) -> float:
+        """What bolts above each other take, mm."""
+        return 2 * self.bolt.edge + (self.count - 1) * self.bolt.spacing
 
     @property
     def setback(self) -> float:

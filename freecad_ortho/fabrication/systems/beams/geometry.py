@@ -66,6 +66,21 @@ class Cuts:
         )
 
 
+@dataclass(frozen=True)
+class Splice:
+    """A joint in the middle of an edge.
+
+    Attributes:
+        name: ``B-U003-s1`` joins ``B-U003-1`` and ``B-U003-2``.
+        edge: number of the edge.
+        pieces: names of the pieces that it joins.
+    """
+
+    name: str
+    edge: int
+    pieces: tuple[str, str]
+
+
 @dataclass(frozen=True, eq=False)
 class BeamGeometry:
     """All beams of a mesh as arrays, one row an edge; mm.
@@ -90,6 +105,7 @@ class BeamGeometry:
         bolted: how they are bolted to nodes, None where they are not.
         hub_radii: (V,) from the axes to the faces of bolted hubs, the ends of the arms of stars, or
             the seats on balls, mm, 0 where there are none; empty for beams that are not bolted.
+        splices: in the middle of edges, of beams that run through.
     """
 
     points: FloatArray
@@ -109,6 +125,7 @@ class BeamGeometry:
     meeting: BoolArray
     bolted: EndPlates | CoverPlates | BallJoints | None
     hub_radii: FloatArray
+    splices: tuple[Splice, ...] = ()
 
     def ring(self, up: FloatArray, half: float) -> FloatArray:
         """(E, 6, 3) corners at heights ``up`` (E,) in the beam's own coordinates, see ``LOOPS``."""

@@ -7,6 +7,7 @@ from typing import Any
 
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.stock import different_tubes
+from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 
 # Twist above which a beam is visibly not a plane plate, degrees.
 _TWIST_WORTH_SAYING = 0.01
@@ -47,3 +48,14 @@ def remarks(report: Mapping[str, Any], parts: Sequence[Part]) -> tuple[str, ...]
             "constant height needs one"
         )
     return tuple(found)
+
+
+def smaller_bolts(joints: object, wanted: str, ends: int) -> tuple[str, ...]:
+    """A message where webs had no room for the bolts that were wanted at so many ends of beams."""
+    if not isinstance(joints, CoverPlates) or joints.bolt.name == wanted:
+        return ()
+    return (
+        f"beams: the lowest web is {joints.low:.1f} mm high and has no room for {joints.count} of "
+        f"{wanted} above each other, so all {ends} bolted ends have {joints.bolt.name}; higher "
+        f"beams have {wanted}",
+    )

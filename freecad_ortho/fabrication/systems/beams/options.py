@@ -16,9 +16,12 @@ from freecad_ortho.fabrication.systems.shared_options import (
 )
 from solver.option import Option, Range
 
-ENDS = ("mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", "through-u", "through-v")
+# Beams of one family run through, in pieces, and the others are bolted to fins on them.
+SPLICED = ("spliced-u", "spliced-v")
+THROUGH = ("through-u", "through-v")
+ENDS = ("mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", *THROUGH, *SPLICED)
 # Those that are bolted to nodes.
-BOLTED = ("end-plate", "cover-plate", "cone")
+BOLTED = ("end-plate", "cover-plate", "cone", *SPLICED)
 # Of hubs without bolts, mm, where nothing is said.
 PLAIN_HUB = 100.0
 
@@ -65,6 +68,15 @@ OPTIONS = (
         "the flanges are this thick, by default as thick as the plates",
     ),
     Option("ends", "mitred", "choice", "the beams meet like this at a node", ENDS),
+    Option(
+        *(
+            "splice_every",
+            4,
+            "count",
+            "spliced beams have a splice after so many nodes, 0 for none",
+        ),
+        within=Range(0, 1000),
+    ),
     *HUB_OPTIONS,
     CLEARANCE,
     NO_BOUNDARY_BEAMS,

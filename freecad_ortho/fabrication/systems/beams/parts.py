@@ -128,43 +128,64 @@ def line_beams(
     Raises:
         InputError: sizes that do not fit, or a flat pattern that overlaps itself.
     """
-    twist = np.degrees(np.arcsin(np.clip(site.axes.twist, 0.0, 1.0)))
-    across, nodes = _names_across(site), part_names("N", len(site.mesh.vertices))
+    across, nodes = names_across(site), part_names("N", len(site.mesh.vertices))
     parts: list[Part] = []
     ways: dict[str, list[SlotWay]] = {}
     for line in lines:
         form = chain(site, geometry, line, thickness / 2, laps, border)
         plate = folded_plate(form)
-        name = line_name(line)
-        if parts and parts[-1].name.startswith(name):
-            name += chr(ord(parts[-1].name[len(name) :] or "a") + 1)
+        name = name_after(line_name(line), parts)
         if laps is not None:
             ways[name] = _ways(site, geometry, line, form, laps.clearance, across)
-        if overlaps_itself(plate.outline):
-            raise InputError(
-                f"beams: the flat pattern of {name} overlaps itself; take mitred or hub ends, or "
-                "cut the mesh"
-            )
-        parts.append(
-            plate_part(
-                site,
-                name,
-                "beam",
-                plate.body,
-                (form.vertices[0], form.frame[0]),
-                _folded_pattern(name, plate, line, across, nodes),
-                thickness,
-                vertices=tuple(line.vertices.tolist()),
-                family=line.family,
-                line=line.number,
-                measures=Measures(
-                    gap_mm=float(geometry.twist_mm[line.edges].max()),
-                    twist_deg=float(twist[line.edges].max()),
-                ),
-                height=float(geometry.height[line.edges].max()),
-            )
-        )
+        parts.append(line_part(site, geometry, line, form, plate, name, across, nodes))
     return judged(parts, ways)
+
+
+def name_after(name: str, parts: list[Part]) -> str:
+    """The name of a line's beam: with a letter from its second stretch on."""
+    if parts and parts[-1].name.startswith(name):
+        letter = parts[-1].name[len(name) :].split("-")[0] or "a"
+        return name + chr(ord(letter) + 1)
+    return name
+
+
+def line_part(
+    site: Site,
+    geometry: BeamGeometry,
+    line: ParameterLine,
+    form: Chain,
+    plate: FoldedPlate,
+    name: str,
+    across: dict[int, list[str]],
+    nodes: list[str],
+) -> Part:
+    """One folded plate.
+
+    Raises:
+        InputError: a flat pattern that overlaps itself.
+    """
+    if overlaps_itself(plate.outline):
+        raise InputError(
+            f"beams: the flat pattern of {name} overlaps itself; take mitred or hub ends, or "
+            "cut the mesh"
+        )
+    twist = np.degrees(np.arcsin(np.clip(site.axes.twist[line.edges], 0.0, 1.0)))
+    return plate_part(
+        site,
+        name,
+        "beam",
+        plate.body,
+        (form.vertices[0], form.frame[0]),
+        _folded_pattern(name, plate, line, across, nodes),
+        2 * form.half,
+        vertices=tuple(vertex for vertex in line.vertices.tolist() if vertex >= 0),
+        family=line.family,
+        line=line.number,
+        measures=Measures(
+            gap_mm=float(geometry.twist_mm[line.edges].max()), twist_deg=float(twist.max())
+        ),
+        height=float(geometry.height[line.edges].max()),
+    )
 
 
 def _ways(
@@ -191,7 +212,7 @@ def _ways(
     return found
 
 
-def _names_across(site: Site) -> dict[int, list[str]]:
+def names_across(site: Site) -> dict[int, list[str]]:
     """Names of the lines through each vertex."""
     names: dict[int, list[str]] = {}
     for line in site.lines.all:
@@ -300,8 +321,12 @@ def _folded_pattern(
     angles = np.degrees(np.arctan2(steps[:, 1], steps[:, 0])).tolist()
     marks = []
     for node, vertex in enumerate(line.vertices.tolist()):
+        if vertex < 0:
+            continue
         step, ahead = (node, -1.0) if node < len(steps) else (node - 1, 1.0)
-        text = " ".join([nodes[vertex], *(other for other in across[vertex] if other != name)])
+        text = " ".join(
+            [nodes[vertex], *(other for other in across[vertex] if not name.startswith(other))]
+        )
         size = fitted_text_size(text, 0.3 * lengths[step], 0.3 * plate.height, 12.0)
         place = middles[step] + 0.22 * ahead * steps[step]
         marks.append(Mark(place[None], text, size, angles[step]))
@@ -314,4 +339,5 @@ def _folded_pattern(
         axis=axis,
         bends=tuple(Bend(bend.points @ turn - low, bend.angle_deg) for bend in plate.bends),
         label_angle=angles[longest],
+        seen="right",
     )

@@ -22,6 +22,7 @@ from freecad_ortho.fabrication.systems.beams.balls import BallJoints, smallest_a
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds, stub_words
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
+from freecad_ortho.fabrication.systems.beams.fins import FinPlates, runs_through
 from freecad_ortho.fabrication.systems.beams.frames import Around, Frames, around_axes, beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import (
     BeamGeometry,
@@ -33,11 +34,12 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
     square,
 )
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
-from freecad_ortho.fabrication.systems.beams.messages import remarks
-from freecad_ortho.fabrication.systems.beams.options import BOLTED, OPTIONS, PLAIN_HUB
+from freecad_ortho.fabrication.systems.beams.messages import remarks, smaller_bolts
+from freecad_ortho.fabrication.systems.beams.options import BOLTED, OPTIONS, PLAIN_HUB, SPLICED
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
+from freecad_ortho.fabrication.systems.beams.spliced_parts import spliced_beams
 from freecad_ortho.fabrication.systems.beams.web_holes import refuse_short
 from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
@@ -68,7 +70,9 @@ class Beams(System):
             or for a "cover-plate" on each side bolted to a star of plates, as round tubes with a
             "cone" for the bolt into a ball, or plates along whole lines that are "lapped" where
             they cross, half from above and half from below; with "through-u" the beams of family
-            u run through and the others are cut square between them.
+            u run through and the others are cut square between them; with "spliced-u" they are also
+            in pieces, and the others bolted to fins on them.
+        splice_every: after how many nodes beams that run through are spliced, 0 for not at all.
         hub_diameter: of the hubs, across their faces, mm; by default 100, with end plates as large
             as each has to be.
         clearance: between beam and hub, between plates in slots, and beside beams that run through,
@@ -92,6 +96,7 @@ class Beams(System):
     section_width: float = 60.0
     flange_thickness: float | None = None
     ends: str = "mitred"
+    splice_every: int = 4
     hub_diameter: float | None = None
     clearance: float = 1.0
     boundary_beams: bool = True
@@ -133,9 +138,10 @@ class Beams(System):
                 f"ends: cover plates join webs of plates, got section {self.section}; take section "
                 "plate, I or T, or other ends"
             )
-        if self.ends == "lapped" and self.section != "plate":
+        if self.ends in ("lapped", *SPLICED) and self.section != "plate":
+            can = "lapped" if self.ends == "lapped" else "folded and spliced"
             raise InputError(
-                f"ends: only plates can be lapped, got section {self.section}; take section plate "
+                f"ends: only plates can be {can}, got section {self.section}; take section plate "
                 "or other ends"
             )
         if isinstance(self.profile, Section):
@@ -227,6 +233,8 @@ class Beams(System):
             frames, cuts = border.applied(frames, cuts, site.mesh.edge_lengths, width / 2)
         geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
         meeting = wanted[:, None] & ~(np.zeros(2, bool) if border is None else border.cut)
+        if isinstance(bolted, FinPlates):
+            meeting &= ~bolted.through[:, None]
         geometry = replace(geometry, meeting=meeting, bolted=bolted)
         if bolted is not None:
             geometry = replace(geometry, hub_radii=_hub_radii(site, around, bolted))
@@ -240,13 +248,19 @@ class Beams(System):
                 geometry = with_tubes(geometry, rolled.height, site.mesh.connectivity.edges)
         parts = edge_beams(site, geometry, section, wanted & ~folded, border, misfit)
         lines = _runs(site, folded & built, border)
-        folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
+        if isinstance(bolted, FinPlates):
+            every = self.splice_every
+            folded_parts, splices = spliced_beams(site, geometry, bolted, every, lines, border)
+            geometry, doubts = replace(geometry, splices=splices), list[str]()
+        else:
+            folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
         report |= {} if misfit is None else _misfit_report(misfit)
         if border is not None:
             report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
             doubts += stub_words(stubs, self.least_length)
+        doubts += smaller_bolts(bolted, self.bolt, int(geometry.meeting.sum()))
         messages = (*remarks(report, parts), *self.unheeded, *doubts)
         return SystemParts(parts, report, messages, geometry)
 
@@ -296,7 +310,7 @@ class Beams(System):
             cuts = square(frames, hub_distance(site.mesh, around, width, distance))
             hubs = ~without_hubs(site, self.across)[site.mesh.connectivity.edges]
             return cuts.where(hubs, mitred(frames, around)), none, None
-        if bolted is not None:
+        if bolted is not None and not isinstance(bolted, FinPlates):
             radii = _hub_radii(site, around, bolted)[site.mesh.connectivity.edges]
             cuts = square(frames, radii + bolted.setback)
             if isinstance(bolted, BallJoints):
@@ -305,14 +319,12 @@ class Beams(System):
         if self.ends == "lapped":
             laps = half_laps(site, around, self.thickness, self.clearance)
             return mitred(frames, around), all_edges, laps
-        through = site.lines.edge_family == ("through-u", "through-v").index(self.ends)
-        if (site.lines.edge_family < 0).any():
-            raise InputError(
-                f"ends: {self.ends} needs a net with two families of lines, which this one has not "
-                "because of irregular vertices; take mitred, hub or lapped ends"
-            )
+        through = runs_through(site.lines, self.ends)
         alone = around_axes(site.mesh, site.axes, frames.along, built & through)
         gaps = clear_of_through(around, width, self.clearance)
+        if isinstance(bolted, FinPlates):
+            radii = _hub_radii(site, around, bolted)[site.mesh.connectivity.edges]
+            gaps = np.where(radii > 0, radii + bolted.setback, gaps)
         cuts = mitred(frames, alone).where(
             np.stack([through, through], axis=1), square(frames, gaps)
         )
@@ -327,19 +339,18 @@ class Beams(System):
             edges, count = site.mesh.connectivity.edges, len(site.mesh.vertices)
             apart = smallest_angles(frames.along, edges, built, count)
             return BallJoints(bolt, self.height, self.thickness, apart, self.hub_diameter)
-        if self.ends != "cover-plate" or isinstance(section, RolledSection):
+        if self.ends not in ("cover-plate", *SPLICED) or isinstance(section, RolledSection):
             return None
         rise = frames.rise[built]
-        return CoverPlates(
-            bolt,
-            self.bolts,
-            self.thickness,
-            section.overall_width,
-            self.clearance,
+        sizes = (
+            *(bolt, self.bolts, self.thickness, section.overall_width, self.clearance),
             float(self.height * rise.min()) - sum(section.flanges),
             float(np.abs(frames.slope[built] / rise[:, None]).max()),
             self.hub_diameter,
         )
+        if self.ends in SPLICED:
+            return FinPlates(*sizes, through=runs_through(site.lines, self.ends))
+        return CoverPlates(*sizes)
 
     def _report(
         self, site: Site, geometry: BeamGeometry, parts: tuple[Part, ...], chosen: BoolArray

@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.nodes.ball_parts import BallMaking
+from freecad_ortho.fabrication.systems.nodes.fin_plates import FinMaking
 from freecad_ortho.fabrication.systems.nodes.hub_plates import HubMaking
 from freecad_ortho.fabrication.systems.nodes.star_plates import StarMaking
 from freecad_ortho.fabrication.systems.nodes.stars import Star
@@ -67,23 +68,26 @@ def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts
     each = {making.nodes[star.vertex]: (star, making.arms(star)) for star in joined}
     arms = tuple(part for _, some in each.values() for part in some)
     plates = tuple(part for _, part in sorted(making.plates.items()))
+    if isinstance(making, FinMaking):
+        plates += making.splice_plates()
     groups = _equal_stars({name: some for name, (_, some) in each.items()})
     widths = [2 * float(radii[star.vertex]) for star in joined]
     report = {
-        "kind": "star",
+        "kind": making.kind,
         "diameter_mm": max(widths, default=0.0),
         "diameter_min_mm": min(widths, default=0.0),
         "arms": len(arms),
         "cover_plates": len(plates),
         "cover_plate_mm": covers.thickness,
         "bolt": f"{covers.bolt.name}x{covers.length:g}",
-        "bolts": covers.count * len(plates),
+        "bolts": len(making.placed),
         **making.clamped.report(covers.count),
         "gap_mm": covers.clearance,
         # Both groups of holes of a cover plate give.
         "play_along_mm": 2 * covers.bolt.play,
         "play_across_mm": 2 * covers.bolt.play,
         "not_put_on": sum(bool(arm.assembly) for arm in arms),
+        **making.more(),
         **equal_report(groups),
         **sums((*arms, *plates)),
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import ClassVar
 
 import numpy as np
 
@@ -38,6 +39,9 @@ _BOLT_COLUMNS = (
 class StarMaking:
     """Stars one after the other, and the cover plates of the beams at each."""
 
+    kind: ClassVar[str] = "star"
+    holds: ClassVar[str] = "webs and arms of stars"
+
     def __init__(
         self, site: Site, beams: BeamGeometry, section: Section, covers: CoverPlates, mitres: Cuts
     ) -> None:
@@ -52,6 +56,7 @@ class StarMaking:
         self.plates: dict[tuple[int, int, str], Part] = {}
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
+        self.weld_gap = 0.0
         self.families, self.lines = site.edge_family, site.lines.edge_line.tolist()
 
     def arms(self, star: Star) -> tuple[Part, ...]:
@@ -60,17 +65,21 @@ class StarMaking:
         made = []
         for k, half in enumerate(star.half_edges.tolist()):
             place = half % count, half // count
-            if self.beams.meeting[place]:
+            if self.beams.meeting[place] and self.meets(star, k):
                 made.append(self._arm(star, k, place))
                 for side in ("left", "right"):
                     self.plates[(*place, side)] = self._cover(star.vertex, place, side)
                 self._place_bolts(made[-1].name, place)
         return tuple(made)
 
+    def meets(self, star: Star, number: int) -> bool:
+        """Whether a beam has an arm."""
+        return True
+
     def _arm(self, star: Star, number: int, place: tuple[int, int]) -> Part:
         """The plate of one arm, in the coordinates of its beam: along, up, to the right."""
         edge, end = place
-        corners = self._corners(star.vertex, place)
+        corners = self._corners(star, number, place)
         flat = corners[:, :2]
         origin = np.append(flat.min(axis=0), 0.0)
         body = Polyhedron(corners - origin, prism_sides(5))
@@ -100,16 +109,14 @@ class StarMaking:
             assembly="; ".join(self._doubts(star, number, self.names[edge])),
         )
 
-    def _corners(self, vertex: int, place: tuple[int, int]) -> FloatArray:
+    def _corners(self, star: Star, number: int, place: tuple[int, int]) -> FloatArray:
         """(10, 3) corners of an arm, five below and five above."""
         edge, end = place
         half, slope = self.covers.web / 2, float(self.beams.slopes[edge, end])
-        reach = float(self.beams.hub_radii[vertex]) * np.hypot(1.0, slope)
+        reach = float(self.beams.hub_radii[star.vertex]) * np.hypot(1.0, slope)
         start = float(self.beams.lengths[edge]) if end else 0.0
-        # The mitres on the right and left, see ``Cuts``.
-        right, left = self.mitres.slope[edge][[0, 3] if end == 0 else [1, 2]].tolist()
-        steps = [(0.0, 0.0), (half * right, half), (reach, half), (reach, -half)]
-        steps.append((half * left, -half))
+        middle, right, left = self._start(star, number, place)
+        steps = [(middle, 0.0), (right, half), (reach, half), (reach, -half), (left, -half)]
         if end:
             steps = [steps[k] for k in (2, 1, 0, 4, 3)]
         rings = []
@@ -118,18 +125,39 @@ class StarMaking:
             rings += [(start + slope * up + AWAY[end] * away, up, side) for away, side in steps]
         return np.array(rings)
 
+    def _start(self, star: Star, number: int, place: tuple[int, int]) -> tuple[float, float, float]:
+        """How far an arm begins from the axis, along its beam: in its middle, right and left."""
+        edge, end = place
+        # The mitres on the right and left, see ``Cuts``.
+        right, left = self.mitres.slope[edge][[0, 3] if end == 0 else [1, 2]].tolist()
+        half = self.covers.web / 2
+        return 0.0, half * right, half * left
+
     def _cover(self, vertex: int, place: tuple[int, int], side: str) -> Part:
-        """A cover plate, seen from outside; all of them are alike."""
-        (edge, end), covers = place, self.covers
+        """A cover plate at the end of a beam."""
+        edge, end = place
         name = f"{self.names[edge]}-{_ENDS[end]}-{side}"
+        return self.cover(name, edge, self.middles[edge, end], side, self.nodes[vertex], (vertex,))
+
+    def cover(
+        self,
+        name: str,
+        edge: int,
+        middle: FloatArray,
+        side: str,
+        mark: str,
+        vertices: tuple[int, ...],
+    ) -> Part:
+        """A cover plate about a middle (2,) along the beam and up, seen from outside."""
+        covers = self.covers
         size = np.array([2 * covers.half_length, covers.height])
         places = [
             np.array([sign * covers.back, height]) for sign in (-1, 1) for height in covers.heights
         ]
         holes = tuple(Hole(size / 2 + each, covers.bolt.hole) for each in places)
-        pattern = _cover_pattern(name, self.nodes[vertex], size, holes)
+        pattern = _cover_pattern(name, mark, size, holes)
         turn = np.diag([1.0, 1.0, 1.0] if side == "right" else [-1.0, 1.0, -1.0])
-        corner = np.append(self.middles[edge, end], 0.0) + turn @ np.array(
+        corner = np.append(middle, 0.0) + turn @ np.array(
             [-covers.half_length, -covers.height / 2, covers.web / 2]
         )
         frame = self.beams.frame[edge]
@@ -141,7 +169,7 @@ class StarMaking:
             (self.beams.start[edge] + corner @ frame, turn @ frame),
             pattern,
             covers.thickness,
-            vertices=(vertex,),
+            vertices=vertices,
             family=self.families[edge],
             line=self.lines[edge],
         )
@@ -149,24 +177,29 @@ class StarMaking:
     def _place_bolts(self, arm: str, place: tuple[int, int]) -> None:
         """Note where the bolts of a joint stand, their heads on the right of the beam."""
         edge, end = place
-        covers, beam = self.covers, self.names[edge]
-        frame = self.beams.frame[edge]
+        beam = self.names[edge]
+        for name, places in ((arm, self.places), (beam + self.web, self.beside)):
+            self.bolt_through(edge, places[edge, end], f"{beam}-{_ENDS[end]}", name)
+
+    def bolt_through(self, edge: int, flat: FloatArray, plates: str, joined: str) -> None:
+        """Note bolts at places (N, 2) in the plane of a beam, through what both plates join."""
+        covers, frame = self.covers, self.beams.frame[edge]
         origin = self.beams.start[edge] + self.site.shift
         out = covers.web / 2 + covers.thickness + covers.bolt.washer
-        plates = [f"{beam}-{_ENDS[end]}-{side}" for side in ("right", "left")]
-        for name, places in ((arm, self.places), (beam + self.web, self.beside)):
-            joins = plates[0], name, plates[1]
-            flat = places[edge, end]
-            points = origin + np.column_stack([flat, np.full(len(flat), out)]) @ frame
-            self.placed += [(point, -frame[2], joins) for point in points]
+        joins = f"{plates}-right", joined, f"{plates}-left"
+        points = origin + np.column_stack([flat, np.full(len(flat), out)]) @ frame
+        self.placed += [(point, -frame[2], joins) for point in points]
+
+    def more(self) -> dict[str, float]:
+        """What the report says of these nodes alone."""
+        return {}
 
     @property
     def fasteners(self) -> Fasteners:
         """The bolts in their places."""
         covers = self.covers
         grip = covers.grip + 2 * covers.bolt.washer
-        holds = "webs and arms of stars"
-        return gathered(covers.bolt, covers.length, grip, 2, True, holds, self.placed)
+        return gathered(covers.bolt, covers.length, grip, 2, True, self.holds, self.placed)
 
     def _doubts(self, star: Star, arm: int, beam: str) -> list[str]:
         """What keeps the bolts of a beam from being put in and tightened."""
@@ -200,8 +233,7 @@ class StarMaking:
     def bolt_list(self) -> Table:
         """One row, as all bolts are alike."""
         covers, bolt = self.covers, self.covers.bolt
-        # Two cover plates share the bolts on both sides of their joint.
-        count = covers.count * len(self.plates)
+        count = len(self.placed)
         row = (
             *(bolt.name, covers.length, HEADS, GRADE, count),
             *(f"{2 * count} {WASHERS}", f"{count} {NUTS}", covers.grip, bolt.hole),

@@ -15,9 +15,15 @@ from freecad_ortho.fabrication.sizes import check_options, check_size, offset_le
 from freecad_ortho.fabrication.systems.beams.balls import BallJoints
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
+from freecad_ortho.fabrication.systems.beams.fins import FinPlates
 from freecad_ortho.fabrication.systems.beams.frames import around_axes, beam_frames
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry, mitred
-from freecad_ortho.fabrication.systems.beams.options import BOLTED, HUB_OPTIONS, PLAIN_HUB
+from freecad_ortho.fabrication.systems.beams.options import (
+    BOLTED,
+    HUB_OPTIONS,
+    PLAIN_HUB,
+    SPLICED,
+)
 from freecad_ortho.fabrication.systems.beams.sections import Section
 from freecad_ortho.fabrication.systems.beams.system import Beams
 from freecad_ortho.fabrication.systems.edge_beam.hubs import (
@@ -33,6 +39,7 @@ from freecad_ortho.fabrication.systems.nodes.bolted import (
     with_cover_plates,
     with_end_plates,
 )
+from freecad_ortho.fabrication.systems.nodes.fin_plates import FinMaking
 from freecad_ortho.fabrication.systems.nodes.hubs import face_widths, hub
 from freecad_ortho.fabrication.systems.nodes.sockets import least_radius, socket
 from freecad_ortho.fabrication.systems.nodes.star_plates import StarMaking
@@ -49,9 +56,15 @@ from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 from solver.option import Option
 
-KINDS = ("hub", "bolted", "star", "ball", "socket")
+KINDS = ("hub", "bolted", "star", "ball", "through", "socket")
 # How beams end that nodes of a kind join; those that a socket holds end in several ways.
-ENDS_OF = {"hub": "hub", "bolted": "end-plate", "star": "cover-plate", "ball": "cone"}
+ENDS_OF = {
+    "hub": "hub",
+    "bolted": "end-plate",
+    "star": "cover-plate",
+    "ball": "cone",
+    "through": SPLICED[0],
+}
 BOLTED_KINDS = tuple(kind for kind, ends in ENDS_OF.items() if ends in BOLTED)
 
 
@@ -66,6 +79,7 @@ class Nodes(System):
         kind: "hub", a prism about the axis with a face square to each beam, as high as the beams;
             "bolted", a hollow one with an end plate on each beam that is bolted to it from inside;
             "star", plates welded along the axis, one a beam, bolted to its web by cover plates;
+            "through", plates welded to the beams that run through, one for each of the others;
             "ball", a ball that round tubes are screwed into, each by a bolt in its conical end;
             "socket", a printed disc under the beams with a slot for each plate.
         diameter: of the hub across its faces, of the star, the ball or the disc, mm; by default
@@ -185,7 +199,11 @@ class Nodes(System):
     def _fitting(self, beams: Beams) -> Nodes:
         """These joints with the sizes of the beams that they join."""
         ends = ENDS_OF.get(self.kind)
-        if ends is not None and beams.ends != ends:
+        if (
+            ends is not None
+            and beams.ends != ends
+            and not (ends in SPLICED and beams.ends in SPLICED)
+        ):
             raise InputError(
                 f"nodes: the beams are {beams.ends} and leave no room for hubs; set ends {ends}, "
                 f"or take other nodes"
@@ -239,8 +257,9 @@ class Nodes(System):
         elif geometry is not None and isinstance(bolted, CoverPlates):
             section = beams.profile if beams is not None else None
             assert isinstance(section, Section)
+            making = FinMaking if isinstance(bolted, FinPlates) else StarMaking
             mitres = mitred(frames, around)
-            made = with_cover_plates(StarMaking(site, geometry, section, bolted, mitres), joined)
+            made = with_cover_plates(making(site, geometry, section, bolted, mitres), joined)
         else:
             made = self._plain(site, names, joined)
         report = made.report | ({"no_room": left_out} if left_out else {})
