@@ -38,9 +38,17 @@ class Sizes(TypedDict, total=False):
     section_width: Length
     flange_thickness: Length | None
     ends: Literal[
-        "mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", "through-u", "through-v",
-        "spliced-u", "spliced-v"
-    ]  # fmt: skip
+        "mitred",
+        "hub",
+        "end-plate",
+        "cover-plate",
+        "cone",
+        "lapped",
+        "through-u",
+        "through-v",
+        "spliced-u",
+        "spliced-v",
+    ]
     splice_every: int
     hub_diameter: Length | None
     bolt: Literal["M12", "M16", "M20", "M24", "M27", "M30"]

@@ -131,7 +131,10 @@ def _wrapped(line: str) -> str:
     if len(line) <= 100:
         return line
     head, _, words = line.partition("[")
-    return f"{head}[\n        {words.removesuffix(']')}\n    ]"
+    words = words.removesuffix("]")
+    if len(words) > 92:
+        words = ",\n        ".join(words.split(", ")) + ","
+    return f"{head}[\n        {words}\n    ]"
 
 
 def _type(options: list[Option]) -> str:

@@ -155,7 +155,7 @@ def test_a_size_that_a_system_has_not_is_refused_by_naming_whose_it_is(barrel):
         api.optimise(barrel, fairnes=1)
     with pytest.raises(InputError, match=r"^offset_mesh: has no 'knd'; it has mesh, distance, "):
         api.offset_mesh(barrel, 1.0, knd="parallel")
-    with pytest.raises(InputError, match=r"^read_mesh: has no 'unt'; it has path, unit, up$"):
+    with pytest.raises(InputError, match=r"^read_mesh: has no 'unt'; it has path, unit, up, "):
         api.read_mesh("roof.obj", unt="m")
 
 

@@ -37,6 +37,7 @@ def add_beams(
     bolt: str = "M16",
     bolts: int = 2,
     hub_wall: Length | None = None,
+    splice_every: int = 4,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -54,7 +55,7 @@ def add_beams(
         section_width: of tubes and flanges.
         flange_thickness: by default that of the web.
         ends: ``"mitred"``, ``"hub"``, ``"end-plate"``, ``"cover-plate"``, ``"cone"``, ``"lapped"``,
-            ``"through-u"`` or ``"through-v"``.
+            ``"through-u"``, ``"through-v"``, ``"spliced-u"`` or ``"spliced-v"``.
         hub_diameter: of the hubs that beams end before; by default 100 mm, of those that they are
             bolted to what each needs.
         clearance: of slots and hubs.
@@ -64,6 +65,7 @@ def add_beams(
         bolt: size of the bolts of end plates, cover plates and cones, ``"M12"`` to ``"M30"``.
         bolts: above each other, 1 or 2; a cone has one.
         hub_wall: thickness of the walls that these clamp; by default as thick as the bolts.
+        splice_every: spliced beams have a splice after so many nodes, 0 for none.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.
