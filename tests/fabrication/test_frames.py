@@ -10,7 +10,7 @@ from freecad_ortho.fabrication import Beams, Panels, build, material, write
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.stock import stock_list
 from freecad_ortho.fabrication.systems import Nodes
-from freecad_ortho.fabrication.systems.panels.frame import Frame
+from freecad_ortho.fabrication.systems.panels.frame import PressureFrame
 from freecad_ortho.fabrication.systems.panels.silicone import Silicone
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
@@ -66,7 +66,7 @@ def test_on_a_plane_net_everything_lies_where_the_rule_says():
     # A channel 15 mm high with walls of 2 mm, before mitres.
     assert 0.97 < sum(part.volume for part in cap) / ((50 * 15 - 46 * 13) * 17000) <= 1
     # Across one cap: both legs from the base to the top, walls of 2 mm on both sides.
-    profile = Frame(50.0).cap
+    profile = PressureFrame(50.0).cap
     assert profile.area == pytest.approx(50 * 15 - 46 * 13, rel=1e-12)
     assert (profile.width, profile.height) == pytest.approx((50, 15))
 

@@ -100,7 +100,7 @@ def test_rows_are_what_lies_along_lines():
 def test_sorting_parts_anew_never_raises_the_energy():
     mesh = wavy_grid(9, 8, shear=0.1)
     x = mesh.vertices.ravel() + 0.02 * np.random.default_rng(1).normal(size=mesh.vertices.size)
-    (term,) = near_ones(mesh, mesh.vertices.ravel(), "panels", 7)
+    (term,) = near_ones(mesh, mesh.vertices.ravel(), "panels", 7, 30)
     energies = [(term.linearise(x).residual ** 2).sum()]
     for _ in range(4):
         term = term.follow(x)
