@@ -98,7 +98,8 @@ def test_from_a_file_to_files(tmp_path, capsys):
     assert main(["optimise", str(start), "--net", "planar", "-o", str(flat)]) == 0
     assert main(["check", str(flat), "--json"]) == 0
     assert '"6": 9' in capsys.readouterr().out
-    assert main(["fabricate", str(flat), "--system", "beams+panels", "-o", str(folder)]) == 0
+    asked = ["--system", "beams+panels", "--write", "drawings,3dm", "-o", str(folder)]
+    assert main(["fabricate", str(flat), *asked]) == 0
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
     assert report["counts"]["panels"] == 9 and report["verdict"]["failed"] == {}
     assert main(["fabricate", str(flat), "--system", "lamellas", "-o", str(folder)]) == 2

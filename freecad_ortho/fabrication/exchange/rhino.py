@@ -100,11 +100,15 @@ class _Model:
         self.file.Objects.AddCurve(curve, self.attributes(name, layer))
 
     def net(self, production: Production) -> None:
-        """The net as a mesh of quads, its parameter lines, and the axes of the nodes."""
+        """The net as a mesh of quads, its parameter lines, and the axes of the nodes.
+
+        Where faces have several sizes the mesh is one of triangles.
+        """
         structure = production.structure
         site, place = structure.site, structure.place
         points = place.points(site.mesh.vertices + site.shift)
-        made = self.mesh(points, site.mesh.faces.tolist())
+        net = site.mesh.connectivity
+        made = self.mesh(points, net.triangles.tolist() if net.mixed else net.polygons)
         self.file.Objects.AddMesh(made, self.attributes("net", self.layer("net", _NET)))
         layer = self.layer("lines", _LINES)
         for line in site.chosen_lines:

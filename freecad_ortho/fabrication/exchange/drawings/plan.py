@@ -27,7 +27,6 @@ from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.report.pictures import silhouettes
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.words import counted
-from solver.mesh.connectivity import IntArray
 from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray
 
@@ -116,7 +115,7 @@ def _net(production: Production) -> _Net:
     structure = production.structure
     site, place = structure.site, structure.place
     points = place.directions(site.mesh.vertices + site.shift)
-    seen, frame = _eye(points, site.mesh.faces)
+    seen, frame = _eye(site.mesh.with_vertices(points).face_area_vectors)
     flat = points @ frame.T
     lines, closed = [], []
     for line in site.chosen_lines:
@@ -196,13 +195,11 @@ def _kept(site: Site, line: ParameterLine, points: FloatArray) -> list[FloatArra
     return [np.array(run) for run in runs]
 
 
-def _eye(points: FloatArray, faces: IntArray) -> tuple[str, FloatArray]:
+def _eye(normals: FloatArray) -> tuple[str, FloatArray]:
     """From where a net is seen, and rows to the right, up and towards the eye.
 
     From above, but for what stands so upright that much less of it would be seen.
     """
-    corners = points[faces]
-    normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     x, y, z = np.abs(normals).sum(axis=0).tolist()
     if z >= _ENOUGH * max(x, y):
         return "seen from above", np.eye(3)
