@@ -142,12 +142,14 @@ def check_table(result: dict[str, Any]) -> str:
     lines.append(f"{'edge ratio':<16}{result['edge_ratio']:>12.3f}")
     lines.append(f"{'folded faces':<16}{result['flipped_faces']:>12d}")
     lines.append(_multi_net_line(result["multi_net"]))
-    lines.append(f"{'net':<24}{'beyond right angles':>22}   can it be near?")
-    for advice in result["advice"]["nets"]:
-        title = advice["net"] + (" --diagonal" if advice["diagonal"] else "")
+    nets = result["advice"]["nets"]
+    titles = [advice["net"] + (" --diagonal" if advice["diagonal"] else "") for advice in nets]
+    wide = max(map(len, ("net", *titles)))
+    lines.append(f"{'net':<{wide}}{'beyond right angles':>22}   can it be near?")
+    for title, advice in zip(titles, nets, strict=True):
         verdict = "yes" if advice["possible"] else "no"
         reason = f": {advice['reason']}" if advice["reason"] else ""
-        lines.append(f"{title:<24}{advice['beyond']:>22.1e}   {verdict}{reason}")
+        lines.append(f"{title:<{wide}}{advice['beyond']:>22.1e}   {verdict}{reason}")
     lines.append(result["advice"]["recommendation"])
     if "build" in result:
         lines.append(_build_lines(result["build"]))

@@ -193,13 +193,18 @@ def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
     if count < _FEWEST:
         raise InputError(
             f"edge: {edge:.4g} leaves room for {count:.1f} faces on this surface; "
-            f"{np.sqrt(area / 100):.2g} or less would do (is the unit right?)"
+            f"{_rounded(np.sqrt(area / 100))} or less would do (is the unit right?)"
         )
     if count > _MOST:
         raise InputError(
-            f"edge: {edge:.4g} makes {count:.3g} faces, {_MOST} at most; "
-            f"{np.sqrt(area / 1000):.2g} would give about a thousand (is the unit right?)"
+            f"edge: {edge:.4g} makes {count:,.0f} faces, {_MOST:,} at most; "
+            f"{_rounded(np.sqrt(area / 1000))} would give about a thousand (is the unit right?)"
         )
+
+
+def _rounded(length: float) -> str:
+    """A length with two digits that count, as one would type it."""
+    return f"{float(f'{length:.2g}'):.10g}"
 
 
 @dataclass(frozen=True, eq=False)

@@ -334,7 +334,7 @@ def test_noise_is_smoothed_and_said():
     ("change", "words"),
     [
         (dict(edge=90.0), "leaves room for"),
-        (dict(edge=0.01), "100000 at most"),
+        (dict(edge=0.01), r"faces, 100,000 at most; 0\.\d+ would give about a thousand"),
         (dict(edge=-1.0), "positive length"),
         (dict(edge=float("nan")), "positive length"),
         (dict(edge=1.0, ratio=0.0), "ratio"),
