@@ -9,14 +9,12 @@ evenness of the motion, edges that stay long) while every constraint of the net 
 2. divides it by the curvature of the wishes along the net (Gauss-Newton: their residuals are small,
    so that the multipliers are, and how the constraints curve counts little);
 3. returns onto the net by corrections of least length with the factors at hand, and
-4. is accepted if the wishes fall. Else it is damped more, as is the next one where they fell by
-   little of what step 2 promised.
+4. is accepted if the wishes fall. Else it is damped more.
 
 So each shape on the way is a net, and where the wishes fall no more is a stationary point.
 
-Source: Nocedal, Wright (2006), Numerical Optimization, sections 4.1 (damping by gain over promise),
-18.1 and 18.3 (sequential quadratic programming, multipliers of least squares, second-order
-corrections).
+Source: Nocedal, Wright (2006), Numerical Optimization, sections 18.1 and 18.3 (sequential quadratic
+programming, multipliers of least squares, second-order corrections).
 """
 
 from __future__ import annotations
@@ -55,19 +53,14 @@ _SHARE = 1e-4
 # Added to the constraints' own matrix, which alone says nothing of motions along the net.
 _TANGENT = 1e-7
 _DAMPING_MIN, _DAMPING_MAX = 1e-11, 1e2
-# Damping of the first step, of the next after one that was refused with less than that, and
-# factor from one damping to the next.
-_FIRST, _DAMPED, _FACTOR = 1e-6, 1e-7, 3.0
-# Of what a step promised, the part below which the next is damped more, and above which less.
-_LITTLE, _MUCH = 0.1, 0.75
 # A step longer than this, in mean edges, leaves the neighbourhood that it was made for.
 _LONGEST = 1.0
 # Corrections back onto the net, and the residual at which they may end.
 _CORRECTIONS, _ON_NET = 4, 1e-9
 # Largest residual after them with which a step counts as one along the net.
 _NEAR_NET = 1e-4
-# Steps are not worth their time where two in turn lower the wishes by less than this part of them.
-_WORTH = 1e-3
+# Steps that lower the wishes by less than this part of them are not worth their time.
+_WORTH = 3e-4
 # Part of an allowed distance from which on it weighs so much more.
 _INSIDE, _FORBIDDEN = 0.8, 100.0
 # Part of the shortest edge from which on edges are pushed back, and where little is left to do.
@@ -265,8 +258,7 @@ class NearestNet:
         self._wished = np.array([0.0] * self._count + [wish.weight for wish in wishes])
         self.problem = problem
         self.point = Point.at(system, terms, x.copy()).followed()
-        self.damping = _FIRST
-        self._gain = np.inf
+        self.damping = _DAMPING_MIN
         self.finished = not wishes or not len(system.sparsity.unknowns)
 
     @property
@@ -329,6 +321,7 @@ class NearestNet:
         matrix, diagonal = both.matrix, here.system.sparsity.indptr[:-1]
         values = matrix[diagonal]
         solving, limit = time.perf_counter() - begin, max(_NEAR_NET, self._worst(here))
+        refused = False
         while self.damping <= _DAMPING_MAX:
             used = self.damping
             matrix[diagonal] = values + used
@@ -338,16 +331,13 @@ class NearestNet:
             length = float(np.abs(move).max(initial=0.0))
             if np.isfinite(length) and length <= _LONGEST:
                 there = self._returned(net, move, back)
-                gain = before - there.weighed(self._wished).energy
-                if gain > 0 and self._worst(there) <= limit:
-                    # What the step promised, were wishes quadratic along the net.
-                    promised = float(used / _SHARE * (move @ move) - free @ move)
+                after = there.weighed(self._wished).energy
+                if after < before and self._worst(there) <= limit:
                     self.point = there
-                    self.damping = _next_damping(used, gain / promised)
-                    self.finished = max(gain, self._gain) < _WORTH * before
-                    self._gain = gain
+                    self.damping = used if refused else max(used / 4, _DAMPING_MIN)
+                    self.finished = before - after < _WORTH * before
                     return length, solving
-            self.damping = max(_FACTOR * used, _DAMPED)
+            self.damping, refused = max(4 * used, 1e-9), True
         self.finished = True
         return 0.0, solving
 
@@ -377,13 +367,6 @@ class NearestNet:
     def _worst(self, point: Point) -> float:
         parts = point.linearisations[: self._count]
         return max((float(np.abs(part.residual).max(initial=0.0)) for part in parts), default=0.0)
-
-
-def _next_damping(used: float, kept: float) -> float:
-    """Damping after a step that kept so much of what it promised."""
-    if kept < _LITTLE:
-        return max(_FACTOR * used, _DAMPED)
-    return max(used / _FACTOR, _DAMPING_MIN) if kept > _MUCH else used
 
 
 def _in_units_of(problem: Problem, points: FloatArray) -> FloatArray:
