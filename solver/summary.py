@@ -29,6 +29,8 @@ from solver.report import (
     with_article,
 )
 
+# A net whose lines bend less evenly than this is not called one without a word.
+_CRUMPLED = 0.35
 # What was not joined and is now further apart than this many mean edges has come apart.
 _OPENED = 1e-4
 # A plane that is narrower than this part of its length is a line.
@@ -111,7 +113,7 @@ def summarise(run: Course, best: Candidate) -> Outcome:
         size_start=_size(start),
         origin=cast(list[float], run.origin.shift.tolist()),
         solver=run.backend,
-        remarks=[*_remarks(start, best.mesh), *_left_out(run.original)],
+        remarks=[*_crumpled(best), *_remarks(start, best.mesh), *_left_out(run.original)],
         history=list(history),
     )
     return Outcome(run.origin.back_mesh(best.mesh), report)
@@ -145,7 +147,8 @@ def _remedies(run: Course, best: Candidate) -> list[str]:
         if best.kept < best.tuning.shrunk:
             trouble.append(f"the shortest edge shrank to {best.kept:.2f} of its start ratio")
         if best.flipped > best.flipped_start:
-            trouble.append(f"{best.flipped} faces are folded")
+            some = "1 face is" if best.flipped == 1 else f"{best.flipped} faces are"
+            trouble.append(f"{some} folded")
         remedies.append(" and ".join(trouble) + ": raise fairness or closeness")
     if not any(remark.cause == "border" for remark in run.remarks):
         remedies += [f"fewer {what} give the net room" for what in run.held]
@@ -174,6 +177,17 @@ def _remains(best: Candidate) -> str:
     points = mesh.vertices[mesh.connectivity.referenced]
     extents = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
     return "a line" if extents[1] < _THIN * extents[0] else "a plane"
+
+
+def _crumpled(best: Candidate) -> list[str]:
+    """That a net, however exact, is none to build from."""
+    if best.smoothness >= _CRUMPLED:
+        return []
+    return [
+        f"lines zigzag (evenness {best.smoothness:.2f}, where 1 is smooth): look at it "
+        "before anything is built of it; a start that is smooth and whose lines run as those "
+        "of the net do, or more fairness, gives another"
+    ]
 
 
 def _left_out(problem: Problem) -> list[str]:

@@ -292,7 +292,8 @@ def _mapped(
             "lines that follow curvature closely would run into each other here; these do less so"
         )
     if best.folded:
-        remarks.append(f"{best.folded} faces are folded; {_REMEDY}")
+        some = "1 face is" if best.folded == 1 else f"{best.folded} faces are"
+        remarks.append(f"{some} folded; {_REMEDY}")
     return best.mesh, best.field
 
 

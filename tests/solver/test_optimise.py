@@ -256,3 +256,11 @@ def test_a_plane_that_was_asked_for_is_a_success():
     assert not start_optimisation(start, "asymptotic").original.may_flatten
     flat = noisy(grid(*parameters(7, 7, 6.0, 6.0), np.zeros((7, 7))), 0.02)
     assert optimise(flat, "principal").report.status == "converged"
+
+
+@pytest.mark.parametrize(("shift", "said"), [(0.45, True), (0.0, False)])
+def test_a_net_that_zigzags_is_not_called_one_without_a_word(shift, said):
+    x, y = np.meshgrid(np.arange(9.0), np.arange(9.0))
+    report = optimise(grid(x + shift * (y % 2), y, 0.05 * (x**2 - y**2)), "planar").report
+    assert report.status == "converged"
+    assert any("lines zigzag (evenness" in remark for remark in report.remarks) == said
