@@ -276,7 +276,7 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--net", "stress", "--supports-fixed", "--fix", "5"], "give one of them"),
         (["--supports-fixed"], "--supports-fixed: only stress nets have it, not principal"),
         (["--singular", "maybe"], "singular: expected exempt or include"),
-        (["--within", "0"], "within: expected a positive"),
+        (["--within", "0"], "within: expected a number above 0"),
         (["--net", "planar", "--flatness", "0"], "flatness: expected a positive length, got 0"),
         (["--flatness", "2mm"], "--flatness: only planar nets have it, not principal"),
         (
@@ -293,8 +293,8 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--net", "cmc", "--radius", "-1"], "radius: expected a number above 0, got -1"),
         (["--net", "cmc", "--radius", "0.3"], "radius: 0.3 is too small for the star of vertex"),
         (["--net", "isometric", "--reference", "other.obj"], "has other vertices or faces"),
-        (["--multi", "-1"], "multi: expected a weight"),
-        (["--isometry", "-1"], "isometry: expected a weight"),
+        (["--multi", "-1"], "multi: expected 0 or more, got -1"),
+        (["--isometry", "-1"], "isometry: expected 0 or more, got -1"),
     ],
 )
 def test_bad_options_are_one_line_and_write_nothing(

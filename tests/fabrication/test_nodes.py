@@ -125,7 +125,7 @@ def test_equal_nodes_are_one_file(tmp_path):
 @pytest.mark.parametrize(
     "values, words",
     [
-        ({"node": "glue"}, "node: expected hub, bolted, star, ball or socket, got 'glue'"),
+        ({"node": "glue"}, "node: expected hub, bolted, star, ball, through or socket, got 'glue'"),
         ({"hub_diameter": 6}, "hub: N0000 has .* take at least .* mm hub diameter"),
         ({"hub_diameter": 12, "node": "socket"}, "hub: the socket N0000 leaves no pillars"),
         ({"bore": 99}, "bore: expected 0 to 80 mm in a hub of 100 mm, got 99"),
