@@ -444,3 +444,13 @@ def test_progress_rises_to_one_with_the_clash_check(structure, monkeypatch):
     assert fractions[0] == 0.0 and fractions == sorted(fractions)
     clash = [fraction for fraction, words in heard if words == "clash check"]
     assert clash == pytest.approx([0.6, 0.68, 0.8, 1.0, 1.0])
+
+
+def test_the_page_calls_rests_of_rounding_nothing(roof, tmp_path):
+    write(build(roof, [Beams(200, 20)]), tmp_path)
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    table = page[page.index('<div class="parts">') :]
+    assert "<th>bearing, mm</th>" not in table, "no beam bears on anything"
+    numbers = [float(cell) for cell in re.findall(r"<td>(-?[\d.]+(?:e-?\d+)?)</td>", table)]
+    assert numbers
+    assert all(number == 0 or abs(number) >= 1e-9 for number in numbers)

@@ -17,6 +17,8 @@ from freecad_ortho.words import counted, plural
 
 # Rows of a list and pictures of sheets that a page holds; the files hold all of them.
 _ROWS, _PICTURES = 60, 24
+# mm, degrees, MPa: no workshop measures less.
+_NOTHING = 1e-9
 
 
 def way_to_it(way: Way) -> str:
@@ -166,25 +168,31 @@ def parts_list(production: Production) -> str:
     """Single parts with their numbers, those that fail first."""
     parts = production.structure.parts
     names = [field.name for field in fields(Measures)]
-    used = [name for name in names if any(getattr(p.measures, name) is not None for p in parts)]
     verdicts = dict(zip((part.name for part in parts), production.verdicts, strict=True))
     ordered = sorted(parts, key=lambda part: verdicts[part.name] == OK)[:_ROWS]
+    used = [name for name in names if any(getattr(p.measures, name) is not None for p in ordered)]
     rows, classes = [], []
     for part in ordered:
         verdict = verdicts[part.name]
         line = "" if part.line is None else f"{part.family} {part.line}"
         values = (getattr(part.measures, name) for name in used)
-        numbers = ("" if value is None else f"{value:.3g}" for value in values)
+        numbers = ("" if value is None else _number(value) for value in values)
         sizes = f"{part.length:.1f} x {part.width:.1f} x {part.thickness:g}"
         rows.append((part.name, line, sizes, f"{part.mass:.2f}", *numbers, verdict))
         classes.append("" if verdict == OK else "bad")
     titles = (", ".join(measure_words(name)) for name in used)
     head = ("part", "line", "size, mm", "mass, kg", *titles, "verdict")
     return (
-        "<h2>Parts</h2>"
+        '<h2>Parts</h2><div class="parts">'
         + table(head, rows, classes)
+        + "</div>"
         + _more(len(parts), _ROWS, "part", "parts.csv")
     )
+
+
+def _number(value: float) -> str:
+    """Three digits that count; what is left of nothing by rounding is nothing."""
+    return "0" if abs(value) < _NOTHING else f"{value:.3g}"
 
 
 def _failing(production: Production) -> list[Part]:

@@ -44,7 +44,8 @@ from freecad_ortho.words import counted
 STYLE = f"""
 body {{ font: 15px/1.45 system-ui, sans-serif; color: {INK}; margin: 2rem auto; max-width: 64rem;
   padding: 0 1rem; }}
-h1 {{ margin-bottom: 0; }} h2 {{ margin-top: 2.2rem; border-bottom: 1px solid #ccd3da; }}
+h1 {{ margin-bottom: 0; }} h2 {{ margin-top: 2.2rem; border-bottom: 1px solid #ccd3da;
+  break-after: avoid; }}
 .verdict {{ font-size: 1.25rem; padding: .6rem 1rem; border-left: .5rem solid {GOOD};
   background: #f3f6f9; }}
 .verdict.bad {{ border-color: {BAD}; }}
@@ -58,6 +59,8 @@ path.good, path.bad {{ stroke: {INK}; stroke-width: .35; stroke-linejoin: round;
 table {{ border-collapse: collapse; font-size: .85rem; }} thead {{ display: table-header-group; }}
 th, td {{ padding: .15rem .6rem; text-align: right; border-bottom: 1px solid #e4e8ec; }}
 th:first-child, td:first-child, td.text {{ text-align: left; }} tr {{ break-inside: avoid; }}
+.parts td:nth-child(3) {{ white-space: nowrap; }}
+.parts th:last-child, .parts td:last-child {{ text-align: left; min-width: 11rem; }}
 tr.bad td {{ background: #fbe9eb; }}
 @media print {{ body {{ margin: 0; max-width: none; font-size: 10pt; }} }}
 """
