@@ -88,6 +88,18 @@ def plane(text: str, unit: str = "mm", bare: str | None = None) -> tuple[int, fl
     return None if found is None or axis not in tuple(_AXES) else (_AXES.index(axis), found)
 
 
+def mirror_planes(text: str) -> str:
+    """Letters of coordinate planes, without what parts them: ``x, y`` is ``xy``.
+
+    Raises:
+        InputError: another letter.
+    """
+    letters = text.replace(",", "").replace(" ", "").lower()
+    if set(letters) - set(_AXES):
+        raise InputError(f"symmetry: expected letters out of x, y, z, got '{text[:40]}'")
+    return letters
+
+
 def _load(text: str, power: int, unit: str, bare: str) -> float | None:
     """A force by a power of length, kN where its unit is named."""
     match = _LOAD.fullmatch(text)

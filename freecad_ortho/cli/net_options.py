@@ -14,7 +14,7 @@ from freecad_ortho.cli import values
 from freecad_ortho.mesh_files import read_mesh_file, upright
 from freecad_ortho.triangles import read_triangles
 from freecad_ortho.units import millimetres_per
-from freecad_ortho.written import place, plane
+from freecad_ortho.written import mirror_planes, place, plane
 from solver import Constraints, InputError, NetOptions
 from solver.io.points import read_points
 from solver.io.polygons import quads_of
@@ -191,7 +191,7 @@ def _read_constraints(
     glide = tuple(_glide(text, unit, options.up) for text in options.glide)
     if options.close_to:
         near = surface_in(options.close_to, unit, options.up)
-    symmetry = options.symmetry.replace(",", "").replace(" ", "").lower()
+    symmetry = mirror_planes(options.symmetry)
     if not (handles or glide or near or symmetry):
         return None
     return Constraints(handles=handles, glide=glide, close_to=near, symmetry=symmetry)

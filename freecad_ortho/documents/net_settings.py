@@ -58,16 +58,9 @@ def _option_value(option: Option, value: Any) -> Any:
     return plain
 
 
-def _symmetry(text: str) -> str:
-    letters = text.replace(",", "").replace(" ", "").lower()
-    if set(letters) - set("xyz"):
-        raise InputError(f"symmetry: expected letters out of x, y, z, got '{text}'")
-    return letters
-
-
 _PLAIN = {
     "net": _choice("net", "NetType", NETS),
-    "symmetry": _Plain("MirrorPlanes", write=_symmetry),
+    "symmetry": _Plain("MirrorPlanes", write=written.mirror_planes),
 }
 _DECLARED = {**OPTIONS, **WEIGHTS, SUPPORTS.name: SUPPORTS}
 # What a net keeps, and what only the solver is told.

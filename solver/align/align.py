@@ -17,7 +17,7 @@ from solver.align.cells import Quads, quads
 from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
 from solver.align.features import Features
-from solver.align.field import Field, Guide, smooth_field
+from solver.align.field import Field, GuidingField, smooth_field
 from solver.align.given import Wanted, given_field
 from solver.align.guides import (
     TURNED,
@@ -212,7 +212,7 @@ class _Asked:
     """A surface, and what a net on it is to follow."""
 
     work: Work
-    guide: Guide
+    guide: GuidingField
     features: Features
     edges: tuple[float, float]
     singular: Wanted | None
@@ -222,7 +222,7 @@ class _Asked:
     def of(
         cls,
         work: Work,
-        guide: Guide,
+        guide: GuidingField,
         edges: tuple[float, float],
         follows: bool,
         strokes: Sequence[FloatArray],

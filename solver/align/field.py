@@ -37,7 +37,7 @@ _REACHES = (2.0, 4.0, 7.0, 11.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Guide:
+class GuidingField:
     """What the directions should be, and how much that counts.
 
     Attributes:
@@ -57,7 +57,7 @@ class Guide:
         """(T,) how much the lines of a map have to follow, 0 to 1."""
         return np.minimum(1.0, self.stretch**2)
 
-    def calmed(self, part: float) -> Guide:
+    def calmed(self, part: float) -> GuidingField:
         """The same that counts less."""
         return replace(self, certainty=part * self.certainty)
 
@@ -76,7 +76,9 @@ class Field:
     quarters: IntArray
 
 
-def curvature_guide(mesh: TriangleMesh, tensors: FloatArray, inner: int, turn: float) -> Guide:
+def curvature_guide(
+    mesh: TriangleMesh, tensors: FloatArray, inner: int, turn: float
+) -> GuidingField:
     """Directions of largest curvature, turned by an angle.
 
     Args:
@@ -94,11 +96,11 @@ def curvature_guide(mesh: TriangleMesh, tensors: FloatArray, inner: int, turn: f
     stretch = size / max(middle, np.finfo(float).tiny)
     certainty = np.minimum(1.0, (stretch / _CERTAIN) ** 2)
     certainty[inner:] *= _BEYOND
-    return Guide(angles, certainty, stretch, inner)
+    return GuidingField(angles, certainty, stretch, inner)
 
 
 def smooth_field(
-    mesh: TriangleMesh, guide: Guide, edge: float, step: Callable[[], object] = lambda: None
+    mesh: TriangleMesh, guide: GuidingField, edge: float, step: Callable[[], object] = lambda: None
 ) -> Field:
     """Find the smooth field near the guide, with the fewest singular vertices that it needs.
 
@@ -138,7 +140,7 @@ def smooth_field(
     return field
 
 
-def _strayed(mesh: TriangleMesh, guide: Guide, field: Field) -> float:
+def _strayed(mesh: TriangleMesh, guide: GuidingField, field: Field) -> float:
     """How far a field leaves its guide where that is certain: 0 not, 1 as any other field."""
     weight = (guide.certainty * mesh.areas)[: guide.inner]
     apart = 1 - np.cos(4 * (field.angles - guide.angles)[: guide.inner])

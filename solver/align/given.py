@@ -19,7 +19,7 @@ from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
 from solver.align.crosses import VALENCES, Singular
-from solver.align.field import QUARTER, Field, Guide, quarters_of, smoothness, turns
+from solver.align.field import QUARTER, Field, GuidingField, quarters_of, smoothness, turns
 from solver.align.prepare import Work
 from solver.align.triangle_mesh import TriangleMesh, components, spanning
 from solver.errors import InputError
@@ -132,7 +132,7 @@ def _checked(work: Work, singular: Singular, edge: float) -> tuple[FloatArray, I
 
 def given_field(
     mesh: TriangleMesh,
-    guide: Guide,
+    guide: GuidingField,
     calm: float,
     edge: float,
     automatic: Field,
@@ -256,7 +256,7 @@ def _potential(
 
 def _towards(
     mesh: TriangleMesh,
-    guide: Guide,
+    guide: GuidingField,
     plain: FloatArray,
     part: FloatArray,
     bound: BoolArray,

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from solver.align.features import Features
-from solver.align.field import QUARTER, Guide, curvature_guide
+from solver.align.field import QUARTER, GuidingField, curvature_guide
 from solver.align.jets import face_tensors
 from solver.align.membrane import membrane_forces
 from solver.align.triangle_mesh import TriangleMesh
@@ -52,7 +52,7 @@ def net_guide(
     edge: float,
     stands_on: str,
     remarks: list[str],
-) -> Guide:
+) -> GuidingField:
     """Directions in which a net has its lines, where the surface has any.
 
     Args:
@@ -95,8 +95,8 @@ def net_guide(
 
 
 def with_strokes(
-    mesh: TriangleMesh, guide: Guide, strokes: Sequence[FloatArray], edge: float
-) -> Guide:
+    mesh: TriangleMesh, guide: GuidingField, strokes: Sequence[FloatArray], edge: float
+) -> GuidingField:
     """Let lines of the net run along curves, whatever curvature says there.
 
     Args:
@@ -124,7 +124,9 @@ def with_strokes(
     return guide
 
 
-def along_features(mesh: TriangleMesh, guide: Guide, features: Features, edge: float) -> Guide:
+def along_features(
+    mesh: TriangleMesh, guide: GuidingField, features: Features, edge: float
+) -> GuidingField:
     """Let lines of the net run along feature lines, and turn to them within their reach.
 
     Args:
@@ -143,7 +145,7 @@ def along_features(mesh: TriangleMesh, guide: Guide, features: Features, edge: f
     return _run_along(mesh, guide, places, along, (_BESIDE * edge, reach * edge))
 
 
-def say_border(mesh: TriangleMesh, guide: Guide, edge: float, remarks: list[str]) -> None:
+def say_border(mesh: TriangleMesh, guide: GuidingField, edge: float, remarks: list[str]) -> None:
     """Say that no exact net keeps a border that is no line of curvature.
 
     Args:
@@ -161,7 +163,7 @@ def say_border(mesh: TriangleMesh, guide: Guide, edge: float, remarks: list[str]
         )
 
 
-def turned_from_border(mesh: TriangleMesh, guide: Guide, rim: Features) -> float:
+def turned_from_border(mesh: TriangleMesh, guide: GuidingField, rim: Features) -> float:
     """Mean angle between a border and the nearest of the guide's directions, 0 to 45 degrees.
 
     Args:
@@ -180,11 +182,11 @@ def turned_from_border(mesh: TriangleMesh, guide: Guide, rim: Features) -> float
 
 def _run_along(
     mesh: TriangleMesh,
-    guide: Guide,
+    guide: GuidingField,
     places: FloatArray,
     along: FloatArray,
     reach: tuple[float, float | FloatArray],
-) -> Guide:
+) -> GuidingField:
     """Directions (N, 3) at places (N, 3) hold nearer than the first reach.
 
     Curvature is silent where the lines turn from it to them, the less the further, up to the
@@ -224,7 +226,7 @@ def _middle(values: FloatArray, areas: FloatArray) -> float:
     return float(values[order][np.searchsorted(half, half[-1] / 2)])
 
 
-def _along_border(mesh: TriangleMesh, inner: int) -> Guide:
+def _along_border(mesh: TriangleMesh, inner: int) -> GuidingField:
     """Directions of the border at its own triangles, nothing elsewhere."""
     angles, certainty = np.zeros((2, len(mesh.triangles)))
     first, second = (mesh.edges // 3).T
@@ -236,4 +238,4 @@ def _along_border(mesh: TriangleMesh, inner: int) -> Guide:
         axes = mesh.axes[rows]
         angles[rows] = np.arctan2((run * axes[:, 1]).sum(axis=1), (run * axes[:, 0]).sum(axis=1))
         certainty[rows] = 1.0
-    return Guide(angles, certainty, np.zeros(len(angles)), inner)
+    return GuidingField(angles, certainty, np.zeros(len(angles)), inner)
