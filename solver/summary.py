@@ -31,6 +31,8 @@ from solver.report import (
 
 # A net whose lines bend less evenly than this is not called one without a word.
 _CRUMPLED = 0.35
+# A border that is farther from where it was, in mean edges, is another one.
+_DRAWN = 1.0
 # What was not joined and is now further apart than this many mean edges has come apart.
 _OPENED = 1e-4
 # A plane that is narrower than this part of its length is a line.
@@ -113,7 +115,12 @@ def summarise(run: Course, best: Candidate) -> Outcome:
         size_start=_size(start),
         origin=cast(list[float], run.origin.shift.tolist()),
         solver=run.backend,
-        remarks=[*_crumpled(best), *_remarks(start, best.mesh), *_left_out(run.original)],
+        remarks=[
+            *_crumpled(best),
+            *_drawn_along(run, form.border / start.mean_edge),
+            *_remarks(start, best.mesh),
+            *_left_out(run.original),
+        ],
         history=list(history),
     )
     return Outcome(run.origin.back_mesh(best.mesh), report)
@@ -187,6 +194,23 @@ def _crumpled(best: Candidate) -> list[str]:
         f"lines zigzag (evenness {best.smoothness:.2f}, where 1 is smooth): look at it "
         "before anything is built of it; a start that is smooth and whose lines run as those "
         "of the net do, or more fairness, gives another"
+    ]
+
+
+def _drawn_along(run: Course, border: float) -> list[str]:
+    """That a net left its border to be on its surface, and which start would not.
+
+    Args:
+        run: that is over.
+        border: how far the border is from where it was, in mean edges.
+    """
+    lines = NETS[run.original.net].lines if run.original.net in NETS else ""
+    if not lines or run.surface is None or run.original.may_resize or border <= _DRAWN:
+        return []
+    return [
+        f"the border is up to {border:.1f} mean edges from where it was drawn, as the net runs "
+        "along other lines of the surface than the start; a start along these keeps it (align, in "
+        f"FreeCAD Net along curvature, with lines for {lines})"
     ]
 
 

@@ -225,3 +225,22 @@ def test_loads_and_supports_are_those_of_the_shape_that_is_kept():
     x = nearest.run(3)
     assert nearest.wishes <= 0.6 * before
     assert judge(problem, x, 1e-10).worst <= 1e-12
+
+
+def domed(rows, columns):
+    """A dome over 30 x 20 m, whose lines of curvature are not along its border."""
+    x, y = np.meshgrid(np.linspace(-15, 15, rows), np.linspace(-10, 10, columns), indexing="ij")
+    height = 6 * np.cos(np.pi * x / 36) * np.cos(np.pi * y / 26)
+    return QuadMesh(np.stack([x, y, height], axis=2).reshape(-1, 3), grid_faces(rows, columns))
+
+
+def test_a_border_that_is_left_is_said_with_the_start_that_keeps_it(start, surface):
+    near = Constraints(close_to=triangles_of(domed(41, 31)))
+    report = optimise(domed(25, 17), "principal", constraints=near).report
+    (said,) = [remark for remark in report.remarks if "Net along curvature" in remark]
+    assert said.startswith(f"the border is up to {report.form.border / report.mean_edge:.1f} mean")
+    assert report.form.border > report.mean_edge
+    # The barrel's stays.
+    other = optimise(start, "principal", constraints=Constraints(close_to=surface)).report
+    assert other.form.border < other.mean_edge
+    assert not any("Net along curvature" in remark for remark in other.remarks)
