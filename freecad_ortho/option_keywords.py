@@ -278,7 +278,7 @@ class CurvatureOptions(TypedDict, total=False):
     border: Literal["trim", "follow"]
     stands_on: Literal["boundary", "corners"]
     singularities: str | Sequence[Any] | None
-    symmetry: Literal["none", "auto", "x", "y", "z", "x,y"]
+    symmetry: Literal["none", "auto", "x", "y", "z", "x,y", "x,y,xy"]
     drawn_strokes: Sequence[Any]
 
 
@@ -374,7 +374,7 @@ class SourceOptions(TypedDict, total=False):
     border: Literal["trim", "follow", "drop", "fill"]
     stands_on: Literal["boundary", "corners"]
     singularities: str | Sequence[Any] | None
-    symmetry: Literal["none", "auto", "x", "y", "z", "x,y"]
+    symmetry: Literal["none", "auto", "x", "y", "z", "x,y", "x,y,xy"]
     drawn_strokes: Sequence[Any]
     kind: Literal["cables", "membrane", "parallel", "vertex", "edge", "face"]
     supports: str | Sequence[int]

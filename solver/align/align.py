@@ -124,7 +124,8 @@ def aligned(
         singularities: where the net has vertices with 3, 5 or 6 faces, and nowhere else; the
             fewest that it needs by default.
         symmetry: planes in which the net is its own mirror image: ``none``, ``auto`` for those of
-            the surface, or those across ``x``, ``y``, ``z`` or ``x,y`` through its middle.
+            the surface, or those across ``x``, ``y``, ``z`` or ``x,y`` through its middle;
+            ``x,y,xy`` has the diagonals of x and y too, so that quarters of a turn change nothing.
         waiting: called with the name of each stage as it begins; what it raises is passed on.
 
     Raises:

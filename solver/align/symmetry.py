@@ -24,7 +24,9 @@ from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # What may be asked for: no planes, those that are found, or those across an axis.
-SYMMETRIES = ("none", "auto", "x", "y", "z", "x,y")
+SYMMETRIES = ("none", "auto", "x", "y", "z", "x,y", "x,y,xy")
+# Directions across which planes lie, by their words; the last is between the first two.
+_ACROSS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0), "xy": (1.0, -1.0, 0.0)}
 # In edges of the net: how far a mirror image may be off a surface that counts as symmetric; the
 # same where the plane is given; and how far from a plane a vertex of the net is set onto it.
 _OFF, _GIVEN, _ON = 0.01, 0.05, 0.1
@@ -92,13 +94,14 @@ def mirrors_of(
         return ()
     box = (surface.points.max(axis=0) + surface.points.min(axis=0)) / 2
     if wanted != "auto":
-        found = tuple(Mirror(np.eye(3)["xyz".index(word)], box) for word in wanted.split(","))
+        words = wanted.split(",")
+        found = tuple(Mirror(_unit(np.array(_ACROSS[word])), box) for word in words)
         for mirror in found:
             off, place = _off(surface, mirror)
             if off > _GIVEN * edge:
                 raise InputError(
-                    f"symmetry: mirrored in {mirror} the surface is {off:.3g} off itself near "
-                    f"{_at(place)}; leave the symmetry out, or mend the surface"
+                    f"symmetry: mirrored in the plane {mirror} the surface is {off:.3g} off itself "
+                    f"near {_at(place)}; leave the symmetry out, or mend the surface"
                 )
         return found
     found = _found(surface, box, edge)

@@ -6586,6 +6586,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>x,y,xy</source>
+   <translation>x,y,xy</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>y</source>
    <translation>y</translation>
   </message>

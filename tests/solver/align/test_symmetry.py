@@ -122,9 +122,33 @@ def test_diagonals_may_lie_in_the_planes_all_along():
     assert not (np.abs(ends[..., 0]) < 0.1).all(axis=1).any()
 
 
+def test_quarters_of_a_turn_leave_a_net_with_diagonal_planes_as_it_is():
+    def star(u, v):
+        x, y = 24 * u - 12, 24 * v - 12
+        return x, y, 5 - 0.014 * (x**2 + y**2) + 1e-4 * x**2 * y**2
+
+    points, faces = triangles(star, 41, 41)
+    made = aligned(points, faces, edge=1.5, symmetry="x,y,xy")
+    net = made.mesh
+    centre = np.append((points.max(axis=0) + points.min(axis=0))[:2] / 2, 0)
+    for of_net in (net.vertices, net.vertices[net.faces].mean(axis=1), made.singular.places):
+        about = of_net - centre
+        assert cKDTree(about).query(turned(about, 90))[0].max() < ROUNDING
+    # Without the diagonals they are not found by themselves.
+    other = aligned(points, faces, edge=1.5, symmetry="x,y").mesh.vertices - centre
+    assert cKDTree(other).query(turned(other, 90))[0].max() > 1e-3
+    points, faces = triangles(dome, 40, 28)
+    with pytest.raises(
+        InputError, match=r"mirrored in the plane across .* the surface is .* off itself near"
+    ):
+        aligned(points, faces, edge=EDGE, symmetry="x,y,xy")
+
+
 def test_what_is_not_symmetric_is_said():
     points, faces = triangles(barrel, 31, 21)
-    with pytest.raises(InputError, match=r"mirrored in x = .* the surface is .* off itself near"):
+    with pytest.raises(
+        InputError, match=r"mirrored in the plane x = .* the surface is .* off itself near"
+    ):
         aligned(points, faces, edge=EDGE, symmetry="x")
     with pytest.raises(InputError, match="expected one of none, auto"):
         aligned(points, faces, edge=EDGE, symmetry="w")
