@@ -117,10 +117,10 @@ class Candidate:
     @property
     def uneven(self) -> bool:
         """The lines zigzag, and those of the input did not."""
-        return self._lost > self.tuning.uneven
+        return self.roughened > self.tuning.uneven
 
     @property
-    def _lost(self) -> float:
+    def roughened(self) -> float:
         """How much less evenly lines bend than those of the input, or than is smooth."""
         return max(min(self.smoothness_start, self.tuning.even) - self.smoothness, 0.0)
 
@@ -142,7 +142,7 @@ class Candidate:
         Short edges count half: they may come of a net that is finer in places.
         """
         area = 1.0 if self.may_resize else min(self.area_ratio, 1 / max(self.area_ratio, 1e-9))
-        return round(min(0.5 * (1.0 + self.kept), area, 1.0 - self._lost), 2)
+        return round(min(0.5 * (1.0 + self.kept), area, 1.0 - self.roughened), 2)
 
 
 def judge(

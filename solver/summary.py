@@ -29,8 +29,9 @@ from solver.report import (
     with_article,
 )
 
-# A net whose lines bend less evenly than this is not called one without a word.
-_CRUMPLED = 0.35
+# A net whose lines bend less evenly than this, or so much less than the start's, is not called one
+# without a word.
+_CRUMPLED, _CRUMPLING = 0.35, 0.25
 # A border that is farther from where it was, in mean edges, is another one.
 _DRAWN = 1.0
 # What was not joined and is now further apart than this many mean edges has come apart.
@@ -188,7 +189,7 @@ def _remains(best: Candidate) -> str:
 
 def _crumpled(best: Candidate) -> list[str]:
     """That a net, however exact, is none to build from."""
-    if best.smoothness >= _CRUMPLED:
+    if best.smoothness >= _CRUMPLED and best.roughened <= _CRUMPLING:
         return []
     return [
         f"lines zigzag (evenness {best.smoothness:.2f}, where 1 is smooth): look at it "

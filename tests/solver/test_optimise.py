@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from solver import Constraints, InputError, QuadMesh, optimise, start_optimisation
+from solver import Constraints, InputError, QuadMesh, optimise, read_mesh, start_optimisation
 from solver.analysis import measures
 from solver.analysis.advisor import advice_as_dict
 from solver.mesh.diagonal import diagonal_meshes
-from tests.conftest import demo_roof, grid_faces, shared_mesh, wavy_grid
+from solver.nets.constraints import BoundaryGlide
+from tests.conftest import demo_roof, grid_faces, shared_input, shared_mesh, wavy_grid
 from tests.meshes import grid, noisy, parameters, right_angles
 from tests.solver.analysis.test_directions import saddle
 
@@ -264,3 +265,11 @@ def test_a_net_that_zigzags_is_not_called_one_without_a_word(shift, said):
     report = optimise(grid(x + shift * (y % 2), y, 0.05 * (x**2 - y**2)), "planar").report
     assert report.status == "converged"
     assert any("lines zigzag (evenness" in remark for remark in report.remarks) == said
+
+
+def test_lines_that_zigzag_much_more_than_those_of_the_start_are_said():
+    start = read_mesh(shared_input("near.obj"))
+    glide = Constraints(glide=(BoundaryGlide(),))
+    report = optimise(start, "principal", constraints=glide).report
+    assert report.form.zigzag_start > 0.9 > 0.6 > report.form.zigzag
+    assert any("lines zigzag (evenness" in remark for remark in report.remarks)
