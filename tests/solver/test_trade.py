@@ -48,6 +48,23 @@ def test_the_flatter_the_panels_the_farther_from_the_surface(start, wanted):
     assert off == sorted(off, reverse=True) and off[2] < 0.7 * off[0]
 
 
+def canopy(rows, columns):
+    """A canopy of 30 x 18 m that bends both ways, its lines across the curvature."""
+    u, v = np.meshgrid(np.linspace(0, 1, rows), np.linspace(0, 1, columns), indexing="ij")
+    low, high = np.sin(np.pi * v) * (1 - 0.6 * u), np.sin(1.5 * np.pi * u) * (v - 0.5)
+    return grid(30 * u, 18 * v, 4 + 3 * low + 2 * high)
+
+
+@pytest.mark.parametrize(("flatness", "most"), [(None, 0.12), (0.002, 0.07)])
+def test_lines_across_the_curvature_are_turned_until_flat_panels_are_near(flatness, most):
+    wanted = Constraints(close_to=triangles_of(canopy(121, 73)))
+    report = planar(canopy(31, 19), wanted, flatness).report
+    assert report.status == CONVERGED and report.flipped_faces == 0
+    # Measured: 70 and 47 mm; a last phase that gives up too early leaves 331 and 78.
+    assert report.form.off_surface.max < most
+    assert report.form.zigzag > 0.8
+
+
 def test_a_mesh_within_both_is_found(start, wanted):
     alone = planar(start, wanted, 0.002).report
     both = planar(start, wanted, 0.002, within=0.065)
