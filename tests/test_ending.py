@@ -178,3 +178,20 @@ def test_work_ends_when_its_command_is_killed_and_the_next_run_sweeps(fabricatio
     assert list(out.iterdir())
     leftovers.sweep(out)
     assert not list(out.iterdir())
+
+
+def test_what_is_done_is_not_called_stopped():
+    # Python sets its own handlers aside while it ends: only what is blocked cannot kill it then.
+    script = (
+        "import atexit, runpy, signal\n"
+        "from freecad_ortho.cli import commands\n"
+        "commands.run = lambda: 0\n"
+        "atexit.register(lambda: print(*sorted(signal.pthread_sigmask(signal.SIG_BLOCK, []))))\n"
+        "runpy.run_module('freecad_ortho.cli.__main__', run_name='__main__')\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    blocked = {int(word) for word in done.stdout.split()}
+    assert blocked >= {signal.SIGINT, signal.SIGTERM}
