@@ -341,6 +341,8 @@ def test_stages_are_timed(roof):
     assert seconds["total"] == pytest.approx(
         sum(value for name, value in seconds.items() if name != "total")
     )
+    # The first run of a process also readies the drawing library, a third of so small a job.
+    seconds = stage_seconds(roof, [Beams(200, 12)])
     assert seconds["total"] <= 3 * seconds["step"]
 
 
