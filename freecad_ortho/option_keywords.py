@@ -31,7 +31,7 @@ class Sizes(TypedDict, total=False):
     height: Length
     thickness: Length
     offset: Literal["above", "centre", "below"]
-    clearance: Length
+    clearance: Length | None
     stock: Length | None
     rounded: bool
     section: str

@@ -130,7 +130,7 @@ def test_systems_that_share_an_option_mean_the_same_by_it():
         for option in system.options:
             shared.setdefault(option.name, {})[name] = option
     for name, found in shared.items():
-        if name not in ("clearance", "gap", "thickness"):
+        if name not in ("gap", "thickness"):
             assert len(set(map(repr, found.values()))) == 1, name
         kinds = {(option.kind, option.parts, option.choices) for option in found.values()}
         assert len(kinds) == 1, name

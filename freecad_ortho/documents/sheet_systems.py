@@ -29,7 +29,7 @@ def add_panels(
     panel_thickness: Length | None = None,
     panel_edge: str = "square",
     at_hubs: str = "cut",
-    clearance: Length = 1.0,
+    clearance: Length | None = None,
     least_width: Length = 60.0,
     slivers: str = "join",
     frame: str = "none",
@@ -57,7 +57,7 @@ def add_panels(
         panel_thickness: the same as ``thickness``, as it is called beside beams elsewhere.
         panel_edge: ``"square"``, or ``"bevel"``: along the beams.
         at_hubs: ``"cut"`` corners off beside hubs, or ``"lift"`` panels over them.
-        clearance: to hubs.
+        clearance: to hubs, by default 1 mm.
         least_width: narrower pieces at the border of the surface are slivers.
         slivers: ``"join"`` makes them part of neighbours where they fit, ``"leave-out"`` does not.
         frame: ``"plate"``: pressure plates and caps hold them, ``"silicone"``: adapters that they
@@ -84,7 +84,7 @@ def add_arches(
     thickness: Length = 20.0,
     *,
     offset: str = "centre",
-    clearance: Length = 1.0,
+    clearance: Length | None = None,
     overhang: Length | None = None,
     through: str = "both",
     family: str = "both",
@@ -99,7 +99,7 @@ def add_arches(
         height: of the plates, square to the line.
         thickness: of the plates.
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
-        clearance: in the width and depth of slots.
+        clearance: in the width and depth of slots, by default what the material asks for.
         overhang: beyond the last vertices, by default half the height.
         through: ``"both"``: plates cross by half laps; ``"u"`` or ``"v"``: those of this family run
             through, the others are pieces between them.
@@ -148,7 +148,7 @@ def add_lamellas(
     *,
     width: Length = 80.0,
     thickness: Length = 5.0,
-    clearance: Length = 1.0,
+    clearance: Length | None = None,
     position: str = "standing",
     layers: int = 1,
     hole: Length = 9.0,
@@ -173,7 +173,7 @@ def add_lamellas(
         net: the Net.
         width: of the strips.
         thickness: of the plates.
-        clearance: of the slots, and between layers.
+        clearance: of the slots, and between layers; by default what the material asks for.
         position: ``"standing"`` on the surface, ``"lying"`` in it, or ``"tilted"``.
         layers: 1: slots where strips cross; 2: bolts.
         hole: diameter of the bolt holes.

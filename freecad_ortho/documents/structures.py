@@ -21,7 +21,7 @@ from freecad_ortho.documents.common import (
     unmarked_on_failure,
 )
 from freecad_ortho.fabricating import write_fabrication
-from freecad_ortho.fabrication import SYSTEMS, Selection, Workshop
+from freecad_ortho.fabrication import SYSTEMS, Selection, Workshop, system_of
 from freecad_ortho.fabrication import material as known_material
 from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.objects import build, outdated, places
@@ -376,7 +376,7 @@ def _option_properties(
             )
     given = {name: convert.option_value(options[name], value) for name, value in sizes.items()}
     defaults = {option.name: option.default for option in SYSTEMS[system].options}
-    SYSTEMS[system].of({**defaults, **present, **given})
+    system_of(system, {**defaults, **present, **given}, known_material())
     return {
         part: value
         for name, each in given.items()

@@ -30,7 +30,7 @@ def add_beams(
     flange_thickness: Length | None = None,
     ends: str = "mitred",
     hub_diameter: Length | None = None,
-    clearance: Length = 1.0,
+    clearance: Length | None = None,
     no_boundary_beams: bool = False,
     least_length: Length = 100.0,
     rounded: bool = False,
@@ -58,7 +58,7 @@ def add_beams(
             ``"through-u"``, ``"through-v"``, ``"spliced-u"`` or ``"spliced-v"``.
         hub_diameter: of the hubs that beams end before; by default 100 mm, of those that they are
             bolted to what each needs.
-        clearance: of slots and hubs.
+        clearance: of slots and hubs; by default 1 mm, of slots what the material asks for.
         no_boundary_beams: leaves the boundary without beams.
         least_length: shorter beams at the border of the surface are left out.
         rounded: solids have the rounded corners and roots of a section of the catalogue.
@@ -84,7 +84,7 @@ def add_edge_beam(
     height: Length = 200.0,
     thickness: Length = 20.0,
     offset: str = "centre",
-    clearance: Length = 1.0,
+    clearance: Length | None = None,
     stock: Length | None = None,
     rounded: bool = False,
     family: str = "both",
@@ -104,7 +104,7 @@ def add_edge_beam(
         height: of the beams that end at it.
         thickness: of their plates.
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
-        clearance: that is left before it.
+        clearance: that is left before it, by default 1 mm.
         stock: length that longer pieces are cut into.
         rounded: solids have the rounded corners and roots of a section of the catalogue.
         family: parameter lines that the beams are on.
@@ -126,7 +126,7 @@ def add_feet(
     anchor: str = "M16",
     height: Length = 200.0,
     offset: str = "centre",
-    clearance: Length = 1.0,
+    clearance: Length | None = None,
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -144,7 +144,7 @@ def add_feet(
         anchor: size of the anchor bolts, ``"M16"``.
         height: of the beams above them.
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``, of these beams.
-        clearance: between beams and caps.
+        clearance: between beams and caps, by default 1 mm.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.
@@ -164,7 +164,7 @@ def add_nodes(
     height: Length = 200.0,
     thickness: Length = 20.0,
     offset: str = "centre",
-    clearance: Length = 1.0,
+    clearance: Length | None = None,
     no_boundary_beams: bool = False,
     bolt: str = "M16",
     bolts: int = 2,
@@ -188,7 +188,7 @@ def add_nodes(
         height: of beams, where none are given.
         thickness: of their plates.
         offset: ``"above"`` the net, ``"centre"`` or ``"below"``.
-        clearance: of slots and hubs.
+        clearance: of slots and hubs; by default 1 mm, of slots what the material asks for.
         no_boundary_beams: no beams run along the boundary.
         bolt: size of the bolts, ``"M12"`` to ``"M30"``.
         bolts: above each other, 1 or 2.

@@ -25,6 +25,7 @@ from freecad_ortho.fabrication.systems import (
     Patches,
     System,
     SystemParts,
+    system_of,
     systems_of,
 )
 from freecad_ortho.fabrication.workers import local_pool
@@ -62,6 +63,7 @@ __all__ = [
     "material",
     "materials_of",
     "stage_seconds",
+    "system_of",
     "systems_of",
     "write",
 ]

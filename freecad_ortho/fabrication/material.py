@@ -27,6 +27,9 @@ _GLASS_MODULUS, _GLASS_POISSON = 70_000.0, 0.2
 # Least bearing, mm: of glass the edge cover of DIN 18008-2 on lines; of metals and wood for want of
 # a rule what leaves room for a screw's edge or a bead of glue, with tolerances.
 _ON_GLASS, _ON_METAL, _ON_WOOD = 10.0, 5.0, 10.0
+# Clearance of slots, mm. Typical values from practice, for want of a rule: milled aluminium is more
+# exact than what is cut, and timber swells and shrinks across the grain.
+_IN_ALUMINIUM, _IN_TIMBER = 0.5, 1.5
 # Yield strengths of structural steels up to 40 mm, MPa: EN 1993-1-1, table 3.1.
 _GRADES = {"S235": 235.0, "S275": 275.0, "S355": 355.0}
 # Insulating units may be named by their panes and cavities alone, in mm (EN 1279).
@@ -51,6 +54,7 @@ class Material:
         poisson: Poisson's ratio.
         own_shear_modulus: MPa, where it does not follow from these two, as in what has fibres.
         plate_limits: what plates of it can be made, None where nothing is known of that.
+        clearance: that slots in it have beside what goes into them where none is given, mm.
 
     Raises:
         InputError: a number that is not positive and finite.
@@ -65,6 +69,7 @@ class Material:
     poisson: float = 0.3
     own_shear_modulus: float | None = None
     plate_limits: PlateLimits | None = None
+    clearance: float = 1.0
 
     def __post_init__(self) -> None:
         positive("density", self.density, "kg/m3")
@@ -74,6 +79,7 @@ class Material:
         if self.own_shear_modulus is not None:
             positive("shear modulus", self.own_shear_modulus, "MPa")
         positive("bearing", self.bearing, "mm")
+        positive("clearance", self.clearance, "mm")
         for layer in self.layers:
             positive("layer", layer.thickness, "mm")
 
@@ -143,6 +149,11 @@ def _steel(grade: str, strength: float) -> Material:
     return Material(grade, 7850.0, 210_000.0, strength, _ON_METAL)
 
 
+def _timber(name: str, density: float, modulus: float, strength: float, shear: float) -> Material:
+    sizes = name, density, modulus, strength, _ON_WOOD
+    return Material(*sizes, own_shear_modulus=shear, clearance=_IN_TIMBER)
+
+
 def build_up(name: str, layers: Sequence[Layer]) -> Material:
     """Glass in layers: as heavy as they are by its whole volume, as strong as the weakest pane.
 
@@ -189,19 +200,19 @@ MATERIALS = {
         # 1.4301: EN 1993-1-4, 2.1.3 and table 2.1, hot rolled plate; density of EN 10088-1.
         Material("stainless", 7900.0, 200_000.0, 210.0, _ON_METAL),
         # EN AW-6060 T66: EN 1999-1-1, 3.2.5 and table 3.2b, extruded, thicker than 3 mm.
-        Material("aluminium", 2700.0, 70_000.0, 150.0, _ON_METAL),
+        Material("aluminium", 2700.0, 70_000.0, 150.0, _ON_METAL, clearance=_IN_ALUMINIUM),
         # Birch, 18 mm, along its face: Handbook of Finnish Plywood (2007), after EN 789.
         Material("plywood", 680.0, 10_000.0, 40.0, _ON_WOOD, own_shear_modulus=620.0),
         # C24: EN 338, table 1, means but for the strength.
-        Material("timber", 420.0, 11_000.0, 24.0, _ON_WOOD, own_shear_modulus=690.0),
+        _timber("timber", 420.0, 11_000.0, 24.0, 690.0),
         # Softwood by EN 338, table 1, glued laminated timber by EN 14080, table 5: means but for
         # the strength.
-        Material("C24", 420.0, 11_000.0, 24.0, _ON_WOOD, own_shear_modulus=690.0),
-        Material("C30", 460.0, 12_000.0, 30.0, _ON_WOOD, own_shear_modulus=750.0),
-        Material("GL24h", 420.0, 11_500.0, 24.0, _ON_WOOD, own_shear_modulus=650.0),
-        Material("GL28h", 460.0, 12_600.0, 28.0, _ON_WOOD, own_shear_modulus=650.0),
-        Material("GL30h", 480.0, 13_600.0, 30.0, _ON_WOOD, own_shear_modulus=650.0),
-        Material("GL32h", 490.0, 14_200.0, 32.0, _ON_WOOD, own_shear_modulus=650.0),
+        _timber("C24", 420.0, 11_000.0, 24.0, 690.0),
+        _timber("C30", 460.0, 12_000.0, 30.0, 750.0),
+        _timber("GL24h", 420.0, 11_500.0, 24.0, 650.0),
+        _timber("GL28h", 460.0, 12_600.0, 28.0, 650.0),
+        _timber("GL30h", 480.0, 13_600.0, 30.0, 650.0),
+        _timber("GL32h", 490.0, 14_200.0, 32.0, 650.0),
         # Pultruded, E23: EN 13706-3; density and shear modulus of the Fiberline Design Manual.
         Material("gfrp", 1900.0, 23_000.0, 240.0, _ON_METAL, own_shear_modulus=3_000.0),
         *(_glass(name) for name in STRENGTHS),

@@ -6,7 +6,8 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_ortho.fabrication import SYSTEMS, System
+from freecad_ortho import fabrication
+from freecad_ortho.fabrication import SYSTEMS, System, material
 from freecad_ortho.objects.option_properties import properties, read
 from freecad_ortho.objects.properties import Property
 from solver.option import Option
@@ -51,4 +52,5 @@ def system_of(feature: FreeCAD.DocumentObject, system: str) -> System:
     """
     options = SYSTEMS[system].options
     extra = {option.name: option.default for option in options if option.name in _ELSEWHERE}
-    return SYSTEMS[system].of(values(feature, system) | extra)
+    of = material(feature.Material, feature.Density or None)
+    return fabrication.system_of(system, values(feature, system) | extra, of)

@@ -11,6 +11,7 @@ import pytest
 import shapely
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
+from freecad_ortho import api
 from freecad_ortho.fabrication import Lamellas, Selection, build, write
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.pattern import polygon_area
@@ -79,6 +80,24 @@ def check_solids(structure):
         assert solid.isValid(), part.name
         assert solid.Volume() == pytest.approx(part.volume, rel=1e-9), part.name
         assert len(solid.Solids()) == len(solid.Shells()) == 1
+
+
+@pytest.mark.parametrize(
+    ("material", "given", "clearance"),
+    [
+        ("steel", {}, 1.0),
+        ("aluminium", {}, 0.5),
+        ("GL24h", {}, 1.5),
+        ("GL24h", {"clearance": 0.7}, 0.7),
+    ],
+)
+def test_slots_have_the_clearance_of_their_material_unless_one_is_given(material, given, clearance):
+    sizes = {"material": material, "unit": "mm", **given}
+    slots = api.fabricate(flat_grid(), "lamellas", thickness=6, **sizes).report()["lamellas"]
+    assert slots["slot_width_min_mm"] == pytest.approx(6 + clearance)
+    for ends in ("lapped", "hub"):
+        beams = api.fabricate(flat_grid(), "beams", ends=ends, **sizes).report()["beams"]
+        assert beams["clearance_mm"] == (clearance if given or ends == "lapped" else 1.0)
 
 
 def test_lamellas_of_a_minimal_surface_unroll_straight(minimal):

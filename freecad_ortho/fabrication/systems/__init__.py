@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from freecad_ortho.fabrication.material import Material
+from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.systems.arches import Arches
 from freecad_ortho.fabrication.systems.beams import Beams
 from freecad_ortho.fabrication.systems.bent_panels import BentPanels
@@ -16,6 +16,7 @@ from freecad_ortho.fabrication.systems.louvres import Louvres
 from freecad_ortho.fabrication.systems.nodes import ENDS_OF, Nodes
 from freecad_ortho.fabrication.systems.panels import Panels
 from freecad_ortho.fabrication.systems.patches import Patches
+from freecad_ortho.fabrication.systems.shared_options import USUAL_CLEARANCE
 from freecad_ortho.fabrication.systems.system import System, SystemParts
 from solver.errors import InputError
 
@@ -50,6 +51,7 @@ __all__ = [
     "Patches",
     "System",
     "SystemParts",
+    "system_of",
     "systems_of",
 ]
 
@@ -80,10 +82,26 @@ def systems_of(
     result = []
     for system in chosen:
         settings = {each.name: values.get(each.name, each.default) for each in system.options}
-        if "panel_thickness" in settings and settings["panel_thickness"] is None and materials:
-            settings["panel_thickness"] = materials[system.name].thickness
-        result.append(system.of(settings))
+        of = MATERIALS["steel"] if materials is None else materials[system.name]
+        if "panel_thickness" in settings and settings["panel_thickness"] is None:
+            settings["panel_thickness"] = of.thickness
+        result.append(system_of(system.name, settings, of))
     return result
+
+
+def system_of(name: str, values: Mapping[str, Any], material: Material) -> System:
+    """Make a system of a material from a value for each of its options.
+
+    Where no clearance is given, slots have that of the material, all else the usual one.
+
+    Raises:
+        InputError: a value that cannot be used.
+    """
+    system = SYSTEMS[name]
+    if "clearance" in values and values["clearance"] is None:
+        slotted = system.slotted(values)
+        values = {**values, "clearance": material.clearance if slotted else USUAL_CLEARANCE}
+    return system.of(values)
 
 
 def _refuse_unknown(wanted: Sequence[str], values: Mapping[str, Any]) -> None:

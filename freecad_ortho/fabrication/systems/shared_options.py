@@ -13,7 +13,12 @@ PANEL_THICKNESS = Option(
 OFFSET = Option(
     *("offset", "centre", "choice", "the parts lie above the net, about it or below it", OFFSETS),
 )
-CLEARANCE = Option("clearance", 1.0, "length", "slots and hubs leave this much air")
+# Of hubs, arms and caps, where none is given; slots have that of their material.
+USUAL_CLEARANCE = 1.0
+CLEARANCE = Option(
+    *("clearance", None, "length", "slots and hubs leave this much air"),
+    absent="1 mm, slots by material",
+)
 NO_BOUNDARY_BEAMS = Option(
     "no_boundary_beams", False, "flag", "no beams are made along the boundary"
 )

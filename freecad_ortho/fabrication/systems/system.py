@@ -101,6 +101,11 @@ class System(ABC):
         """
         return cls(**values)
 
+    @classmethod
+    def slotted(cls, values: Mapping[str, Any]) -> bool:
+        """Whether parts with these values of the options have slots; by default none has."""
+        return False
+
     def beside(self, others: Mapping[str, System]) -> System:
         """The settings where others are built with it, by their names; by default the same."""
         return self

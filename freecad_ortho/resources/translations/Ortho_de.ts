@@ -165,11 +165,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: the slots leave this much air</source>
-   <translation>Spiel: die Schlitze lassen so viel Luft</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cleats: angles with bolts join strips where these end</source>
    <translation>Winkel: Winkel mit Schrauben verbinden Streifen an ihren Enden</translation>
   </message>
@@ -1695,6 +1690,11 @@
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
    <source>, drawn {:g} times</source>
    <translation>, {:g}-fach gezeichnet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1 mm, slots by material</source>
+   <translation>1 mm, Schlitze je Material</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6393,11 +6393,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the sides of the panels are square, or bevelled along the beams</source>
    <translation>die Seiten der Platten sind rechtwinklig, oder längs der Träger abgeschrägt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>the slots leave this much air</source>
-   <translation>die Schlitze lassen so viel Luft</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -165,11 +165,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: the slots leave this much air</source>
-   <translation>Jeu : les encoches laissent ce jeu</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cleats: angles with bolts join strips where these end</source>
    <translation>Équerres : des équerres boulonnées joignent les bandes à leurs bouts</translation>
   </message>
@@ -1695,6 +1690,11 @@
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
    <source>, drawn {:g} times</source>
    <translation>, dessinés {:g} fois</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>1 mm, slots by material</source>
+   <translation>1 mm, entailles selon le matériau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6393,11 +6393,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the sides of the panels are square, or bevelled along the beams</source>
    <translation>les chants des panneaux sont d'équerre, ou biseautés le long des poutres</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>the slots leave this much air</source>
-   <translation>les encoches laissent ce jeu</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

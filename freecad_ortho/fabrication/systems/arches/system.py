@@ -93,6 +93,11 @@ class Arches(System):
                 f"{self.height:g} mm; take less"
             )
 
+    @classmethod
+    def slotted(cls, values: Mapping[str, Any]) -> bool:
+        """Every crossing of plates that both run through is one."""
+        return True
+
     def build(self, site: Site) -> SystemParts:
         """Work out the plates of the chosen lines.
 
@@ -210,6 +215,7 @@ class Arches(System):
         return {
             "height_mm": self.height,
             "thickness_mm": self.thickness,
+            "clearance_mm": self.clearance,
             "offset": self.offset,
             "plates": counts,
             "half_laps": sum(len(each) for each in slots) // 2,

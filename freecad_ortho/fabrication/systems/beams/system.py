@@ -12,11 +12,7 @@ from freecad_ortho.fabrication.bolts import bolt_of
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.profiles import profile
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import (
-    check_options,
-    check_size,
-    offset_levels,
-)
+from freecad_ortho.fabrication.sizes import check_options, check_size, offset_levels
 from freecad_ortho.fabrication.systems.beams.ball_tubes import TubesOnBalls, with_tubes
 from freecad_ortho.fabrication.systems.beams.balls import BallJoints, smallest_angles
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds, stub_words
@@ -164,6 +160,11 @@ class Beams(System):
         given = dict(values)
         given["boundary_beams"] = not given.pop("no_boundary_beams")
         return cls(**given)
+
+    @classmethod
+    def slotted(cls, values: Mapping[str, Any]) -> bool:
+        """Lapped ones are, where they cross."""
+        return bool(values["ends"] == "lapped")
 
     @property
     def levels(self) -> tuple[float, float]:
@@ -362,6 +363,7 @@ class Beams(System):
             "offset": self.offset,
             "section": self.profile.name or self.section,
             "ends": self.ends,
+            "clearance_mm": self.clearance,
             "twist_max": float(site.axes.twist[chosen].max()),
             "twist_max_deg": max(part.measures.twist_deg or 0.0 for part in parts),
             "twist_max_mm": float(geometry.twist_mm[chosen].max()),

@@ -7,7 +7,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from freecad_ortho.fabrication.sizes import check_options, check_size, size
-from freecad_ortho.fabrication.systems.shared_options import OVERHANG, STOCK, plate_thickness
+from freecad_ortho.fabrication.systems.shared_options import (
+    CLEARANCE,
+    OVERHANG,
+    STOCK,
+    plate_thickness,
+)
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 from solver.option import Option, Range
@@ -74,7 +79,7 @@ class LamellaSettings:
     options: ClassVar[tuple[Option, ...]] = (
         size("width", 80.0, "the strips are this wide"),
         plate_thickness(5.0),
-        size("clearance", 1.0, "the slots leave this much air"),
+        CLEARANCE,
         Option(
             "position",
             "standing",

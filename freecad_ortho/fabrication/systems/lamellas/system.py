@@ -64,6 +64,11 @@ class Lamellas(LamellaSettings, System):
         "bolts join them; leave the nodes out"
     }
 
+    @classmethod
+    def slotted(cls, values: Mapping[str, Any]) -> bool:
+        """Every crossing is one."""
+        return True
+
     def beside(self, others: Mapping[str, System]) -> Lamellas:
         """With holes for the fins of feet, where these are built too."""
         return replace(self, feet=getattr(others.get("feet"), "places", ""))
@@ -134,6 +139,7 @@ class Lamellas(LamellaSettings, System):
         return {
             "width_mm": self.width,
             "thickness_mm": self.thickness,
+            "clearance_mm": self.clearance,
             "position": self.position,
             "layers": self.layers,
             "tilt_deg": {name: math.degrees(angle) for name, angle in pattern.tilts.items()}
