@@ -5,7 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, kept_whole, stopped_words
+from freecad_ortho.cli.endings import (
+    EXIT_NOT_CONVERGED,
+    kept_whole,
+    stopped_as_before,
+    stopped_words,
+)
 from freecad_ortho.cli.supervising import supervised
 
 
@@ -17,7 +22,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with kept_whole():
             from freecad_ortho.cli import commands
-        return commands.run(arguments)
+        with stopped_as_before():
+            return commands.run(arguments)
     except KeyboardInterrupt:
         sys.stderr.write(stopped_words(sys.argv[1:] if arguments is None else arguments))
         return EXIT_NOT_CONVERGED

@@ -14,6 +14,7 @@ from types import SimpleNamespace
 import pytest
 
 from freecad_ortho import api
+from freecad_ortho.__main__ import main
 from freecad_ortho.cli import endings, supervising
 from solver.io import leftovers
 from tests.conftest import ROOT, wavy_grid
@@ -181,17 +182,87 @@ def test_work_ends_when_its_command_is_killed_and_the_next_run_sweeps(fabricatio
 
 
 def test_what_is_done_is_not_called_stopped():
-    # Python sets its own handlers aside while it ends: only what is blocked cannot kill it then.
+    # Python sets its own handlers aside while it ends, so the process ends without that.
     script = (
-        "import atexit, runpy, signal\n"
+        "import atexit, os, runpy, signal\n"
         "from freecad_ortho.cli import commands\n"
         "commands.run = lambda: 0\n"
-        "atexit.register(lambda: print(*sorted(signal.pthread_sigmask(signal.SIG_BLOCK, []))))\n"
+        "end = os._exit\n"
+        "def stopped(code):\n"
+        "    os.kill(os.getpid(), signal.SIGTERM)\n"
+        "    os.kill(os.getpid(), signal.SIGINT)\n"
+        "    end(code)\n"
+        "os._exit = stopped\n"
+        "atexit.register(lambda: print('ended by itself'))\n"
         "runpy.run_module('freecad_ortho.cli.__main__', run_name='__main__')\n"
     )
     done = subprocess.run(
         [sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=60
     )
-    assert done.returncode == 0, done.stderr
-    blocked = {int(word) for word in done.stdout.split()}
-    assert blocked >= {signal.SIGINT, signal.SIGTERM}
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_a_run_is_not_stopped_once_its_files_are_moved_into_place(tmp_path):
+    mesh = tmp_path / "one.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+    script = (
+        "import os, runpy, signal\n"
+        "from solver.io import atomic\n"
+        "move = atomic._move_all\n"
+        "def stopped(*arguments):\n"
+        "    os.kill(os.getpid(), signal.SIGTERM)\n"
+        "    move(*arguments)\n"
+        "    os.kill(os.getpid(), signal.SIGINT)\n"
+        "atomic._move_all = stopped\n"
+        "runpy.run_module('freecad_ortho.cli.__main__', run_name='__main__', alter_sys=True)\n"
+    )
+    command = [sys.executable, "-c", script, "fabricate", str(mesh), "--unit", "m"]
+    done = subprocess.run(
+        [*command, "--system", "panels", "-o", str(tmp_path / "out")],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("1 panel, ")
+    assert (tmp_path / "out" / "report.json").is_file()
+
+
+def test_a_run_that_was_killed_while_its_files_were_moved_is_finished_and_says_so(
+    tmp_path, monkeypatch, capsys
+):
+    staging = tmp_path / f"{leftovers.STAGING}a1b2c3d4"
+    (staging / leftovers.NEW).mkdir(parents=True)
+    (staging / leftovers.NEW / "parts.csv").write_text("whole")
+    leftovers.begin(staging, [Path("parts.csv")], [])
+
+    class Killed:
+        returncode = -signal.SIGKILL
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            pass
+
+        def wait(self):
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(subprocess, "Popen", lambda command: Killed())
+    monkeypatch.setattr(supervising, "ended", lambda work: False)
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        assert supervising.supervised(["fabricate", "net.obj", f"--out={tmp_path}"]) == 1
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    assert capsys.readouterr().err == endings.ALL_WRITTEN
+    assert [path.name for path in tmp_path.iterdir()] == ["parts.csv"]
+
+
+def test_a_command_that_writes_within_this_process_lets_ctrl_c_come_again(tmp_path):
+    before = [signal.getsignal(number) for number in endings.ENDING_SIGNALS]
+    words = ["primitive", "rectangle", "--sampling", "3x3", "-o", str(tmp_path / "net.obj")]
+    assert main(words) == 0
+    assert [signal.getsignal(number) for number in endings.ENDING_SIGNALS] == before

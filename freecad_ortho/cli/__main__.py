@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
-from freecad_ortho.cli.endings import EXIT_STOPPED, end_once, held_back, kept_whole, let_through
+from freecad_ortho.cli.endings import EXIT_STOPPED, end_once, kept_whole, let_through, past_stopping
 from freecad_ortho.processes import end_with_parent
 
 if __name__ == "__main__":
@@ -15,8 +16,11 @@ if __name__ == "__main__":
         with kept_whole():
             from freecad_ortho.cli import commands
         code = commands.run()
-        # What is done is done: were the rest of the process killed, it would be called stopped.
-        held_back()
+        past_stopping()
     except KeyboardInterrupt:
         code = EXIT_STOPPED
-    sys.exit(code)
+    sys.stdout.flush()
+    sys.stderr.flush()
+    # What is done is done: while Python ends by itself, freeing all there is, it heeds no handler
+    # of ours, and a process that was killed then would be called stopped.
+    os._exit(code)

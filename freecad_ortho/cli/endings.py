@@ -12,6 +12,7 @@ EXIT_OK, EXIT_NOT_CONVERGED, EXIT_BAD_INPUT = 0, 1, 2
 # Between two processes of ours only: the work was stopped, as a shell counts it.
 EXIT_STOPPED = 130
 NOTHING_WRITTEN = "stopped; nothing was written\n"
+ALL_WRITTEN = "stopped after its files were finished; all of them are in place\n"
 _GOES_ON = {"build": "stopped; finished stages are kept, the same command goes on from there\n"}
 ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
@@ -63,6 +64,26 @@ def pass_over() -> None:
     """
     for number in ENDING_SIGNALS:
         signal.signal(number, lambda number, frame: None)
+
+
+def past_stopping() -> None:
+    """From here on the command ends by itself: what it writes now is not called off any more."""
+    if threading.current_thread() is threading.main_thread():
+        # Not held back, which is for one thread: those of compiled libraries would take it.
+        pass_over()
+
+
+@contextmanager
+def stopped_as_before() -> Iterator[None]:
+    """After the block Ctrl-C, and being asked to end, do again what they did before it."""
+    before = {number: signal.getsignal(number) for number in ENDING_SIGNALS}
+    try:
+        yield
+    finally:
+        if threading.current_thread() is threading.main_thread():
+            for number, handler in before.items():
+                if handler is not None:
+                    signal.signal(number, handler)
 
 
 def end_once() -> None:

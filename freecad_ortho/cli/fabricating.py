@@ -10,7 +10,7 @@ from typing import Any
 from freecad_ortho import api, fabrication
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
-from freecad_ortho.cli.endings import EXIT_OK, kept_whole
+from freecad_ortho.cli.endings import EXIT_OK, past_stopping, kept_whole
 from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import BUILD_UPS, MATERIALS
@@ -151,10 +151,17 @@ def fabricated(
         import cadquery  # noqa: F401
         import ezdxf  # noqa: F401
     with reporting.Progress(options.verbose) as progress:
+
+        def say(done: float, words: str) -> None:
+            progress(done, words)
+            if done >= 1.0:
+                # Finished files are moved into place next: from here on the run is not stopped.
+                past_stopping()
+
         api.write_fabrication(
             structure,
             options.output,
-            progress,
+            say,
             workers=options.workers,
             project=project,
             way=way,

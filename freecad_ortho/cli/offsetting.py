@@ -8,6 +8,7 @@ import json
 from freecad_ortho import api
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
+from freecad_ortho.cli.endings import past_stopping
 from freecad_ortho.sources import source
 from freecad_ortho.units import millimetres_per
 from solver.io.atomic import write_text
@@ -49,6 +50,7 @@ def run(options: argparse.Namespace) -> int:
             "length_ratio_min": float(found.length_ratio.min()),
             "distances_mm": found.distances.tolist(),
         }
+        past_stopping()
         write_text(options.report, json.dumps(report, indent=2) + "\n")
     mesh, words = found.mesh.scaled(1 / scale), f"in mm: {found.message}"
     return values.write(options, mesh, loaded.unit, words, loaded.origin)

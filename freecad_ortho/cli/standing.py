@@ -10,7 +10,7 @@ from typing import Any
 from freecad_ortho import api
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
-from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK
+from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK, past_stopping
 from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.sizing import Sizing
@@ -83,6 +83,7 @@ def run(options: argparse.Namespace) -> int:
                 loaded.mesh, options.lightest_of, groups=options.groups, progress=progress, **common
             )
             check = found.check
+    past_stopping()
     api.write_structural_check(found, options.output, Path(options.input).stem)
     for words in warnings(check):
         sys.stderr.write(f"note: {words}\n")

@@ -18,6 +18,7 @@ from pathlib import Path
 from types import ModuleType
 
 from freecad_ortho.cli.endings import (
+    ALL_WRITTEN,
     ENDING_SIGNALS,
     EXIT_BAD_INPUT,
     EXIT_NOT_CONVERGED,
@@ -46,6 +47,7 @@ def supervised(arguments: Sequence[str] | None = None) -> int:
     ]
     for number in ENDING_SIGNALS:
         signal.signal(number, signal.default_int_handler)
+    finished = False
     # Neither process can be stopped before it knows how; the work inherits what is held back.
     held_back()
     with subprocess.Popen([sys.executable, "-m", "freecad_ortho.cli", *words]) as work:
@@ -54,14 +56,14 @@ def supervised(arguments: Sequence[str] | None = None) -> int:
             code = work.wait()
         except KeyboardInterrupt:
             if not ended(work):
-                _clear(targets, missing)
+                finished = _clear(targets, missing)
             code = EXIT_STOPPED if work.returncode < 0 else work.returncode
     if code < 0:
         _clear(targets, missing)
         sys.stderr.write(f"error: killed by signal {-code}; is there enough memory?\n")
         return EXIT_BAD_INPUT
     if code == EXIT_STOPPED:
-        sys.stderr.write(stopped_words(words))
+        sys.stderr.write(ALL_WRITTEN if finished else stopped_words(words))
         return EXIT_NOT_CONVERGED
     return code
 
@@ -95,17 +97,22 @@ def _targets(words: Sequence[str]) -> list[Path]:
     return [Path(value) for value in values if value and "\0" not in value]
 
 
-def _clear(targets: Sequence[Path], missing: Sequence[Path]) -> None:
-    """Sweep what work that was killed has left, and the folders that it had made."""
+def _clear(targets: Sequence[Path], missing: Sequence[Path]) -> bool:
+    """Sweep what work that was killed has left, and the folders that it had made.
+
+    Returns whether it was killed as its files were moved into place, which is done then.
+    """
+    finished = False
     leftovers = _leftovers()
     for target in targets:
         try:
-            leftovers.sweep(target)
+            finished = leftovers.sweep(target) or finished
         except OSError as error:
             sys.stderr.write(f"error: {target}: cannot be cleared ({error.strerror})\n")
     for path in missing:
         if os.path.isdir(path) and not any(path.iterdir()):
             path.rmdir()
+    return finished
 
 
 def _leftovers() -> ModuleType:

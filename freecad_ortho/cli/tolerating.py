@@ -10,7 +10,7 @@ from pathlib import Path
 from freecad_ortho import api
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
-from freecad_ortho.cli.endings import EXIT_OK
+from freecad_ortho.cli.endings import EXIT_OK, past_stopping
 from freecad_ortho.fabrication.tolerances import Tolerances
 
 
@@ -41,6 +41,7 @@ def run(options: argparse.Namespace) -> int:
     landed = api.tolerances(loaded.mesh, unit=loaded.unit, held=held, **given)
     if options.output is not None:
         text = json.dumps({"file": options.input, **landed.report()}, indent=2)
+        past_stopping()
         Path(options.output).write_text(f"{text}\n", encoding="utf-8")
     sys.stdout.write(f"{landed.words()}\n")
     return EXIT_OK

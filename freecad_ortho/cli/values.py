@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from freecad_ortho import api
+from freecad_ortho.cli.endings import past_stopping
 from freecad_ortho.mesh_files import UP
 from freecad_ortho.units import MILLIMETRES
 from freecad_ortho.words import counted
@@ -163,6 +164,8 @@ def write_mesh(
     # Their difference is taken first: a file about a local origin has every digit of the work.
     back = LocalOrigin(origin.shift - wanted.shift)
     lines = [back.back(line) for line in border]
+    # What is written is done, and so is the command but for what it says of it.
+    past_stopping()
     api.write_mesh(options.output, back.back_mesh(mesh), unit, lines)
     if border and not keeps_border(options.output):
         sys.stderr.write(

@@ -53,12 +53,16 @@ def locked(path: str | os.PathLike[str]) -> Iterator[None]:
         os.close(handle)
 
 
-def sweep(target: str | os.PathLike[str]) -> None:
+def sweep(target: str | os.PathLike[str]) -> bool:
     """Clear away what dead runs left of a file, or in a folder; finish a swap that had begun.
+
+    Returns:
+        Whether there was such a swap.
 
     Raises:
         OSError: the files of a swap cannot be moved.
     """
+    finished = False
     path = Path(os.path.realpath(target))
     for part in _named(path.parent, part_prefix(path), PART):
         with _seized(part) as dead:
@@ -67,7 +71,8 @@ def sweep(target: str | os.PathLike[str]) -> None:
     for staging in _named(path, STAGING):
         with _seized(staging) as dead:
             if dead and staging.is_dir() and {each.name for each in staging.iterdir()} <= _INSIDE:
-                finish(staging, path)
+                finished = finish(staging, path) or finished
+    return finished
 
 
 def _named(folder: Path, begin: str, end: str = "") -> list[Path]:
@@ -85,14 +90,18 @@ def begin(staging: Path, new: list[Path], old: list[Path]) -> None:
     os.replace(draft, staging / JOURNAL)
 
 
-def finish(staging: Path, folder: Path) -> None:
+def finish(staging: Path, folder: Path) -> bool:
     """Bring a swap to its end where it has begun, and remove its staging folder.
+
+    Returns:
+        Whether it had begun.
 
     Raises:
         OSError: a file cannot be moved.
     """
     journal = staging / JOURNAL
-    if journal.is_file():
+    begun = journal.is_file()
+    if begun:
         plan = json.loads(journal.read_text(encoding="utf-8"))
         new, old = ([Path(name) for name in plan[key]] for key in ("new", "old"))
         for name in new:
@@ -104,6 +113,7 @@ def finish(staging: Path, folder: Path) -> None:
         remove_empty(folder, old)
         journal.unlink()
     shutil.rmtree(staging, ignore_errors=True)
+    return begun
 
 
 def remove_empty(folder: Path, names: list[Path]) -> None:

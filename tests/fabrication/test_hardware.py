@@ -210,6 +210,17 @@ def test_the_list_is_a_file_of_every_structure_that_has_bolts(bolted, tmp_path):
     assert not (tmp_path / "hardware.csv").exists()
 
 
+@pytest.mark.parametrize(
+    "holds", ["hubs and end plates", "webs and arms of stars", "cones and balls"]
+)
+def test_both_lists_of_bolts_say_one_grip(bolted, holds):
+    structure = bolted[holds]
+    table = next(t for t in structure.results["nodes"].tables if t.name == "bolts.csv")
+    listed = {float(row[table.columns.index("grip_mm")]) for row in table.rows}
+    rows = [row for row in hardware_rows(structure.fasteners, ()) if row[0] == "bolt"]
+    assert sorted(float(row[3]) for row in rows) == pytest.approx(sorted(listed), abs=1e-3)
+
+
 def test_an_unknown_word_is_refused():
     with pytest.raises(InputError, match=r"hardware: expected list or solids, got 'all'"):
         Workshop(hardware="all")

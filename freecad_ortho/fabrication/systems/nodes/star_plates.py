@@ -198,8 +198,12 @@ class StarMaking:
     def fasteners(self) -> Fasteners:
         """The bolts in their places."""
         covers = self.covers
-        grip = covers.grip + 2 * covers.bolt.washer
-        return gathered(covers.bolt, covers.length, grip, 2, True, self.holds, self.placed)
+        return gathered(covers.bolt, covers.length, self.grip, 2, True, self.holds, self.placed)
+
+    @property
+    def grip(self) -> float:
+        """What lists call the grip: from under the head to the nut, washers within it, mm."""
+        return self.covers.grip + 2 * self.covers.bolt.washer
 
     def _doubts(self, star: Star, arm: int, beam: str) -> list[str]:
         """What keeps the bolts of a beam from being put in and tightened."""
@@ -236,7 +240,7 @@ class StarMaking:
         count = len(self.placed)
         row = (
             *(bolt.name, covers.length, HEADS, GRADE, count),
-            *(f"{2 * count} {WASHERS}", f"{count} {NUTS}", covers.grip, bolt.hole),
+            *(f"{2 * count} {WASHERS}", f"{count} {NUTS}", self.grip, bolt.hole),
             *self.clamped.row(),
         )
         return Table("bolts.csv", _BOLT_COLUMNS, (row,))
