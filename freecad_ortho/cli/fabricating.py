@@ -10,7 +10,7 @@ from typing import Any
 from freecad_ortho import api, fabrication
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
-from freecad_ortho.cli.endings import EXIT_OK, past_stopping, kept_whole
+from freecad_ortho.cli.endings import EXIT_OK, kept_whole, past_stopping
 from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import BUILD_UPS, MATERIALS
