@@ -6,7 +6,7 @@ import json
 import os
 import re
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -15,8 +15,8 @@ from typing import Any
 from freecad_ortho.fabrication.different import different_patterns
 from freecad_ortho.fabrication.dxf import write_dxf, write_sheet
 from freecad_ortho.fabrication.exchange import WRITERS
-from freecad_ortho.fabrication.fasteners import Fasteners
 from freecad_ortho.fabrication.formats import FORMATS
+from freecad_ortho.fabrication.hardware import Hardware
 from freecad_ortho.fabrication.nesting.sheet import file_words
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production, produce
@@ -25,7 +25,7 @@ from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.step import write_step
 from freecad_ortho.fabrication.stl import write_stl
 from freecad_ortho.fabrication.structure import Progress, Structure, build
-from freecad_ortho.fabrication.systems.system import System
+from freecad_ortho.fabrication.systems.system import System, SystemParts
 from freecad_ortho.fabrication.tables import (
     lists,
     write_bends,
@@ -107,12 +107,12 @@ def write(
     production = produce(structure, workshop, executor, lambda f, words: say(0.2 * f, words))
     with no_new_folders_on_failure(target), staged_folder(target, earlier(target)) as staging:
         structure.solids(lambda fraction, words: say(0.2 + 0.2 * fraction, words), executor)
-        for number, (name, (parts, bolts)) in enumerate(solids.items()):
+        for number, (name, (parts, hardware)) in enumerate(solids.items()):
             say(0.4 + 0.4 * number / len(solids), name)
             tolerance = production.workshop.step_tolerance
             in_place = production.workshop.step == "in-place"
             words = production.on_site
-            write_step(staging / name, parts, structure.place, tolerance, words, in_place, bolts)
+            write_step(staging / name, parts, structure.place, tolerance, words, in_place, hardware)
         if production.named_patterns:
             say(0.8, "flat patterns")
             _write_patterns(staging, production)
@@ -129,18 +129,27 @@ def write(
 
 def _step_files(
     structure: Structure, workshop: Workshop
-) -> dict[str, tuple[Sequence[Part], Sequence[Fasteners]]]:
-    """The parts of each file of solids and the bolts drawn in it, by its name."""
+) -> dict[str, tuple[Sequence[Part], Hardware]]:
+    """The parts of each file of solids and the hardware drawn in it, by its name."""
     drawn = workshop.hardware == "solids"
     if workshop.step != "systems":
-        return {_STEP: (structure.parts, structure.fasteners if drawn else ())}
+        return {_STEP: (structure.parts, _hardware(structure.results.values(), drawn))}
     return {
         f"{file_words('structure', system, result.parts[0].material.name)}.step": (
             result.parts,
-            result.fasteners if drawn else (),
+            _hardware([result], drawn),
         )
         for system, result in structure.results.items()
     }
+
+
+def _hardware(results: Iterable[SystemParts], drawn: bool) -> Hardware:
+    """Bolts, gaskets and setting blocks of systems where they are drawn."""
+    chosen = list(results) if drawn else []
+    return Hardware(
+        tuple(each for result in chosen for each in result.fasteners),
+        tuple(part for result in chosen for part in result.loose()),
+    )
 
 
 def _beside(folder: Path, structure: Structure) -> list[str]:

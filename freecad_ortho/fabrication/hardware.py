@@ -1,13 +1,15 @@
-"""Bolts as simple solids: hexagon head, shank without its thread, washers and nut."""
+"""What is bought as simple solids: bolts with hexagon heads and plain shanks, and what else is."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body, Prism
 from freecad_ortho.fabrication.fasteners import Fasteners
+from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.solids import compound
 from freecad_ortho.fabrication.turned import TurnedBody
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -15,6 +17,21 @@ from solver.mesh.quadmesh import FloatArray, unit_rows
 if TYPE_CHECKING:
     import cadquery
 
+
+@dataclass(frozen=True, eq=False)
+class Hardware:
+    """What is drawn beside the parts.
+
+    Attributes:
+        fasteners: bolts, each size one shape.
+        loose: gaskets and setting blocks.
+    """
+
+    fasteners: tuple[Fasteners, ...] = ()
+    loose: tuple[Part, ...] = ()
+
+
+NO_HARDWARE = Hardware()
 _HEXAGON = np.pi / 3 * np.arange(6)
 
 

@@ -17,8 +17,8 @@ import numpy as np
 
 from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.equal import copies
-from freecad_ortho.fabrication.fasteners import Fasteners, named
-from freecad_ortho.fabrication.hardware import bolt_frames, bolt_shape
+from freecad_ortho.fabrication.fasteners import named
+from freecad_ortho.fabrication.hardware import NO_HARDWARE, Hardware, bolt_frames, bolt_shape
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.solids import location
@@ -31,8 +31,10 @@ if TYPE_CHECKING:
 ASSEMBLY_NAME = "structure"
 # Of the assembly that puts the structure elsewhere than its own coordinates say.
 SITE_NAME = "site"
-# The layer of bolts, and their colour.
-HARDWARE, _GREY = "hardware", (90, 94, 100)
+# The layer of what is bought; colours of bolts, and of gaskets and blocks.
+HARDWARE, _GREY, _BLACK = "hardware", (90, 94, 100), (40, 40, 42)
+# Gaskets and blocks agree that much, mm, or are products of their own.
+_ALIKE = 1e-6
 # Distance from the origin, mm, at which numbers have a hundredth of the kernel's tolerance left.
 _FAR = 1e7
 # The same structure gives the same file: no clock, no user name.
@@ -47,7 +49,7 @@ def write_step(
     shared_within: float = 0.0,
     words: str = "",
     in_place: bool = False,
-    fasteners: Sequence[Fasteners] = (),
+    hardware: Hardware = NO_HARDWARE,
 ) -> None:
     """Write the parts as components of one assembly, in their order.
 
@@ -64,7 +66,7 @@ def write_step(
         words: description in the file's head.
         in_place: without an assembly: each part is a product whose coordinates are those of the
             structure. Programs that look for each component among all products open it sooner.
-        fasteners: drawn besides, each size one product with its washers and nut.
+        hardware: drawn besides; each size of bolts is one product with its washers and nut.
 
     Raises:
         InputError: parts in place farther from the origin than the kernel can tell them apart.
@@ -73,9 +75,9 @@ def write_step(
     """
     document = _document()
     if in_place:
-        _fill_in_place(document, parts, place or Place(), fasteners)
+        _fill_in_place(document, parts, place or Place(), hardware)
     else:
-        _fill(document, parts, place or Place(), shared_within, fasteners)
+        _fill(document, parts, place or Place(), shared_within, hardware)
     path.write_bytes(_step_bytes(document, words))
 
 
@@ -146,7 +148,7 @@ def _fill(
     parts: Sequence[Part],
     place: Place,
     shared_within: float,
-    fasteners: Sequence[Fasteners],
+    hardware: Hardware,
 ) -> None:
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
@@ -157,18 +159,20 @@ def _fill(
     shapes.SetAutoNaming_s(False)
     assembly = shapes.NewShape()
     TDataStd_Name.Set_s(assembly, TCollection_ExtendedString(ASSEMBLY_NAME))
-    products: dict[int, Any] = {}
-    for number, (part, copy) in enumerate(zip(parts, copies(parts, shared_within), strict=True)):
-        name = TCollection_ExtendedString(part.name)
-        if copy.first == number:
-            solid = part.solid().wrapped.Located(TopLoc_Location())
-            products[number] = shapes.AddShape(solid, False)
-            TDataStd_Name.Set_s(products[number], name)
-            _paint(document, products[number], colour_of(part.material), part.kind)
-        stands = location(part.origin + copy.shift @ part.frame, copy.turn @ part.frame)
-        component = shapes.AddComponent(assembly, products[copy.first], stands)
-        TDataStd_Name.Set_s(component, name)
-    for bolts, names in named(fasteners):
+    loose = hardware.loose
+    for some, within in ((parts, shared_within), (loose, max(shared_within, _ALIKE))):
+        products: dict[int, Any] = {}
+        for number, (part, copy) in enumerate(zip(some, copies(some, within), strict=True)):
+            name = TCollection_ExtendedString(part.name)
+            if copy.first == number:
+                solid = part.solid().wrapped.Located(TopLoc_Location())
+                products[number] = shapes.AddShape(solid, False)
+                TDataStd_Name.Set_s(products[number], name)
+                _paint(document, products[number], *_look(part, some is loose))
+            stands = location(part.origin + copy.shift @ part.frame, copy.turn @ part.frame)
+            component = shapes.AddComponent(assembly, products[copy.first], stands)
+            TDataStd_Name.Set_s(component, name)
+    for bolts, names in named(hardware.fasteners):
         product = shapes.AddShape(bolt_shape(bolts).wrapped, False)
         TDataStd_Name.Set_s(product, TCollection_ExtendedString(bolts.name))
         _paint(document, product, _GREY, HARDWARE)
@@ -183,9 +187,7 @@ def _fill(
     shapes.UpdateAssemblies()
 
 
-def _fill_in_place(
-    document: Any, parts: Sequence[Part], place: Place, fasteners: Sequence[Fasteners]
-) -> None:
+def _fill_in_place(document: Any, parts: Sequence[Part], place: Place, hardware: Hardware) -> None:
     from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
@@ -200,13 +202,13 @@ def _fill_in_place(
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     shapes.SetAutoNaming_s(False)
     structure = location(place.origin, place.rotation.T)
-    for part in parts:
+    for number, part in enumerate((*parts, *hardware.loose)):
         stands = structure.Multiplied(location(part.origin, part.frame)).Transformation()
         solid = part.solid().wrapped.Located(TopLoc_Location())
         product = shapes.AddShape(BRepBuilderAPI_Transform(solid, stands, True).Shape(), False)
         TDataStd_Name.Set_s(product, TCollection_ExtendedString(part.name))
-        _paint(document, product, colour_of(part.material), part.kind)
-    for bolts, names in named(fasteners):
+        _paint(document, product, *_look(part, number >= len(parts)))
+    for bolts, names in named(hardware.fasteners):
         shape = bolt_shape(bolts).wrapped
         for name, point, frame in zip(names, bolts.places, bolt_frames(bolts), strict=True):
             stands = structure.Multiplied(location(point, frame)).Transformation()
@@ -214,6 +216,11 @@ def _fill_in_place(
             TDataStd_Name.Set_s(product, TCollection_ExtendedString(name))
             _paint(document, product, _GREY, HARDWARE)
     shapes.UpdateAssemblies()
+
+
+def _look(part: Part, loose: bool) -> tuple[Sequence[int], str]:
+    """Colour and layer of a part, or of what is bought."""
+    return (_BLACK, HARDWARE) if loose else (colour_of(part.material), part.kind)
 
 
 def _paint(document: Any, product: Any, rgb: Sequence[int], layer: str) -> None:

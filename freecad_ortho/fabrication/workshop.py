@@ -57,7 +57,8 @@ class Workshop:
             without places, each where it is built in.
         step_tolerance: distance within which solids agree that are written once and placed several
             times; 0 writes each by itself.
-        hardware: bolts are in the "list" alone, or drawn as "solids" in STEP files too.
+        hardware: bolts, gaskets and setting blocks are in the "list" alone, or drawn as "solids" in
+            STEP files too.
         equal: distance within which parts are equal, cut from one drawing, mm.
         write: names of ``formats.FORMATS`` to be written besides, with commas between them.
         site_origin: where the model's origin is on site: east, north and height in metres, with
@@ -180,8 +181,10 @@ class Workshop:
             within=Range(0.0, TOLERANCE_MM),
         ),
         Option(
-            *("hardware", "list", "choice", "bolts are listed, or drawn as solids too", HARDWARE),
-            title="Bolts in STEP",
+            *("hardware", "list", "choice"),
+            "bolts, gaskets and setting blocks are listed, or drawn as solids too",
+            HARDWARE,
+            title="Hardware in STEP",
             shown={"list": "in the list only", "solids": "as solids too"},
         ),
         Option(

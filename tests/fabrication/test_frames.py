@@ -8,6 +8,7 @@ import pytest
 
 from freecad_ortho.fabrication import Beams, Panels, build, material, write
 from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.stock import stock_list
 from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.systems.panels.frame import PressureFrame
@@ -40,7 +41,11 @@ def of_kind(structure, kind):
 @pytest.mark.parametrize("frame", ["plate", "silicone"])
 def test_frames_do_not_clash_and_have_the_volume_of_their_formula(roof, frame, edge):
     structure = framed(roof, frame, edge=edge)
-    assert check_clashes(structure.parts).clashes == ()
+    loose = structure.results["panels"].loose()
+    assert check_clashes((*structure.parts, *loose)).clashes == ()
+    for part in loose[::23]:
+        assert part.solid().isValid()
+        assert part.solid().Volume() == pytest.approx(part.volume, rel=1e-9)
     kinds = ("pressure-plate", "cap") if frame == "plate" else ("adapter",)
     for kind in kinds:
         for part in of_kind(structure, kind)[::11]:
@@ -69,6 +74,55 @@ def test_on_a_plane_net_everything_lies_where_the_rule_says():
     profile = PressureFrame(50.0).cap
     assert profile.area == pytest.approx(50 * 15 - 46 * 13, rel=1e-12)
     assert (profile.width, profile.height) == pytest.approx((50, 15))
+
+
+def test_gaskets_fill_what_is_between_panels_beams_and_plates_and_blocks_stand_beside_them():
+    structure = framed(plane_net())
+    loose = structure.results["panels"].loose()
+    gaskets = [part for part in loose if part.kind == "gasket"]
+    panels = of_kind(structure, "panel")
+    assert len(gaskets) == 2 * 4 * len(panels)
+    levels = {"below": (100.0, 105.0), "above": (105 + 30.76, 105 + 30.76 + 5)}
+    for gasket in gaskets:
+        heights = gasket.points[:, 2]
+        assert (heights.min(), heights.max()) == pytest.approx(levels[gasket.name.split("-")[-1]])
+    # Four strips a side, mitred: 12 of the 15 mm that plates cover, on panels of 980 mm.
+    strips = 5 * (980**2 - 956**2)
+    assert sum(part.volume for part in gaskets) == pytest.approx(2 * len(panels) * strips)
+    blocks = [part for part in loose if part.kind == "setting-block"]
+    assert len(blocks) == 2 * len(panels)
+    for block in blocks:
+        assert block.volume == pytest.approx(100 * 5 * 32.76)
+        assert sorted(np.ptp(block.points, axis=0)) == pytest.approx([5, 32.76, 100])
+        # In the joint, against the panel: from its side on for as much as the block is thick.
+        inside = (block.points - block.points.mean(axis=0)) @ block.frame[1]
+        edge = (block.points @ block.frame[1]).max()
+        [panel] = [part for part in panels if block.name.startswith(f"{part.name}-")]
+        assert np.ptp(inside) == pytest.approx(5)
+        assert (panel.points @ block.frame[1]).min() == pytest.approx(edge)
+    assert check_clashes((*structure.parts, *loose)).clashes == ()
+
+
+def test_gaskets_end_with_the_beams_that_they_lie_on():
+    """Beams end before hubs, and gaskets do not lie on these; above they run through."""
+    sizes = Beams(200, 50, ends="hub", hub_diameter=160), Nodes(diameter=160)
+    structure = build(plane_net(), [*sizes, Panels(30.76, 8, frame="plate")], material=MATERIALS)
+    loose = structure.results["panels"].loose()
+    assert check_clashes((*structure.parts, *loose)).clashes == ()
+    longest = max(part.length for part in loose if part.name.endswith("below"))
+    assert longest == pytest.approx(1000 - 2 * 81)
+
+
+def test_gaskets_and_blocks_are_in_the_file_of_solids_where_these_are_asked_for(tmp_path):
+    structure = framed(plane_net())
+    loose = structure.results["panels"].loose()
+    for hardware, wanted in (("list", []), ("solids", [part.name for part in loose])):
+        write(structure, tmp_path, workshop=Workshop(hardware=hardware))
+        names = [name for name, _ in read_step(tmp_path / "structure.step")]
+        assert names == [part.name for part in structure.parts] + wanted
+    text = (tmp_path / "structure.step").read_text().replace(" ", "")
+    # Blocks are alike, and so are gaskets of one length: few products for many places.
+    assert len(re.findall(r"=PRODUCT\('P\d+-block", text.replace("\n", ""))) == 1
 
 
 def test_a_gap_beside_a_frame_is_said_not_to_count():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -68,6 +68,7 @@ class SystemParts:
         tables: lists of its own to write beside those of every structure.
         fasteners: bolts that its parts are joined by.
         supplies: what else is bought for it.
+        loose: makes solids of some of these, as gaskets, for files that show them.
         settings: of the system that made them; filled in by the structure.
     """
 
@@ -79,6 +80,7 @@ class SystemParts:
     tables: tuple[Table, ...] = ()
     fasteners: tuple[Fasteners, ...] = ()
     supplies: tuple[Supply, ...] = ()
+    loose: Callable[[], tuple[Part, ...]] = tuple
     settings: System | None = None
 
 

@@ -1968,11 +1968,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolts in STEP</source>
-   <translation>Schrauben in STEP</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border</source>
    <translation>Rand</translation>
   </message>
@@ -2885,6 +2880,11 @@
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>Hardly possible: {}</source>
    <translation>Kaum möglich: {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hardware in STEP</source>
+   <translation>Kleinteile in STEP</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -5171,8 +5171,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>bolts are listed, or drawn as solids too</source>
-   <translation>Schrauben stehen in der Liste oder auch als Körper in STEP</translation>
+   <source>bolts, gaskets and setting blocks are listed, or drawn as solids too</source>
+   <translation>Schrauben, Dichtungen und Klötze stehen in der Liste oder sind auch als Körper gezeichnet</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

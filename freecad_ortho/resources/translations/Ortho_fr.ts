@@ -1968,11 +1968,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bolts in STEP</source>
-   <translation>Boulons dans STEP</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border</source>
    <translation>Bord</translation>
   </message>
@@ -2885,6 +2880,11 @@
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>Hardly possible: {}</source>
    <translation>Guère possible : {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Hardware in STEP</source>
+   <translation>Quincaillerie dans STEP</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -5171,8 +5171,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>bolts are listed, or drawn as solids too</source>
-   <translation>les boulons sont listés, ou dessinés aussi en solides</translation>
+   <source>bolts, gaskets and setting blocks are listed, or drawn as solids too</source>
+   <translation>vis, joints et cales sont dans la liste, ou dessinés aussi comme solides</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

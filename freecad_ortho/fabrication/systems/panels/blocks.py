@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
+from freecad_ortho.fabrication.bodies import BOX_CORNERS, BOX_SIDES, Polyhedron
 from freecad_ortho.fabrication.fasteners import Supply
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.material import Material
+from freecad_ortho.fabrication.part import Measures, Part
 from freecad_ortho.fabrication.systems.system import Table
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # A block is this long, and as far from the corner, mm: Technische Richtlinie des Glaserhandwerks
 # No. 3, EN 12488. On short sides blocks stand at a quarter of them.
@@ -19,6 +22,8 @@ _WIDER, _THICKNESS = 2.0, 5.0
 # Sides that are shorter carry no panel while there is a longer one, mm.
 _SHORT = 300.0
 _GRAVITY = 9.81
+# Polypropylene, as blocks are made of (EN 12488 asks for what bears and stays so).
+PLASTIC = Material("polypropylene", 910.0, 1300.0, 25.0, 5.0)
 COLUMNS = (*("panel", "block", "x_mm", "y_mm", "length_mm", "width_mm", "thickness_mm", "load_N"),)
 
 
@@ -53,6 +58,43 @@ def block_supplies(panels: Sequence[Part]) -> tuple[Supply, ...]:
         Supply("setting block", f"{_LENGTH:g}x{width:g}x{_THICKNESS:g}", count, "piece", "panels")
         for width, count in sorted(widths.items())
     )
+
+
+def block_parts(panels: Sequence[Part], joint: float) -> Iterator[Part]:
+    """Setting blocks as parts: beside the lowest side of each panel, in its plane.
+
+    There are none where a joint, mm, has no room for those of both of its panels.
+    """
+    for panel in panels if joint >= 2 * _THICKNESS else ():
+        assert panel.pattern is not None
+        outline = panel.pattern.outline
+        places, _ = _places(outline, panel.frame)
+        along = unit_rows((places[1] - places[0])[None])[0]
+        turn = np.array([[*along, 0.0], [-along[1], along[0], 0.0], [0.0, 0.0, 1.0]])
+        wide = panel.thickness + _WIDER
+        low = np.array([-_LENGTH / 2, -_THICKNESS, -_WIDER / 2])
+        high = np.array([_LENGTH / 2, 0.0, wide - _WIDER / 2])
+        body = Polyhedron(np.where(BOX_CORNERS, high, low), BOX_SIDES)
+        for number, place in enumerate(places):
+            yield replace(
+                panel,
+                name=f"{panel.name}-block-{number + 1}",
+                kind="setting-block",
+                body=body,
+                origin=panel.origin + place @ panel.frame[:2],
+                frame=turn @ panel.frame,
+                pattern=None,
+                length=_LENGTH,
+                width=wide,
+                thickness=_THICKNESS,
+                area=_LENGTH * wide,
+                volume=body.volume,
+                material=PLASTIC,
+                measures=Measures(),
+                weighed=None,
+                assembly="",
+                note="",
+            )
 
 
 def _places(outline: FloatArray, frame: FloatArray) -> tuple[FloatArray, float]:

@@ -105,12 +105,16 @@ class Framed:
         table: the list of them.
         report: sums, and the extremes of gaskets and of what plates cover, mm.
         supplies: gaskets and screws.
+        frames: planes of the members.
+        heights: (E,) of the plates' lower sides above the edges, mm; NaN where there is none.
     """
 
     parts: tuple[Part, ...]
     table: Table
     report: dict[str, Any]
     supplies: tuple[Supply, ...]
+    frames: Frames
+    heights: FloatArray
 
 
 def framed(
@@ -137,10 +141,11 @@ def framed(
     names = part_names("F", len(members.built))
     panel_names = {part.face: part.name for part in reversed(panels)}
     edges = np.flatnonzero(members.built).tolist()
+    heights = np.where(members.built, beside.highest + frame.gasket, np.nan)
     parts, rows = [], []
     sealed, screws = 0.0, 0
     for edge in edges:
-        under = float(beside.highest[edge]) + frame.gasket
+        under = float(heights[edge])
         name = names[edge]
         plate = members.part(f"{name}-plate", edge, under, (frame.plate, _PLATE))
         cap = members.part(f"{name}-cap", edge, under + _PLATE, (frame.cap, _WALL))
@@ -174,7 +179,8 @@ def framed(
         Supply("gasket", f"{frame.gasket:g} mm", sealed / 1000, "m", "panels in frames"),
         Supply("screw", "by the system", screws, "piece", "pressure plates"),
     )
-    return Framed(tuple(parts), Table("frames.csv", COLUMNS, tuple(rows)), report, supplies)
+    table = Table("frames.csv", COLUMNS, tuple(rows))
+    return Framed(tuple(parts), table, report, supplies, members.frames, heights)
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -11,8 +11,14 @@ from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import one_of
-from freecad_ortho.fabrication.systems.panels.blocks import block_supplies, setting_blocks
-from freecad_ortho.fabrication.systems.panels.frame import PressureFrame, framed
+from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
+from freecad_ortho.fabrication.systems.panels.blocks import (
+    block_parts,
+    block_supplies,
+    setting_blocks,
+)
+from freecad_ortho.fabrication.systems.panels.frame import Framed, PressureFrame, framed
+from freecad_ortho.fabrication.systems.panels.gaskets import Gaskets, Seats, beam_seats
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone_table
 from freecad_ortho.fabrication.systems.system import Table
@@ -33,6 +39,7 @@ class Held:
         report: what is to be said of them.
         messages: what is out of the ordinary.
         supplies: what is bought for them.
+        loose: makes gaskets and setting blocks as parts.
     """
 
     parts: tuple[Part, ...] = ()
@@ -40,6 +47,7 @@ class Held:
     report: dict[str, Any] | None = None
     messages: tuple[str, ...] = ()
     supplies: tuple[Supply, ...] = ()
+    loose: Callable[[], tuple[Part, ...]] = tuple
 
 
 @dataclass(frozen=True)
@@ -99,8 +107,9 @@ class Framing:
         site: Site,
         geometry: PanelGeometry,
         panels: tuple[Part, ...],
-        unders: Sequence[FloatArray],
+        rims: Sequence[tuple[FloatArray, FloatArray]],
         faces: tuple[BoolArray, FloatArray],
+        beams: BeamGeometry | None = None,
     ) -> Held:
         """Make the frames of panels.
 
@@ -108,8 +117,10 @@ class Framing:
             site: the net.
             geometry: of the panels.
             panels: the panels.
-            unders: (N, 2) outlines of their lowest layers, in their own coordinates.
+            rims: (N, 2) outlines below their lowest layers and of their upper sides, in their own
+                coordinates.
             faces: (F,) those that have one, and how far panels bow from their planes, mm.
+            beams: below the panels.
 
         Raises:
             InputError: a frame too wide for an edge of the net.
@@ -122,11 +133,12 @@ class Framing:
                 {"frame": plates.report},
                 _covered(plates.report["cover_min_mm"], site.material.bearing, site.material.name),
                 (*plates.supplies, *block_supplies(panels)),
+                lambda: _loose(site, plates, self, panels, rims, beams),
             )
         if self.silicone is not None:
-            pairs = zip(panels, unders, strict=True)
+            pairs = zip(panels, rims, strict=True)
             adapters = tuple(
-                part for panel, under in pairs for part in self.silicone.adapters(panel, under)
+                part for panel, (under, _) in pairs for part in self.silicone.adapters(panel, under)
             )
             report = {
                 "bite_mm": self.silicone.bite,
@@ -140,6 +152,24 @@ class Framing:
                 adapters, tables, {"silicone": report}, _narrow(loose), block_supplies(panels)
             )
         return Held()
+
+
+def _loose(
+    site: Site,
+    plates: Framed,
+    framing: Framing,
+    panels: tuple[Part, ...],
+    rims: Sequence[tuple[FloatArray, FloatArray]],
+    beams: BeamGeometry | None,
+) -> tuple[Part, ...]:
+    """Gaskets and setting blocks of framed panels; panels that are bent have no gaskets here."""
+    joint = framing.width - 2 * framing.cover
+    blocks = tuple(block_parts(panels, joint))
+    if any(panel.measures.warp_mm is not None for panel in panels):
+        return blocks
+    seats = Seats(plates.heights, framing.width / 2)
+    made = Gaskets(site, plates.frames, seats, beam_seats(beams), joint, framing.cover)
+    return (*made.parts(panels, rims), *blocks)
 
 
 def _narrow(names: Sequence[str]) -> tuple[str, ...]:

@@ -94,6 +94,11 @@ class Layered:
         return np.asarray(inset(lowest[None], within[None])[0])
 
     @property
+    def above(self) -> FloatArray:
+        """(N, 2) outline of the upper side of the uppermost layer."""
+        return self.outlines(self.layers[0].step, 0.0, self.thickness)[1]
+
+    @property
     def bends(self) -> bool:
         """Whether it is a plain plate with four corners."""
         plain = not self.cutouts and max(layer.step for layer in self.layers) == 0

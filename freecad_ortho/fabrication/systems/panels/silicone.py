@@ -74,7 +74,7 @@ class Silicone:
         """Adapters below the long sides of a panel's lower outline (N, 2)."""
         if not self.fits(panel):
             return ()
-        rings = _strips(under, self.width)
+        rings = strips(under, self.width)
         return tuple(
             self._adapter(panel, f"{panel.name}-a{number + 1}", ring)
             for number, ring in enumerate(rings)
@@ -123,7 +123,7 @@ class Silicone:
         )
 
 
-def _strips(outline: FloatArray, width: float) -> list[FloatArray]:
+def strips(outline: FloatArray, width: float) -> list[FloatArray]:
     """(4, 2) each: strips of this width within the long sides of an outline (N, 2).
 
     Two that meet are mitred; beside a short side one ends square, or flush with that side where it

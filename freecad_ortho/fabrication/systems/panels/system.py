@@ -282,9 +282,9 @@ class Panels(System):
         made[[part.face for part in parts if part.face is not None]] = True
         if inward is not None:
             parts, doubts = self._put_in(parts, mesh, geometry, inward, made, beams is not None)
-        unders = [layered.below(self.framing.depth) for layered in laid.layers]
+        rims = [(each.below(self.framing.depth), each.above) for each in laid.layers]
         bow = np.zeros(len(made)) if cold is None else cold.bow
-        held = self.framing.held(site, geometry, parts, unders, (made, bow))
+        held = self.framing.held(site, geometry, parts, rims, (made, bow), beams)
         report = report_of(self, geometry, made, least, parts) | sums((*parts, *held.parts))
         report |= held.report or {}
         if site.trimming is not None:
@@ -304,8 +304,8 @@ class Panels(System):
         if site.material.layers:
             report |= build_up_report(site.material, parts)
             tables = (laid.table, *tables)
-        made_of, bought = (*parts, *held.parts), held.supplies
-        return SystemParts(made_of, report, messages, geometry, tables=tables, supplies=bought)
+        made_of, bought = (*parts, *held.parts), {"supplies": held.supplies, "loose": held.loose}
+        return SystemParts(made_of, report, messages, geometry, tables=tables, **bought)
 
     def _mixed(self, site: Site, beams: BeamGeometry | None) -> SystemParts:
         """The panels of faces of several sizes."""
