@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -304,8 +304,8 @@ class Panels(System):
         if site.material.layers:
             report |= build_up_report(site.material, parts)
             tables = (laid.table, *tables)
-        made_of, bought = (*parts, *held.parts), {"supplies": held.supplies, "loose": held.loose}
-        return SystemParts(made_of, report, messages, geometry, tables=tables, **bought)
+        found = SystemParts((*parts, *held.parts), report, messages, geometry, tables=tables)
+        return replace(found, supplies=held.supplies, loose=held.loose)
 
     def _mixed(self, site: Site, beams: BeamGeometry | None) -> SystemParts:
         """The panels of faces of several sizes."""
