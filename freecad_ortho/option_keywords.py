@@ -90,6 +90,7 @@ class Sizes(TypedDict, total=False):
     border_cut: Literal["square", "along"]
     cutter: Length | None
     cleats: bool
+    diagonals: Literal["none", "auto", "first", "second"]
     sheet: str | tuple[float, float] | None
     spacing: Length
     grain: Literal["none", "along"]

@@ -162,6 +162,7 @@ def add_lamellas(
     border_cut: str = "square",
     cutter: Length | None = None,
     cleats: bool = False,
+    diagonals: str = "none",
     family: str = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -187,6 +188,7 @@ def add_lamellas(
         border_cut: at the border of the surface, ``"square"`` before it or ``"along"`` it.
         cutter: diameter of the milling cutter that slots have round corners for.
         cleats: angles with bolts join strips where these end.
+        diagonals: a third layer along ``"first"`` or ``"second"`` ones, or ``"auto"``.
         family: parameter lines that are built on.
         lines: numbers of these lines; empty for all.
         material: of all parts.

@@ -214,6 +214,11 @@
    <translation>Dichte in kg/m3; 0: die des Materials</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Diagonals: a third layer lies along these diagonals, which brace the net</source>
+   <translation>Diagonalen: eine dritte Lage liegt auf diesen Diagonalen, die das Netz aussteifen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Displacements are drawn so many times as large; 0: as it fits</source>
    <translation>Verschiebungen werden so vielfach gezeichnet; 0: wie es passt</translation>
@@ -4918,6 +4923,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>a saw cut behind a piece is this wide</source>
    <translation>ein Sägeschnitt hinter einem Stück ist so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a third layer lies along these diagonals, which brace the net</source>
+   <translation>eine dritte Lage liegt auf diesen Diagonalen, die das Netz aussteifen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -214,6 +214,11 @@
    <translation>Densité en kg/m3 ; 0 : celle du matériau</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Diagonals: a third layer lies along these diagonals, which brace the net</source>
+   <translation>Diagonales: une troisième couche repose sur ces diagonales, qui contreventent le réseau</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Displacements are drawn so many times as large; 0: as it fits</source>
    <translation>Les déplacements sont dessinés tant de fois plus grands ; 0 : selon la place</translation>
@@ -4918,6 +4923,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>a saw cut behind a piece is this wide</source>
    <translation>un trait de scie après une pièce a cette largeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>a third layer lies along these diagonals, which brace the net</source>
+   <translation>une troisième couche repose sur ces diagonales, qui contreventent le réseau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

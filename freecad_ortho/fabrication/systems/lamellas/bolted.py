@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -59,8 +59,12 @@ def crossing_bolts(
     lamellas: Sequence[Lamella],
     met: Sequence[Sequence[Crossing]],
     settings: LamellaSettings,
+    taken: Collection[int] = (),
 ) -> tuple[Fasteners, ...]:
-    """Bolts through both layers of lying lamellas, their heads on family u."""
+    """Bolts through both layers of lying lamellas, their heads on family u.
+
+    Where vertices are ``taken``, bolts of a third layer pass through all.
+    """
     bolt = bolt_in(settings.hole)
     by_name = {lamella.name: lamella for lamella in lamellas}
     placed: list[_Placed] = []
@@ -68,7 +72,7 @@ def crossing_bolts(
         if lamella.family != "u":
             continue
         for crossing in row:
-            if not crossing.bolted or bolt is None:
+            if not crossing.bolted or bolt is None or crossing.vertex in taken:
                 continue
             other = by_name[crossing.other]
             there = other.stations[other.vertices.index(crossing.vertex)]

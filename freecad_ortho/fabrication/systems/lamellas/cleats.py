@@ -27,8 +27,8 @@ _FLAT = 0.94
 
 
 @dataclass(frozen=True, eq=False)
-class _Arm:
-    """A lamella as it leaves a vertex."""
+class Arm:
+    """A lamella as it leaves a vertex, which is ``ahead`` or behind along it."""
 
     lamella: Lamella
     station: int
@@ -36,6 +36,7 @@ class _Arm:
 
     @property
     def face(self) -> int:
+        """Number of the ribbon's face along it."""
         return self.station if self.ahead else self.station - 1
 
     @property
@@ -46,6 +47,7 @@ class _Arm:
 
     @property
     def way(self) -> FloatArray:
+        """(3,) unit vector along its edge, from the vertex."""
         along = self.lamella.ribbon.strip.along[self.face]
         return np.asarray(along if self.ahead else -along)
 
@@ -169,19 +171,19 @@ def _angle(cleat: Cleat | None) -> float:
     return 0.0 if cleat is None else cleat.angle
 
 
-def _arms(lamellas: Sequence[Lamella], there: Sequence[tuple[int, int]]) -> list[tuple[_Arm, _Arm]]:
+def _arms(lamellas: Sequence[Lamella], there: Sequence[tuple[int, int]]) -> list[tuple[Arm, Arm]]:
     """Pairs of arms of two lamellas at a vertex, each to the next vertex of its own."""
     sides = []
     for index, station in there:
         lamella = lamellas[index]
         known = set(lamella.stations)
         ways = [ahead for ahead in (True, False) if station + (1 if ahead else -1) in known]
-        sides.append([_Arm(lamella, station, ahead) for ahead in ways])
+        sides.append([Arm(lamella, station, ahead) for ahead in ways])
     return [(one, two) for one, two in product(*sides)]
 
 
 def _cleat(
-    pair: tuple[_Arm, _Arm],
+    pair: tuple[Arm, Arm],
     vertex: int,
     name: str,
     settings: LamellaSettings,
@@ -221,7 +223,7 @@ def _cleat(
     return replace(made, corner=corner - _off_middle(pair, made) * up)
 
 
-def _off_middle(pair: tuple[_Arm, _Arm], cleat: Cleat) -> float:
+def _off_middle(pair: tuple[Arm, Arm], cleat: Cleat) -> float:
     """How far the legs are off the middles of the lamellas along the corner, mm.
 
     Where an edge is not square to the corner, a leg comes nearer to one side of its lamella.
@@ -238,7 +240,7 @@ def _off_middle(pair: tuple[_Arm, _Arm], cleat: Cleat) -> float:
     return float(both.min() + both.max()) / 2
 
 
-def _fits(pair: tuple[_Arm, _Arm], cleat: Cleat, wanted: Collection[int], clearance: float) -> bool:
+def _fits(pair: tuple[Arm, Arm], cleat: Cleat, wanted: Collection[int], clearance: float) -> bool:
     """Whether both legs lie on plane faces, clear of bend lines, edges and what crosses next.
 
     Where that shall have a cleat too, there is room for both.

@@ -28,6 +28,8 @@ _WIDEST = 3.0
 _LOOSE = 3.0
 # Two lamellas at a vertex: number and station of each.
 _Pair = tuple[tuple[int, int], tuple[int, int]]
+# By vertex the lamellas there: number and station of each.
+At = dict[int, list[tuple[int, int]]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +43,7 @@ class Crossing:
         angle_deg: between the two plates.
         slot: cut for the other one, None in two layers.
         bolted: whether a bolt holds both: lying ones in two layers.
+        also: names of further ones that cross there.
     """
 
     vertex: int
@@ -49,6 +52,22 @@ class Crossing:
     angle_deg: float
     slot: Slot | None
     bolted: bool = False
+    also: tuple[str, ...] = ()
+
+    @property
+    def words(self) -> str:
+        """What is written beside it in the pattern."""
+        return " ".join((self.other, *self.also))
+
+
+def at_vertices(lamellas: Sequence[Lamella]) -> At:
+    """By vertex the lamellas that run through it and go on beyond it on both sides."""
+    found: At = {}
+    for index, lamella in enumerate(lamellas):
+        for vertex, station in zip(lamella.vertices, lamella.stations, strict=True):
+            if 0 < station < len(lamella.ribbon.strip.points) - 1:
+                found.setdefault(vertex, []).append((index, station))
+    return found
 
 
 def crossings(lamellas: Sequence[Lamella], settings: LamellaSettings) -> list[list[Crossing]]:
@@ -57,14 +76,9 @@ def crossings(lamellas: Sequence[Lamella], settings: LamellaSettings) -> list[li
     Raises:
         InputError: lamellas cross at too flat an angle, or a slot would cut one through.
     """
-    at_vertex: dict[int, list[tuple[int, int]]] = {}
-    for index, lamella in enumerate(lamellas):
-        for vertex, station in zip(lamella.vertices, lamella.stations, strict=True):
-            if 0 < station < len(lamella.ribbon.strip.points) - 1:
-                at_vertex.setdefault(vertex, []).append((index, station))
     met = [
         (vertex, (pair[0], pair[1]))
-        for vertex, pair in sorted(at_vertex.items())
+        for vertex, pair in sorted(at_vertices(lamellas).items())
         if len(pair) == 2 and pair[0][0] != pair[1][0]
     ]
     angles = [_angle(lamellas, pair, vertex, settings) for vertex, pair in met]

@@ -1,4 +1,4 @@
-"""Lying lamellas in two layers: the clearance that keeps one layer off the other."""
+"""Lying lamellas above others: how far one layer is off the other."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ def too_near(
             if lamella.family != "u":
                 continue
             there = other.stations[other.vertices.index(crossing.vertex)]
-            gap = _gap((lamella, crossing.station), (other, there))
+            gap = gap_between((lamella, crossing.station), (other, there))
             if gap < 0:
                 count += 1
                 needed = max(needed, settings.clearance - (1 + _SPARE) * gap)
     return count, math.ceil(needed / _ROUNDED) * _ROUNDED if count else needed
 
 
-def _gap(upper: tuple[Lamella, int], lower: tuple[Lamella, int]) -> float:
+def gap_between(upper: tuple[Lamella, int], lower: tuple[Lamella, int]) -> float:
     """Least distance of two plates where they cross, below 0 where they share space."""
     places = [lamella.ribbon.strip.points[station] for lamella, station in (upper, lower)]
     up = unit_rows((places[0] - places[1])[None])[0]
@@ -77,3 +77,45 @@ def _side(lamella: Lamella, station: int, flat: FloatArray, towards: FloatArray)
     """Points (N, 2) of the pattern on the side of the plate that looks ``towards``."""
     middle, half = placed_near(lamella.ribbon, station, flat)
     return np.asarray(middle + np.where(half @ towards < 0, -1.0, 1.0)[:, None] * half)
+
+
+def gap_above_edge(upper: tuple[Lamella, int], lower: tuple[Lamella, int]) -> float:
+    """Least distance of a lying plate from the upper edge of a standing one that it crosses, mm.
+
+    Along the lying plate's normal; below 0 where they share space.
+    """
+    (lamella, station), (beside, there) = upper, lower
+    strip, ribbon = beside.ribbon.strip, beside.ribbon
+    sine = np.linalg.norm(np.cross(lamella.ribbon.strip.along[station], strip.along[there]))
+    reach = (lamella.ribbon.width / 2 + ribbon.thickness) / max(float(sine), 0.2)
+    edge = ribbon.edge(ribbon.upper)[there - 1 : there + 2]
+    ways = unit_rows(np.diff(edge, axis=0))
+    steps = reach * _GRID[:, None]
+    flat = edge[1] + np.where(steps < 0, steps * ways[0], steps * ways[1])
+    middle, half = placed_near(ribbon, there, flat)
+    points = np.concatenate([middle + half, middle - half])
+    above = float(
+        (lamella.ribbon.strip.points[station] - strip.points[there])
+        @ (lamella.ribbon.strip.normals[station])
+    )
+    level, height = _seen_from(lamella, station, points)
+    inside = np.abs(level) <= lamella.ribbon.width / 2 * (1 + 1e-9)
+    gaps = -np.copysign(1.0, above) * height[inside] - lamella.ribbon.thickness / 2
+    return float(gaps.min(initial=np.inf))
+
+
+def _seen_from(lamella: Lamella, station: int, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """(N,) levels across a lamella of points (N, 3) near a station, and heights off its plate."""
+    ribbon, strip = lamella.ribbon, lamella.ribbon.strip
+    arms = points - strip.points[station]
+    ahead = arms @ np.cross(strip.rulings[station], strip.normals[station])
+    level, height = np.empty(len(points)), np.empty(len(points))
+    for face, here in ((station - 1, ahead < 0), (station, ahead >= 0)):
+        x = (points[here] - strip.points[face]) @ strip.along[face]
+        turn = (strip.twists[face] * x / strip.lengths[face])[:, None]
+        up, side = strip.across[0][face], ribbon.sides[face]
+        across = np.cos(turn) * up + np.sin(turn) * side
+        normal = np.cos(turn) * side - np.sin(turn) * up
+        level[here] = np.einsum("nk,nk->n", arms[here], across)
+        height[here] = np.einsum("nk,nk->n", arms[here], normal)
+    return level, height

@@ -269,14 +269,14 @@ def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArr
         across = ribbon.flat_across[station]
         ahead = np.array([across[1], -across[0]])
         room = 0.4 * float(strip.lengths[station])
-        size = fitted_text_size(crossing.other, room, 0.3 * ribbon.width, 12.0)
-        text_room = 0.5 * (open_width + size * (len(crossing.other) + 1))
+        size = fitted_text_size(crossing.words, room, 0.3 * ribbon.width, 12.0)
+        text_room = 0.5 * (open_width + size * (len(crossing.words) + 1))
         up = level + side * 0.25 * ribbon.width
         place = strip.flat_points[station] + text_room * ahead + up * across
         angle = float(np.degrees(np.arctan2(*(ahead @ turn)[::-1])))
         if (drawn := longest_within(tick, plate)) is not None:
             marks.append(Mark(placed(drawn)))
-        marks.append(Mark(placed(place[None]), crossing.other, size, angle))
+        marks.append(Mark(placed(place[None]), crossing.words, size, angle))
     return marks
 
 

@@ -21,6 +21,7 @@ STRIPS = ("auto", "developable", "twisted")
 PATTERNS = ("auto", "straight", "arc", "free")
 POSITIONS = ("standing", "lying", "tilted")
 BORDER_CUTS = ("square", "along")
+DIAGONALS = ("none", "auto", "first", "second")
 # Distance of a hole's centre from an edge, in diameters (EN 1993-1-8, table 3.3).
 EDGE_DISTANCE = 1.2
 
@@ -50,6 +51,9 @@ class LamellaSettings:
         cutter: diameter of the milling cutter that slots have round corners for, in flat patterns,
             mm; None for sharp corners, as lasers and water cut them.
         cleats: angles join lamellas at their last crossings, with bolts of ``hole``.
+        diagonals: along which family of them a third layer lies: "first", between the sides along
+            u and v, "second", or "auto", those nearer to straight; "none" without one.
+        lifted: level of the middle of that layer above the net, mm; filled in.
         feet: what stands on feet, as ``Feet`` names it; filled in where these are built too.
         border_cut: at the border of the surface strips end "square" before it, or "along" it where
             that leaves their crossings room, square through the plate.
@@ -74,7 +78,9 @@ class LamellaSettings:
     border_cut: str = "square"
     cutter: float | None = None
     cleats: bool = False
+    diagonals: str = "none"
     feet: str = ""
+    lifted: float = 0.0
 
     options: ClassVar[tuple[Option, ...]] = (
         size("width", 80.0, "the strips are this wide"),
@@ -118,6 +124,13 @@ class LamellaSettings:
             absent="sharp corners",
         ),
         Option("cleats", False, "flag", "angles with bolts join strips where these end"),
+        Option(
+            "diagonals",
+            "none",
+            "choice",
+            "a third layer lies along these diagonals, which brace the net",
+            DIAGONALS,
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -138,6 +151,8 @@ class LamellaSettings:
             raise InputError(
                 "layers: tilted lamellas lean over each other in two layers; take layers 1"
             )
+        if self.diagonals != "none":
+            self._check_diagonals()
         if self.smooth and self.strip == "developable":
             raise InputError(
                 "strip: smooth solids follow rulings square to the axis; take strip twisted"
@@ -175,6 +190,24 @@ class LamellaSettings:
                 f"{self.width / 2 / EDGE_DISTANCE:.3g} mm"
             )
 
+    def _check_diagonals(self) -> None:
+        if self.position == "tilted" or (self.standing and self.layers == 2):
+            raise InputError(
+                "diagonals: a third layer lies on standing lamellas in one layer or on two lying "
+                "ones; take position standing with layers 1, or position lying with layers 2"
+            )
+        if self.standing and self.smooth:
+            raise InputError(
+                "smooth: angles that hold the third layer lie on faceted lamellas, smooth ones "
+                "leave them; leave smooth or diagonals out"
+            )
+        if self.width < 2 * EDGE_DISTANCE * self.hole:
+            raise InputError(
+                f"hole: {self.hole:g} mm for the third layer's bolts needs lamellas "
+                f"{2 * EDGE_DISTANCE * self.hole:.3g} mm wide, these are {self.width:g} mm; take a "
+                "smaller hole or wider lamellas"
+            )
+
     @property
     def across(self) -> float:
         """How wide the section is along the surface, mm."""
@@ -200,6 +233,8 @@ class LamellaSettings:
 
     def level_of(self, family: str) -> float:
         """Distance of the axis of a lying lamella from the surface, mm; v below, all else above."""
+        if self.lifted:
+            return self.lifted
         return (self.thickness + self.clearance) / 2 * (-1 if family == "v" else 1)
 
     @property

@@ -15,10 +15,11 @@ from freecad_ortho.fabrication.cleat import Cleat, OnCleats
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.feet.places import standing
+from freecad_ortho.fabrication.systems.lamellas.above import Above, build_above
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, lamella_on
 from freecad_ortho.fabrication.systems.lamellas.bolted import crossing_bolts, splice_bolts
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
-from freecad_ortho.fabrication.systems.lamellas.border import Border
+from freecad_ortho.fabrication.systems.lamellas.border import Border, Run
 from freecad_ortho.fabrication.systems.lamellas.cleat_parts import cleat_bolts, cleat_part
 from freecad_ortho.fabrication.systems.lamellas.cleats import around, cleats_of, ends_of
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
@@ -34,6 +35,7 @@ from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.splice_parts import splice_part
 from freecad_ortho.fabrication.systems.lamellas.splices import Splice, pieces_of
+from freecad_ortho.fabrication.systems.lamellas.third import third_layer
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.lines import ParameterLine, ParameterLines
@@ -47,7 +49,7 @@ class LamellaGeometry(OnCleats):
     """What lamellas leave to lie on.
 
     Attributes:
-        lamellas: the pieces, in the order of their parts.
+        lamellas: the pieces, those of a third layer last.
     """
 
     lamellas: list[Lamella]
@@ -94,37 +96,50 @@ class Lamellas(LamellaSettings, System):
         runs = border.runs(lines)
         if not runs:
             return SystemParts(())
-        lines = [run.line for run in runs]
-        beyond = reaches(site.mesh, pattern.axes, lines, self)
-        names = [lamella_name(run.line) + run.suffix for run in runs]
-        whole = [
-            border.trim(lamella_on(site, run.line, self, pattern, name, ends), run, self)
-            for run, name, ends in zip(runs, names, beyond, strict=True)
-        ]
+        whole = self._whole(site, border, runs, pattern)
         ends = ends_of(whole) if self.cleats else set()
         on_feet = set(standing(site, self.feet).tolist()) if self.feet else set()
-        lamellas, splices = pieces_of(whole, self, ends | on_feet)
+        third = None if self.diagonals == "none" else third_layer(site, self, pattern, whole)
+        tied = third.crossed if third is not None and self.standing else set()
+        lamellas, splices = pieces_of(whole, self, ends | on_feet | tied)
         met = crossings(lamellas, self)
         count = len(site.mesh.vertices)
         cleats, lamellas, lost = cleats_of(lamellas, met, ends | on_feet, self, count)
+        above = Above(lamellas)
+        if third is not None:
+            above = build_above(site, third, lamellas, self.standing, set(cleats))
+            lamellas = above.grid
         cuts = [cut(each, here, self) for each, here in zip(lamellas, met, strict=True)]
         parts = tuple(lamella_part(made, site) for made in cuts)
         parts, doubts = judged(parts, slot_ways(lamellas, met, self, site.material))
         plates = tuple(splice_part(splice, site, self) for splice in splices)
-        bolts = splice_bolts(splices, plates, self) + crossing_bolts(site, lamellas, met, self)
-        bolts += cleat_bolts(cleats.values(), site, on_feet, part_names("FT", count))
-        parts += plates + tuple(cleat_part(cleat, site) for cleat in cleats.values())
+        bolts = splice_bolts(splices, plates, self)
+        bolts += crossing_bolts(site, lamellas, met, self, above.bolted)
+        bolts += cleat_bolts(cleats.values(), site, on_feet, part_names("FT", count)) + above.bolts
+        parts += plates + tuple(cleat_part(cleat, site) for cleat in cleats.values()) + above.parts
         report = self._report(lamellas, met, parts, pattern)
-        report |= {"splices": len(splices), "cleats": len(cleats)}
+        report |= {"splices": len(splices), "cleats": len(cleats)} | above.report
         report["not_put_on"] = sum(bool(part.assembly) for part in parts)
         messages = self._messages(lamellas, pattern) + self._said(whole, splices)
         messages += self._said_of_layers(lamellas, met) + border.words() + doubts
-        messages += said_of_wide(lamellas, met, self)
+        messages += said_of_wide(lamellas, met, self) + above.words()
         messages += self._said_of_cleats(lost, list(cleats.values()))
-        geometry = LamellaGeometry(cleats, around(lamellas, on_feet, self), lamellas)
+        beside = around(lamellas, on_feet, self)
+        geometry = LamellaGeometry(cleats, beside, [*lamellas, *above.pieces])
         if site.trimming is not None:
             report |= {"trimmed": border.trimmed, "left_out": border.left_out}
         return SystemParts(parts, report, tuple(messages), geometry, fasteners=bolts)
+
+    def _whole(
+        self, site: Site, border: Border, runs: list[Run], pattern: StripPattern
+    ) -> list[Lamella]:
+        """One lamella a run, before it is cut to stock."""
+        beyond = reaches(site.mesh, pattern.axes, [run.line for run in runs], self)
+        names = [lamella_name(run.line) + run.suffix for run in runs]
+        return [
+            border.trim(lamella_on(site, run.line, self, pattern, name, ends), run, self)
+            for run, name, ends in zip(runs, names, beyond, strict=True)
+        ]
 
     def _report(
         self,
