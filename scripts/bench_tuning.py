@@ -1,17 +1,19 @@
 """Doubles and halves every number of the solver and prints what changes on the authors' meshes.
 
 Run with the project's Python:
-    python scripts/bench_tuning.py [--write] [--quick] [--only way|last-phase] [NUMBER ...]
+    python scripts/bench_tuning.py [--write] [--quick] [--only way|last-phase|words] [NUMBER ...]
 
 Numbers of the way to a net are tried on one case for each mesh, those of the last phase on the
-first case with one that heeds them. A case is *elsewhere* where a vertex of its mesh comes to lie
-more than 0.01 mean edges from its usual place. ``--write`` puts the tables into docs/tuning.md,
-``--quick`` leaves large and hard cases out.
+first case with one that heeds them, those of what is said of a result on all of these. A case is
+*elsewhere* where a vertex of its mesh comes to lie more than 0.01 mean edges from its usual place,
+and *says otherwise* where the words of its warnings and remarks are others. ``--write`` puts
+the tables into docs/tuning.md, ``--quick`` leaves large and hard cases out.
 """
 
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
@@ -44,8 +46,8 @@ CASES = {
 }
 # Those of fewer than a thousand vertices that are near to their net.
 QUICK = ("heart", "cmc1", "knet1", "chebyshev_sphere", "quad_dome", "6-sub-lifted")
-WAY, LAST_PHASE = "way", "last-phase"
-FIRST_OF_THE_LAST_PHASE = "along_evenness"
+WAY, LAST_PHASE, WORDS = "way", "last-phase", "words"
+FIRST = {WAY: "fade", LAST_PHASE: "along_evenness", WORDS: "crumpled"}
 MOST_STEPS = 200
 MOVED = 0.01
 
@@ -113,6 +115,14 @@ def cases_of_the_last_phase() -> Iterator[Case]:
         yield Case("stress", dome, "stress", near=0.02)
 
 
+def cases_of(which: str, quick: bool) -> Iterator[Case]:
+    """Those on which the numbers of a table are tried."""
+    if which != LAST_PHASE:
+        yield from cases(quick)
+    if which != WAY:
+        yield from cases_of_the_last_phase()
+
+
 class Recorded(Tuning):
     """The numbers as they are, and which of them were asked for."""
 
@@ -149,7 +159,17 @@ def effect(found: dict[str, Outcome], usual: dict[str, Outcome]) -> str:
     if far:
         most = max(far, key=far.__getitem__)
         words.append(f"{counted(len(far), 'case')} elsewhere, {most} by {far[most]:.2g}")
+    others = [name for name in moved if said(found[name]) != said(usual[name])]
+    if others:
+        words.append(f"{counted(len(others), 'case')} saying otherwise, {others[0]}")
     return "; ".join(words) or "nothing"
+
+
+def said(outcome: Outcome) -> tuple[bool, set[str]]:
+    """Whether a shape is another one, and what else is said of it but for numbers."""
+    report = outcome.report
+    texts = (*report.warnings, *report.remarks)
+    return report.far, {re.sub(r"[-+.e\d]*\d", "", text) for text in texts}
 
 
 def written(value: Any) -> str:
@@ -158,10 +178,11 @@ def written(value: Any) -> str:
 
 
 def numbers() -> dict[str, list[str]]:
-    """Names of the numbers: those of the way to a net, and those of the last phase."""
+    """Names of the numbers of each table, in the order in which they are explained."""
     names = [item.name for item in fields(Tuning)]
-    begin = names.index(FIRST_OF_THE_LAST_PHASE)
-    return {WAY: names[:begin], LAST_PHASE: names[begin:]}
+    begins = [names.index(first) for first in FIRST.values()]
+    ends = [*begins[1:], len(names)]
+    return {which: names[begin:end] for which, begin, end in zip(FIRST, begins, ends, strict=True)}
 
 
 def table(asked: Sequence[Case], names: Sequence[str], first: bool) -> Iterator[str]:
@@ -196,13 +217,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--write", action="store_true", help="update docs/tuning.md")
     parser.add_argument("--quick", action="store_true", help="without large and hard cases")
-    parser.add_argument("--only", choices=(WAY, LAST_PHASE), help="numbers of one table")
+    parser.add_argument("--only", choices=tuple(FIRST), help="numbers of one table")
     parser.add_argument("names", nargs="*", metavar="NUMBER", help="only these numbers")
     options = parser.parse_args()
     for which, names in numbers().items():
         if options.only not in (None, which):
             continue
-        asked = list(cases(options.quick) if which == WAY else cases_of_the_last_phase())
+        asked = list(cases_of(which, options.quick))
         if not asked:
             sys.exit(f"{SHARED} is missing: these are the meshes that the numbers are tried on")
         wanted = [name for name in names if not options.names or name in options.names]

@@ -62,8 +62,8 @@ class Stepper:
     def step(self, here: Point, damping: float, bend: bool = False) -> Step:
         """Take one accepted step; ``bend`` asks for geodesic acceleration."""
         tuning, matrix, gradient = self._tuning, here.matrix, here.gradient
-        # Below this, changes of the energy are rounding and say nothing.
-        rounding = 1e-26 * max(1, len(gradient))
+        # Changes of the energy that are no larger say nothing.
+        rounding = tuning.rounding_zero * max(1, len(gradient))
         diagonal = here.system.sparsity.indptr[:-1]
         values = matrix[diagonal]
         self._solving, rejected = 0.0, False
@@ -75,7 +75,7 @@ class Stepper:
                 if bend and solve is not None:
                     move = move + self._bend(here, move, solve)
                 there = here.moved(move)
-                if there.energy <= here.energy * (1 + 1e-9) + rounding:
+                if there.energy <= here.energy * (1 + tuning.rounding) + rounding:
                     calmer = (
                         damping if rejected else max(tuning.calmer * damping, tuning.damping_min)
                     )

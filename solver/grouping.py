@@ -137,12 +137,14 @@ def _merged(term: Groups, number: int) -> Groups:
     while len(left) > number:
         turned = shapes[left][:, orders]
         away = ((turned[:, :, None] - shapes[left]) ** 2).sum(axis=3)
-        both = weight[left][:, None] * weight[left] / (weight[left][:, None] + weight[left])
+        # Groups without parts cost nothing.
+        sums = np.maximum(weight[left][:, None] + weight[left], 1.0)
+        both = weight[left][:, None] * weight[left] / sums
         cost = away * both[:, None, :]
         cost[np.arange(len(left)), :, np.arange(len(left))] = np.inf
         i, t, j = np.unravel_index(int(np.argmin(cost)), cost.shape)
         one, other = left[int(i)], left[int(j)]
-        parts = np.array([weight[one], weight[other]]) / (weight[one] + weight[other])
+        parts = np.array([weight[one], weight[other]]) / max(weight[one] + weight[other], 1.0)
         shapes[other] = parts[0] * shapes[one][orders[t]] + parts[1] * shapes[other]
         weight[other] += weight[one]
         joined = group == one

@@ -82,7 +82,9 @@ def far_off(net: Candidate, surface: TriangleSurface | None) -> float:
 
 def in_reach(net: Candidate, surface: TriangleSurface | None, original: Problem) -> float | None:
     """How near a net may come that is nearly on the surface; None where it is not."""
-    return None if surface is None else limit_in_reach(far_off(net, surface), original.mesh)
+    if surface is None:
+        return None
+    return limit_in_reach(far_off(net, surface), original.mesh, original.tuning)
 
 
 def is_sound(found: Candidate, before: Candidate) -> bool:

@@ -46,34 +46,10 @@ from solver.terms.gliding import OnCurve, OnSurface
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.pull import Pull
 from solver.terms.umbrella import umbrellas
+from solver.tuning import Tuning
 
-# Part of the wishes in the energy whose minimum a step aims at. The smaller, the better the step
-# keeps to the net; rounding is the limit.
-_SHARE = 1e-4
-# Added to the constraints' own matrix, which alone says nothing of motions along the net.
-_TANGENT = 1e-7
-_DAMPING_MIN, _DAMPING_MAX = 1e-11, 1e2
-# A step longer than this, in mean edges, leaves the neighbourhood that it was made for.
-_LONGEST = 1.0
-# Corrections back onto the net, and the residual at which they may end.
-_CORRECTIONS, _ON_NET = 4, 1e-9
-# Largest residual after them with which a step counts as one along the net.
-_NEAR_NET = 1e-4
-# Steps that lower the wishes by less than this part of them are not worth their time.
-_WORTH = 3e-4
-# Part of an allowed distance from which on it weighs so much more.
-_INSIDE, _FORBIDDEN = 0.8, 100.0
-# Part of the shortest edge from which on edges are pushed back, and where little is left to do.
-_ROOM, _ROOMY = 0.6, 0.85
-# Edges over which the surface rises by more than this part of their length cut across.
-_ACROSS = 0.2
-# Part of the diagonal that a net may be off where nobody says how much, and how many times as far
-# off it may be for another last phase to be worth its time.
-_OFF, _IN_REACH = 4.5e-4, 6.0
-# Corrections at the end, to the last digit.
-_LAST, _ROUNDING = 5, 1e-15
-# More of them where the residual is larger than that still.
-_LATEST, _EXACT = 25, 1e-12
+# Moves of so many mean edges are rounding.
+_ROUNDING = 1e-15
 
 
 class Wish(NamedTuple):
@@ -114,26 +90,28 @@ def nearness(
         near: the net nearly is on the surface: short edges need not give way.
     """
     net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
-    rest = problem.at(start)
+    rest, tuning = problem.at(start), problem.tuning
     used = np.flatnonzero(net.referenced)
     shortest = np.linalg.norm(np.diff(points[net.edges], axis=1), axis=2).min()
     ground = TriangleSurface(_in_units_of(problem, surface.vertices), surface.triangles)
-    lifts = halfway(net, points, ground)
+    lifts = halfway(net, points, ground, tuning)
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
         Wish(OnSurface(used, ground, name="close to surface", lifts=lifts[used]), 1.0),
         *_not_beyond(problem, ground, within),
         Wish(Evenness(net.line_quadruples), evenness),
-        Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
-        *(Wish(ring, 1e-3) for ring in umbrellas(net, rest)),
-        Wish(Closeness(used, points[used]), 1e-5),
-        Wish(Orthogonality(net.quads, name="right angles"), 0.3 * evenness),
-        *(Wish(border, 1e-2) for border in borders),
-        *_guards(net, shortest, _ROOMY if near else _ROOM),
+        Wish(Fairness(net.line_triples, rest, "smooth motion"), tuning.along_motion),
+        *(Wish(ring, tuning.along_motion) for ring in umbrellas(net, rest)),
+        Wish(Closeness(used, points[used]), tuning.along_closeness),
+        Wish(Orthogonality(net.quads, name="right angles"), tuning.along_squareness * evenness),
+        *(Wish(border, tuning.along_border) for border in borders),
+        *_guards(net, shortest, tuning.roomy if near else tuning.room, tuning),
     ]
 
 
-def halfway(net: Connectivity, points: FloatArray, surface: TriangleSurface) -> FloatArray:
+def halfway(
+    net: Connectivity, points: FloatArray, surface: TriangleSurface, tuning: Tuning
+) -> FloatArray:
     """How far beside a curved surface vertices lie for whole faces to be off it the least.
 
     The surface rises over an edge with both ends on it, and over the middle of a face by as much as
@@ -144,6 +122,7 @@ def halfway(net: Connectivity, points: FloatArray, surface: TriangleSurface) -> 
         net: the connectivity.
         points: (V, 3) vertices near the surface.
         surface: in the same unit.
+        tuning: which edges cut across.
 
     Returns:
         (V, 3) from the surface to where a vertex is wanted.
@@ -152,7 +131,7 @@ def halfway(net: Connectivity, points: FloatArray, surface: TriangleSurface) -> 
     middles = ends.mean(axis=1)
     rises = surface.closest(middles)[0] - middles
     # Over a crease, a step or a hole edges cut across, and no lift would help.
-    rises[length(rises) > _ACROSS * length(ends[:, 1] - ends[:, 0])] = 0.0
+    rises[length(rises) > tuning.across * length(ends[:, 1] - ends[:, 0])] = 0.0
     sides, sums = net.half_edge_edges, np.zeros_like(points)
     # By faces: edges inside, which run across the border, count twice, those along it once.
     np.add.at(sums, net.edges[sides].ravel(), np.repeat(rises[sides], 2, axis=0))
@@ -175,20 +154,21 @@ def drawn(problem: Problem, start: QuadMesh, pull: Pull) -> list[Wish]:
     shortest = float(length(ends[:, 1] - ends[:, 0]).min())
     return [
         Wish(Closeness(pull.vertices, goals, name=pull.name), 1.0),
-        Wish(Fairness(net.line_triples, rest, "smooth motion"), 1e-3),
-        *_guards(net, shortest),
+        Wish(Fairness(net.line_triples, rest, "smooth motion"), problem.tuning.along_motion),
+        *_guards(net, shortest, problem.tuning.room, problem.tuning),
     ]
 
 
-def limit_in_reach(far: float, start: QuadMesh) -> float | None:
+def limit_in_reach(far: float, start: QuadMesh, tuning: Tuning) -> float | None:
     """How far off a surface a net may be where nobody says so; None where it is far from that.
 
     Args:
         far: how far it is, in model units.
         start: the mesh as it was drawn.
+        tuning: how far that is.
     """
-    limit = _OFF * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
-    return limit if far <= _IN_REACH * limit else None
+    limit = tuning.on_surface * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
+    return limit if far <= tuning.in_reach * limit else None
 
 
 def missing(problem: Problem, x: FloatArray) -> FloatArray:
@@ -206,11 +186,11 @@ def pull_of(problem: Problem) -> Pull | None:
     return next((term for term in terms if isinstance(term, Pull)), None)
 
 
-def _guards(net: Connectivity, shortest: float, room: float = _ROOM) -> list[Wish]:
+def _guards(net: Connectivity, shortest: float, room: float, tuning: Tuning) -> list[Wish]:
     """Edges stay long and faces open, and what is so already feels nothing."""
     return [
-        Wish(EdgeGuard(net.edges, room * shortest), 0.3),
-        Wish(FaceGuard(net.quads, 0.3), 0.3),
+        Wish(EdgeGuard(net.edges, room * shortest), tuning.along_guard),
+        Wish(FaceGuard(net.quads, tuning.upright), tuning.along_guard),
     ]
 
 
@@ -218,10 +198,11 @@ def _not_beyond(problem: Problem, ground: TriangleSurface, within: float | None)
     """Wishes for vertices and middles of faces that are no farther from the surface than that."""
     if within is None:
         return
-    net, limit = problem.mesh.connectivity, _INSIDE * within / problem.scale
+    net, tuning = problem.mesh.connectivity, problem.tuning
+    limit = tuning.inside * within / problem.scale
     groups = [same.faces for same in net.by_size]
     for chosen in (np.flatnonzero(net.referenced)[:, None], *groups):
-        yield Wish(BeyondSurface(chosen, ground, limit), _FORBIDDEN)
+        yield Wish(BeyondSurface(chosen, ground, limit), tuning.forbidden)
 
 
 class NearestNet:
@@ -256,9 +237,9 @@ class NearestNet:
         self._count = len(problem.constraints)
         self._net = np.array([1.0] * self._count + [0.0] * len(wishes))
         self._wished = np.array([0.0] * self._count + [wish.weight for wish in wishes])
-        self.problem = problem
+        self.problem, self._tuning = problem, problem.tuning
         self.point = Point.at(system, terms, x.copy()).followed()
-        self.damping = _DAMPING_MIN
+        self.damping = self._tuning.along_damping_min
         self.finished = not wishes or not len(system.sparsity.unknowns)
 
     @property
@@ -290,16 +271,17 @@ class NearestNet:
 
     def exact(self) -> FloatArray:
         """The flat vector reached, on the net to rounding error."""
-        point = self.point.weighed(self._net)
+        point, tuning = self.point.weighed(self._net), self._tuning
+        first = tuning.last_corrections
         with one_thread():
-            for number in range(_LATEST):
-                if number >= _LAST and self._worst(point) <= _EXACT:
+            for number in range(tuning.most_corrections):
+                if number >= first and self._worst(point) <= tuning.exact:
                     break
                 # Where constraints all but touch, such as those of a sheet that is nearly flat,
                 # what is added would stand in the way.
-                tangent = 1e-3 if number < _LAST else 1e-5
+                tangent = tuning.last_tangents[0 if number < first else 1]
                 try:
-                    move = self._back(point, tangent * _TANGENT)(-point.gradient)
+                    move = self._back(point, tangent * tuning.tangent)(-point.gradient)
                 except SingularSystemError:
                     # Rounding is larger than what is added: nothing nearer is to be found.
                     break
@@ -312,32 +294,34 @@ class NearestNet:
     def _step(self) -> tuple[float, float]:
         begin = time.perf_counter()
         here, before = self.point, self.wishes
-        net = here.weighed(self._net)
-        back = self._back(net, _TANGENT)
+        net, tuning = here.weighed(self._net), self._tuning
+        back = self._back(net, tuning.tangent)
         # Multipliers of least squares take away all of the gradient but a motion along the net.
-        free = _TANGENT * back(here.weighed(self._wished).gradient)
-        gradient = net.gradient + _SHARE * free
-        both = here.weighed(self._net + _SHARE * self._wished)
+        free = tuning.tangent * back(here.weighed(self._wished).gradient)
+        gradient = net.gradient + tuning.share * free
+        both = here.weighed(self._net + tuning.share * self._wished)
         matrix, diagonal = both.matrix, here.system.sparsity.indptr[:-1]
         values = matrix[diagonal]
-        solving, limit = time.perf_counter() - begin, max(_NEAR_NET, self._worst(here))
+        solving, limit = time.perf_counter() - begin, max(tuning.near_net, self._worst(here))
         refused = False
-        while self.damping <= _DAMPING_MAX:
+        while self.damping <= tuning.along_damping_max:
             used = self.damping
             matrix[diagonal] = values + used
             begin = time.perf_counter()
             move = -self._across.factor(matrix)(gradient)
             solving += time.perf_counter() - begin
             length = float(np.abs(move).max(initial=0.0))
-            if np.isfinite(length) and length <= _LONGEST:
+            if np.isfinite(length) and length <= tuning.along_longest:
                 there = self._returned(net, move, back)
                 after = there.weighed(self._wished).energy
                 if after < before and self._worst(there) <= limit:
                     self.point = there
-                    self.damping = used if refused else max(used / 4, _DAMPING_MIN)
-                    self.finished = before - after < _WORTH * before
+                    calmer = max(tuning.along_calmer * used, tuning.along_damping_min)
+                    self.damping = used if refused else calmer
+                    self.finished = before - after < tuning.along_worth * before
                     return length, solving
-            self.damping, refused = max(4 * used, 1e-9), True
+            self.damping = max(tuning.along_harder * used, tuning.along_refused)
+            refused = True
         self.finished = True
         return 0.0, solving
 
@@ -346,8 +330,8 @@ class NearestNet:
     ) -> Point:
         """Where a move leads after corrections back onto the net, all terms linearised there."""
         there = net.moved(move).followed(weighty=True)
-        for _ in range(_CORRECTIONS):
-            if not _ON_NET < self._worst(there) < np.inf:
+        for _ in range(self._tuning.corrections):
+            if not self._tuning.on_net < self._worst(there) < np.inf:
                 break
             # New residuals with the derivatives of the step: the factors at hand are for those.
             mixed = [

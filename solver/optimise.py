@@ -35,9 +35,6 @@ if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
     from typing_extensions import Unpack
 
-# Residuals of what is fixed altogether up to this are taken for the rounding of a file.
-_CONTRADICTION = 1e-6
-
 
 class Settings(TypedDict, total=False):
     """What :func:`start_optimisation` can be told, by its name."""
@@ -320,7 +317,7 @@ def _refuse_contradictions(problem: Problem) -> None:
             continue
         miss = np.abs(term.linearise(problem.start).residual[stuck]).max(axis=1)
         worst = int(np.argmax(miss))
-        if miss[worst] > _CONTRADICTION:
+        if miss[worst] > problem.tuning.contradiction:
             place = problem.places[term.name](first + int(stuck[worst]))
             raise InputError(
                 f"fix: {place} cannot move at all, but its {term.name} is off by "

@@ -21,9 +21,6 @@ from solver.mesh.quadmesh import FloatArray
 from solver.point import Point
 from solver.tuning import Tuning
 
-# Changes of the energy below this part of it are rounding.
-_ROUNDING = 1e-12
-
 
 class Relaxation:
     """Takes Gauss-Newton steps with memory for one system of terms.
@@ -51,7 +48,7 @@ class Relaxation:
         while slope < 0 and part >= self._tuning.shortest:
             there = here.moved(part * move)
             least = self._tuning.decrease * part * slope
-            if there.energy <= here.energy * (1 + _ROUNDING) + least:
+            if there.energy <= here.energy * (1 + self._tuning.relaxation_rounding) + least:
                 self._remember(part * move, there.gradient - here.gradient)
                 length = part * float(np.abs(move).max(initial=0.0))
                 return Step(there, length, damping, solve_seconds)
@@ -77,5 +74,6 @@ class Relaxation:
         return -direction if np.isfinite(direction).all() else np.zeros_like(gradient)
 
     def _remember(self, move: FloatArray, change: FloatArray) -> None:
-        if move @ change > 1e-14 * np.linalg.norm(move) * np.linalg.norm(change):
+        least = self._tuning.memorable * np.linalg.norm(move) * np.linalg.norm(change)
+        if move @ change > least:
             self._pairs = [*self._pairs[1 - self._tuning.memory :], (move, change)]

@@ -9,15 +9,12 @@ import numpy as np
 
 from solver.analysis.form import Form
 from solver.mesh.quadmesh import QuadMesh
+from solver.tuning import Tuning
 
 CONVERGED = "converged"
 COLLAPSED = "collapsed"
 STALLED = "stalled"
 STOPPED = "stopped"
-
-# A shape is another one where a vertex moved by more than so many mean edges, and by more than this
-# part of the bounding box's diagonal, or a side of the box changed by more than that part of it.
-_MOVED, _MOVED_OF_ALL, _RESIZED = 0.5, 0.05, 0.1
 
 
 @dataclass(frozen=True)
@@ -124,6 +121,8 @@ class Report:
         seconds_setup: pattern, numbering and symbolic analysis.
         solver: name of the sparse solver.
         remarks: where the mesh meets itself without being joined, and by how much it came apart.
+        history: a record for each step.
+        tuning: the numbers of the solver, for what is said of the result.
     """
 
     net: str
@@ -157,6 +156,7 @@ class Report:
     solver: str = ""
     remarks: list[str] = field(default_factory=list)
     history: list[StepRecord] = field(default_factory=list, repr=False)
+    tuning: Tuning = field(default_factory=Tuning, repr=False)
 
     @property
     def is_within(self) -> bool:
@@ -176,15 +176,15 @@ class Report:
     @property
     def far(self) -> bool:
         """Tell whether the shape is so far from the input that it should be said."""
-        before, after = np.array(self.size_start), np.array(self.size)
-        moved = self.moved.max * self.mean_edge > _MOVED_OF_ALL * np.linalg.norm(before)
-        resized = (np.abs(after - before) > _RESIZED * before).any()
-        return bool(self.moved.max > _MOVED and (moved or resized))
+        before, after, tuning = np.array(self.size_start), np.array(self.size), self.tuning
+        moved = self.moved.max * self.mean_edge > tuning.moved_of_all * np.linalg.norm(before)
+        resized = (np.abs(after - before) > tuning.resized * before).any()
+        return bool(self.moved.max > tuning.moved and (moved or resized))
 
     def as_dict(self) -> dict[str, Any]:
-        """Return plain numbers and strings for JSON, without the history."""
+        """Return plain numbers and strings for JSON, without history and tuning."""
         data = asdict(self)
-        del data["history"]
+        del data["history"], data["tuning"]
         data.update(data.pop("form"), is_within=self.is_within, is_repeated=self.is_repeated)
         return data
 

@@ -28,16 +28,7 @@ from solver.report import (
     StepRecord,
     with_article,
 )
-
-# A net whose lines bend less evenly than this, or so much less than the start's, is not called one
-# without a word.
-_CRUMPLED, _CRUMPLING = 0.35, 0.25
-# A border that is farther from where it was, in mean edges, is another one.
-_DRAWN = 1.0
-# What was not joined and is now further apart than this many mean edges has come apart.
-_OPENED = 1e-4
-# A plane that is narrower than this part of its length is a line.
-_THIN = 1e-2
+from solver.tuning import Tuning
 
 
 @dataclass(frozen=True)
@@ -119,10 +110,11 @@ def summarise(run: Course, best: Candidate) -> Outcome:
         remarks=[
             *_crumpled(best),
             *_drawn_along(run, form.border / start.mean_edge),
-            *_remarks(start, best.mesh),
+            *_remarks(start, best.mesh, best.tuning),
             *_left_out(run.original),
         ],
         history=list(history),
+        tuning=best.tuning,
     )
     return Outcome(run.origin.back_mesh(best.mesh), report)
 
@@ -184,12 +176,13 @@ def _remains(best: Candidate) -> str:
     mesh = best.mesh
     points = mesh.vertices[mesh.connectivity.referenced]
     extents = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    return "a line" if extents[1] < _THIN * extents[0] else "a plane"
+    return "a line" if extents[1] < best.tuning.line * extents[0] else "a plane"
 
 
 def _crumpled(best: Candidate) -> list[str]:
     """That a net, however exact, is none to build from."""
-    if best.smoothness >= _CRUMPLED and best.roughened <= _CRUMPLING:
+    tuning = best.tuning
+    if best.smoothness >= tuning.crumpled and best.roughened <= tuning.crumpling:
         return []
     return [
         f"lines zigzag (evenness {best.smoothness:.2f}, where 1 is smooth): look at it "
@@ -206,7 +199,8 @@ def _drawn_along(run: Course, border: float) -> list[str]:
         border: how far the border is from where it was, in mean edges.
     """
     lines = NETS[run.original.net].lines if run.original.net in NETS else ""
-    if not lines or run.surface is None or run.original.may_resize or border <= _DRAWN:
+    most = run.original.tuning.border_left
+    if not lines or run.surface is None or run.original.may_resize or border <= most:
         return []
     return [
         f"the border is up to {border:.1f} mean edges from where it was drawn, as the net runs "
@@ -227,12 +221,12 @@ def _left_out(problem: Problem) -> list[str]:
     ]
 
 
-def _remarks(start: QuadMesh, end: QuadMesh) -> list[str]:
+def _remarks(start: QuadMesh, end: QuadMesh, tuning: Tuning) -> list[str]:
     """Where the start meets itself without being joined, and what became of that."""
     found = seams(start)
     opened = found.opened(start, end)
     said = found.remarks()
-    if opened > _OPENED:
+    if opened > tuning.opened:
         said.append(f"what meets without being joined came apart by up to {opened:.2g} mean edges")
     return said
 

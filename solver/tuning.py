@@ -38,14 +38,18 @@ class Tuning:
         calmer: factor on the damping after a step that was accepted at once;
         harder: and after one that was refused,
         damping_refused: from this on.
+        rounding: a step may raise the energy by this part of it,
+        rounding_zero: and by so much for each unknown: residuals of 1e-13 are rounding.
         probe: part of the step at which the second derivative is probed.
         longest_bend: longest bend that is trusted, as part of the step.
         reuses: steps that follow with the same factors; more of them lag visibly behind a dragged
             vertex.
-        memory: steps that relaxation remembers.
+        memory: steps that relaxation remembers,
+        memorable: where the slope along them changed by more than this part, which is rounding.
         relaxation_damping: keeps its matrix regular where scalars are free.
         shortest: shortest part of a step of relaxation that is tried,
-        decrease: and the decrease that it has to bring, as part of what the slope promises.
+        decrease: and the decrease that it has to bring, as part of what the slope promises,
+        relaxation_rounding: but for this part of the energy.
         guard: weight that keeps edges and faces of guarded nets from collapsing and crossing over.
         guarded: edges shorter than this part of the shortest at the start are pushed back.
         upright: cosine between opposite edges of a face below which they are turned back.
@@ -104,6 +108,52 @@ class Tuning:
         far_off: what is farther off the surface than this part of its size is another shape, where
             nothing else was said.
         equal: with this residual parts of a kind are equal as far as numbers tell.
+        on_surface: part of its size that a net may be off a surface where nobody says how much,
+        in_reach: and how many times that for another last phase to be worth its time.
+        inside: part of a distance that is allowed from which on it weighs
+        forbidden: so much more.
+        along_motion: weight of neighbours that move alike along the nets, against zigzag for the
+            last millimetre,
+        along_closeness: of staying where they were, which decides only what nothing else does,
+        along_squareness: of faces that are not sheared, as part of that of even lines,
+        along_border: of the border, which a net across the curvature has to leave,
+        along_guard: and of long edges and open faces, which feel nothing as long as they are so.
+        room: edges shorter than this part of the shortest at the start are pushed back,
+        roomy: and than this where the net nearly is on its surface, so that none need give way.
+        across: edges over which a surface rises by more than this part of their length cut across
+            a crease or a step.
+        share: of the wishes in the energy whose minimum a step along the nets aims at. The smaller,
+            the better it keeps to the net; rounding is the limit.
+        tangent: added to the constraints' own matrix, which alone says nothing of motions along
+            the net.
+        along_damping_min: least damping of such a step, above rounding,
+        along_damping_max: and that from which on it is too short to help;
+        along_calmer: factor on it after a step that was accepted at once,
+        along_harder: and after one that was refused,
+        along_refused: from this on.
+        along_longest: a longer step leaves the neighbourhood that it was made for.
+        corrections: back onto the net with the same factors, at most so many,
+        on_net: until this residual;
+        near_net: with one larger than this the step was none along the net.
+        along_worth: steps that lower the wishes by less than this part of them are not worth their
+            time.
+        last_corrections: at the end, to the last digit, with new factors each,
+        most_corrections: and so many where the residual is still larger
+        exact: than this;
+        last_tangents: with these parts of what is added: fewer digits of a nearly singular matrix
+            at first, then the last.
+        crumpled: of a net whose lines bend less evenly than this,
+        crumpling: or by so much less than the start's, it is said that they zigzag.
+        border_left: a border that is farther from where it was is another one.
+        opened: what meets without being joined, and is now further apart, has come apart.
+        line: a plane that is narrower than this part of its length is called a line.
+        moved: a shape is another one where a vertex moved farther than this,
+        moved_of_all: and farther than this part of the bounding box's diagonal,
+        resized: or a side of the box changed by more than this part of it.
+        another: what is farther from its design surface than this part of its size is not fit to
+            be built.
+        contradiction: residuals of what cannot move at all are the rounding of a file up to this,
+            and are refused from there on.
     """
 
     fade: float = 0.3
@@ -126,13 +176,17 @@ class Tuning:
     calmer: float = 0.25
     harder: float = 8.0
     damping_refused: float = 1e-9
+    rounding: float = 1e-9
+    rounding_zero: float = 1e-26
     probe: float = 0.1
     longest_bend: float = 0.375
     reuses: int = 3
     memory: int = 10
+    memorable: float = 1e-14
     relaxation_damping: float = 1e-9
     shortest: float = 1e-3
     decrease: float = 2e-4
+    relaxation_rounding: float = 1e-12
     guard: float = 0.1
     guarded: float = 0.6
     upright: float = 0.3
@@ -183,3 +237,41 @@ class Tuning:
     kinds_rounds: int = 30
     far_off: float = 0.02
     equal: float = 1e-11
+    on_surface: float = 4.5e-4
+    in_reach: float = 6.0
+    inside: float = 0.8
+    forbidden: float = 100.0
+    along_motion: float = 1e-3
+    along_closeness: float = 1e-5
+    along_squareness: float = 0.3
+    along_border: float = 1e-2
+    along_guard: float = 0.3
+    room: float = 0.6
+    roomy: float = 0.85
+    across: float = 0.2
+    share: float = 1e-4
+    tangent: float = 1e-7
+    along_damping_min: float = 1e-11
+    along_damping_max: float = 1e2
+    along_calmer: float = 0.25
+    along_harder: float = 4.0
+    along_refused: float = 1e-9
+    along_longest: float = 1.0
+    corrections: int = 4
+    on_net: float = 1e-9
+    near_net: float = 1e-4
+    along_worth: float = 3e-4
+    last_corrections: int = 5
+    most_corrections: int = 25
+    exact: float = 1e-12
+    last_tangents: tuple[float, ...] = (1e-3, 1e-5)
+    crumpled: float = 0.35
+    crumpling: float = 0.25
+    border_left: float = 1.0
+    opened: float = 1e-4
+    line: float = 1e-2
+    moved: float = 0.5
+    moved_of_all: float = 0.05
+    resized: float = 0.1
+    another: float = 0.01
+    contradiction: float = 1e-6

@@ -12,9 +12,6 @@ from solver.analysis.form import Form
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.tuning import Tuning
 
-# What is farther from the design surface than this part of its size is another one.
-_FAR = 0.01
-
 
 @dataclass(frozen=True)
 class Finding:
@@ -58,7 +55,7 @@ def check_form(
     """
     chosen = tuning or Tuning()
     off = form.off_surface
-    far = within or _FAR * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
+    far = within or chosen.another * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
     return (
         _folds(start, mesh),
         _evenness(mesh, form, chosen),

@@ -175,7 +175,7 @@ def test_vertices_are_wanted_halfway_between_a_surface_and_the_middles_of_faces(
 
     fine = TriangleSurface.from_quads(tube(np.linspace(-6, 6, 601), np.linspace(-6, 6, 3)))
     net = tube(edge * np.arange(-5, 6), edge * np.arange(-5, 6))
-    lifts = halfway(net.connectivity, net.vertices, fine)
+    lifts = halfway(net.connectivity, net.vertices, fine, Tuning())
     outwards = np.einsum("ij,ij->i", lifts, net.vertices * [1 / radius, 1 / radius, 0])
     # An arc over an edge is that high, one along the axis not at all.
     rise = radius * (1 - np.cos(edge / radius / 2))
@@ -193,7 +193,7 @@ def test_edges_that_cut_across_a_steep_ridge_lift_nothing(slope, lifted):
 
     ridge = TriangleSurface.from_quads(roof(np.linspace(-3, 3, 13), np.array([-3.0, 3.0])))
     net = roof(np.array([-1.5, -0.5, 0.5, 1.5]), np.arange(-2.0, 3))
-    lifts = halfway(net.connectivity, net.vertices, ridge)
+    lifts = halfway(net.connectivity, net.vertices, ridge, Tuning())
     # Of the four edges at a vertex beside the ridge one crosses it, half a unit under the top.
     beside = np.abs(net.vertices[:, 0]) < 1
     assert lifts[beside, 2] == pytest.approx(lifted * 0.5, rel=0.1)
