@@ -4,10 +4,11 @@ Run with the project's Python:
     python scripts/bench_tuning.py [--write] [--quick] [--only way|last-phase|words] [NUMBER ...]
 
 Numbers of the way to a net are tried on one case for each mesh, those of the last phase on the
-first case with one that heeds them, those of what is said of a result on all of these. A case is
+first case with one that heeds them, those of what is said of a result on three of these. A case is
 *elsewhere* where a vertex of its mesh comes to lie more than 0.01 mean edges from its usual place,
 and *says otherwise* where the words of its warnings and remarks are others. ``--write`` puts
-the tables into docs/tuning.md, ``--quick`` leaves large and hard cases out.
+the tables into docs/tuning.md, or rows of some numbers into those that stand there; ``--quick``
+leaves large and hard cases out.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ import re
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
+from functools import partial
+from itertools import islice
 from typing import Any, ClassVar
 
 import numpy as np
@@ -48,6 +51,7 @@ CASES = {
 QUICK = ("heart", "cmc1", "knet1", "chebyshev_sphere", "quad_dome", "6-sub-lifted")
 WAY, LAST_PHASE, WORDS = "way", "last-phase", "words"
 FIRST = {WAY: "fade", LAST_PHASE: "along_evenness", WORDS: "crumpled"}
+PAGE = ROOT / "docs" / "tuning.md"
 MOST_STEPS = 200
 MOVED = 0.01
 
@@ -115,12 +119,10 @@ def cases_of_the_last_phase() -> Iterator[Case]:
         yield Case("stress", dome, "stress", near=0.02)
 
 
-def cases_of(which: str, quick: bool) -> Iterator[Case]:
-    """Those on which the numbers of a table are tried."""
-    if which != LAST_PHASE:
-        yield from cases(quick)
-    if which != WAY:
-        yield from cases_of_the_last_phase()
+def cases_of_words() -> Iterator[Case]:
+    """Near to a surface, with a handle, and one of which the shape becomes another."""
+    yield from islice(cases_of_the_last_phase(), 2)
+    yield from (case for case in cases(True) if case.net == "chebyshev")
 
 
 class Recorded(Tuning):
@@ -212,6 +214,20 @@ def table(asked: Sequence[Case], names: Sequence[str], first: bool) -> Iterator[
         yield f"| {name} | {written(value)} | {effects[0]} | {effects[1]} |"
 
 
+def named(lines: Sequence[str]) -> dict[str, str]:
+    """Rows of a table by the numbers that they are of."""
+    rows = (line for line in lines if re.match(r"\| \w+ \|", line))
+    found = {line.split(" | ")[0].removeprefix("| "): line for line in rows}
+    found.pop("number", None)
+    return found
+
+
+def rows_of(which: str) -> dict[str, str]:
+    """Rows that stand in a table of the page."""
+    text = PAGE.read_text(encoding="utf-8")
+    return named(text.partition(f"<!-- {which} table: begin -->")[2].split("<!--")[0].splitlines())
+
+
 def main() -> None:
     """Print a row a number."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -220,10 +236,15 @@ def main() -> None:
     parser.add_argument("--only", choices=tuple(FIRST), help="numbers of one table")
     parser.add_argument("names", nargs="*", metavar="NUMBER", help="only these numbers")
     options = parser.parse_args()
+    made = {
+        WAY: partial(cases, options.quick),
+        LAST_PHASE: cases_of_the_last_phase,
+        WORDS: cases_of_words,
+    }
     for which, names in numbers().items():
         if options.only not in (None, which):
             continue
-        asked = list(cases_of(which, options.quick))
+        asked = list(made[which]())
         if not asked:
             sys.exit(f"{SHARED} is missing: these are the meshes that the numbers are tried on")
         wanted = [name for name in names if not options.names or name in options.names]
@@ -231,8 +252,11 @@ def main() -> None:
         for line in table(asked, wanted, which == LAST_PHASE) if wanted else ():
             print(line, flush=True)
             lines.append(line)
-        if options.write and not options.names:
-            write(ROOT / "docs" / "tuning.md", which, "\n".join(lines))
+        if options.write and lines:
+            before = rows_of(which) if options.names else {}
+            rows = {**before, **named(lines)}
+            text = [*lines[: -len(wanted)], *(rows[name] for name in names if name in rows)]
+            write(PAGE, which, "\n".join(text))
 
 
 if __name__ == "__main__":

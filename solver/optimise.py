@@ -11,7 +11,7 @@ import numpy as np
 
 from solver.align.reach import beyond, reaching
 from solver.analysis.form import surface_of
-from solver.analysis.kinds import ALIKE, ALIKE_DEG, NODES, refuse_unknown_parts
+from solver.analysis.kinds import ALIKE, ALIKE_DEG, NODES
 from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
 from solver.last_phase import Aim
@@ -22,7 +22,7 @@ from solver.mesh.quadmesh import QuadMesh, refuse_other
 from solver.nets import Net, net_named, refuse_foreign
 from solver.nets.constraints import Constraints, corners_that_stay, on_curves, settled
 from solver.nets.options import NetOptions
-from solver.nets.settings import WEIGHTS, Weights
+from solver.nets.settings import STEPS, WEIGHTS, Weights
 from solver.nets.supports import supports_of
 from solver.plan import Plan
 from solver.problem import Problem
@@ -162,9 +162,10 @@ def start_optimisation(
         mesh.connectivity.refuse(f"{net} net")
     refuse_no_end(tolerance, max_steps)
     WEIGHTS["within"].check(within, "")
-    if min(multi_patch) < 1 or max(multi_patch) < 2:
+    WEIGHTS["multi_patch"].check(multi_patch)
+    if max(multi_patch) < 2:
         raise InputError(
-            f"multi_patch: expected two counts, one of them 2 or more, got {multi_patch}"
+            f"multi patch: expected two counts, one of them 2 or more, got {multi_patch}"
         )
     given = {
         "fairness": fairness,
@@ -252,7 +253,9 @@ def _repeated(
     """
     if repeat == "none":
         return None
-    refuse_unknown_parts(repeat)
+    WEIGHTS["repeat"].check(repeat)
+    WEIGHTS["alike"].check(alike, "")
+    WEIGHTS["alike_angle"].check(alike_angle)
     lengths = ALIKE * mesh.mean_edge if alike is None else alike
     wish = Repeat(repeat, kinds, alike_angle if repeat == NODES else lengths)
     wish.refuse_impossible(mesh)
@@ -266,17 +269,7 @@ def refuse_no_end(tolerance: float, max_steps: int) -> None:
         InputError: a tolerance or a number of steps that is none.
     """
     WEIGHTS["tolerance"].check(tolerance)
-    refuse_no_steps(max_steps)
-
-
-def refuse_no_steps(max_steps: int) -> None:
-    """Refuse a run of no steps.
-
-    Raises:
-        InputError: a number below 1.
-    """
-    if max_steps < 1:
-        raise InputError(f"max_steps: expected 1 or more, got {max_steps}")
+    STEPS.check(max_steps)
 
 
 def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface | None:

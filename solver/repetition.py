@@ -57,9 +57,6 @@ class Repeat:
         Raises:
             InputError: no kinds, more than there are parts, fewer than there must be.
         """
-        if not (np.isfinite(self.alike) and self.alike > 0):
-            name = "alike_angle" if self.of == NODES else "alike"
-            raise InputError(f"{name}: expected more than 0, got {self.alike}")
         if self.kinds is None:
             return
         net = mesh.connectivity

@@ -100,7 +100,7 @@ def test_options_of_the_net_reach_it(surface, tmp_path):
         ({"net": "geodesic"}, "a surface has no lines for geodesic nets"),
         ({"edge": 500.0}, "leaves room for"),
         ({"wide": 3}, "wide"),
-        ({"border": "cut"}, "border: expected one of"),
+        ({"border": "cut"}, "border: expected trim or follow"),
     ],
 )
 def test_what_cannot_be_is_said_before_anything_is_there(surface, tmp_path, more, words):

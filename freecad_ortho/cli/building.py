@@ -150,7 +150,7 @@ def _optimise(options: argparse.Namespace, stages: Stages) -> None:
     settings = net_options.settings(exact, loaded, _surface(options, loaded.unit))
     with stages.made(OPTIMISE) as (folder, entry):
         outcome = optimising.optimised(options, loaded, settings)
-        _pass_on_interrupt(outcome, options.max_steps)
+        _pass_on_interrupt(outcome, settings["max_steps"])
         back = replace(outcome, mesh=loaded.origin.back_mesh(outcome.mesh))
         building.keep_outcome_of(loaded, back, folder, entry)
         entry |= _told(options, OPTIMISE, begin)

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_NOT_CONVERGED, EXIT_OK
 from freecad_ortho.sources.forming import FORM, found
-from solver.errors import InputError
+from solver.nets.settings import STEPS, WEIGHTS
+
+# What ends the iteration.
+_ENDS = (WEIGHTS["tolerance"], replace(STEPS, default=500, brief="largest number of linear solves"))
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -22,10 +26,8 @@ def add(parser: argparse.ArgumentParser) -> None:
     values.add_up(parser)
     for option in FORM.options:
         arguments.add(parser, option)
-    parser.add_argument(
-        "--tolerance", type=float, default=1e-10, help="largest residual that counts as zero"
-    )
-    parser.add_argument("--max-steps", type=int, default=500, metavar="N", help="(default: 500)")
+    for option in _ENDS:
+        arguments.add(parser, option)
     values.add_output(parser)
     parser.set_defaults(run=run)
 
@@ -33,15 +35,16 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Find the form and write it; exit code 1 where there is no equilibrium."""
     values.refuse_unwritable(options.output)
-    if options.max_steps < 1 or not options.tolerance > 0:
-        raise InputError("--max-steps and --tolerance: expected positive numbers")
+    ends = {option.name: option.default for option in _ENDS} | arguments.given(_ENDS, options)
+    for option in _ENDS:
+        option.check(ends[option.name])
     told = arguments.given(FORM.options, options)
     loaded = reporting.load(options)
     form, remarks = found(
         loaded.near,
         **(FORM.defaults | told),
-        tolerance=options.tolerance,
-        max_iterations=options.max_steps,
+        tolerance=ends["tolerance"],
+        max_iterations=ends["max_steps"],
     )
     for remark in remarks:
         sys.stderr.write(f"note: {remark}\n")

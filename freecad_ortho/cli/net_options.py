@@ -30,9 +30,8 @@ from solver.nets.constraints import (
     SurfaceGlide,
 )
 from solver.nets.options import OPTIONS
-from solver.nets.settings import WEIGHTS
+from solver.nets.settings import STEPS, WEIGHTS
 from solver.nets.supports import SUPPORTS
-from solver.optimise import refuse_no_steps
 
 # Points (V, 3) and triangles (T, 3) of a surface.
 Triangles = tuple[FloatArray, IntArray]
@@ -56,9 +55,7 @@ def add_most(parser: argparse._ActionsContainer) -> None:
         metavar="none|corners|boundary|I,J,K",
         help="what must not move; several, as boundary,5",
     )
-    parser.add_argument(
-        "--max-steps", type=int, default=1000, metavar="N", help="of all attempts (default: 1000)"
-    )
+    arguments.add(parser, STEPS)
     for weight in WEIGHTS.values():
         arguments.add(parser, weight)
     for option in OPTIONS.values():
@@ -102,7 +99,7 @@ def refuse_unfit(options: argparse.Namespace) -> Net:
         InputError: naming the option and the nets that have it, or no such net, or no steps.
     """
     asked = net_named(options.net)
-    refuse_no_steps(options.max_steps)
+    STEPS.check(arguments.given([STEPS], options).get("max_steps", STEPS.default))
     arguments.given(WEIGHTS.values(), options)
     declared = {**OPTIONS, SUPPORTS.name: SUPPORTS}
     said = arguments.given(declared.values(), options)
@@ -131,15 +128,14 @@ def settings(
     """
     asked = refuse_unfit(options)
     chosen = arguments.given(OPTIONS.values(), options, loaded.unit)
-    standing = options.supports or asked.supports
+    standing, ends = options.supports or asked.supports, (STEPS, *WEIGHTS.values())
     if "reference" in chosen:
         chosen["reference"] = _reference(chosen["reference"], options.up, loaded)
     return {
         "fix": standing if options.supports_fixed else options.fix,
         "supports": "" if options.supports_fixed else options.supports or "",
-        "max_steps": options.max_steps,
-        **{name: option.default for name, option in WEIGHTS.items()},
-        **arguments.given(WEIGHTS.values(), options, loaded.unit),
+        **{option.name: option.default for option in ends},
+        **arguments.given(ends, options, loaded.unit),
         "options": NetOptions(**chosen),
         "constraints": _constraints(options, loaded, surface),
     }

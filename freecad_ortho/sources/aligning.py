@@ -10,16 +10,13 @@ import numpy as np
 
 from freecad_ortho.sources.source import Made, Source
 from freecad_ortho.words import counted
-from solver.align.align import BORDERS, RATIOS, Aligned, aligned
+from solver.align import options as alignment
+from solver.align.align import Aligned, aligned
 from solver.align.crosses import Singular
-from solver.align.guides import TURNED
-from solver.align.membrane import STANDS_ON
-from solver.align.symmetry import SYMMETRIES
-from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.sampling import ParametricSurface, sampled
-from solver.option import Option, Range
+from solver.option import Option
 
 # Points of a CAD face along an edge of the net, where they do not come to too many.
 _FINER, _POINTS = 4.0, 40_000
@@ -30,29 +27,26 @@ _NEAR = 0.05
 # Points that a face is asked for before it is seen whether they are still wanted.
 _PORTION = 200
 
+_EDGE = replace(alignment.OPTIONS["edge"], default=0.0, absent="for about 600 faces")
+_SINGULARITIES = Option(
+    "singularities",
+    None,
+    "singular",
+    "Where other than four lines meet: auto for the fewest that the surface needs, none, or "
+    "a file of rows x y z and 3, 5 or 6 lines",
+    absent="auto",
+)
+_STROKES = Option(
+    "drawn_strokes", (), "polylines", "Lines drawn on the surface that the net runs along"
+)
 OPTIONS = (
-    Option("net", "principal", "choice",
-           "What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, "
-           "stress lines as a shell carries its weight",
-           tuple(TURNED)),
-    Option("edge", 0.0, "length", "Wanted edge length", absent="for about 600 faces"),
-    Option("ratio", 1.0, "number", "How many times as long edges of the other family of lines are",
-           within=Range(*RATIOS)),
-    Option("border", "trim", "choice",
-           "At the border the net overhangs the surface, to be trimmed, or bends to follow it",
-           BORDERS, title="At the border"),
-    Option("stands_on", "boundary", "choice",
-           "Stress nets: what the shell stands on whose stresses the lines follow", STANDS_ON),
-    Option("singularities", None, "singular",
-           "Where other than four lines meet: auto for the fewest that the surface needs, none, or "
-           "a file of rows x y z and 3, 5 or 6 lines",
-           absent="auto"),
-    Option("symmetry", "none", "choice",
-           "Planes in which the net is its own mirror image: auto for those that the surface has, "
-           "or those across an axis, through the middle of the surface",
-           SYMMETRIES),
-    Option("drawn_strokes", (), "polylines", "Lines drawn on the surface that the net runs along"),
-)  # fmt: skip
+    alignment.OPTIONS["net"],
+    _EDGE,
+    *(alignment.OPTIONS[name] for name in ("ratio", "border", "stands_on")),
+    _SINGULARITIES,
+    alignment.OPTIONS["symmetry"],
+    _STROKES,
+)
 
 
 def _on_faces(
@@ -121,7 +115,7 @@ def aligned_on(
     surfaces = [_in_portions(surface, waiting) for surface in surfaces]
     area = sum(surface.area for surface in surfaces)
     edge = edge or edge_for(area, ratio)
-    _refuse_ratio(ratio)
+    alignment.OPTIONS["ratio"].check(ratio)
     fine = max(edge * min(1.0, ratio) / _FINER, np.sqrt(area / _POINTS))
     stand_in = sampled(surfaces, edge=fine)
     triangles = TriangleSurface.from_quads(stand_in.mesh)
@@ -164,13 +158,8 @@ def _in_portions(surface: ParametricSurface, waiting: Callable[[str], object]) -
 
 def edge_for(area: float, ratio: float) -> float:
     """The edge length with which a net of this area has about 600 faces."""
-    _refuse_ratio(ratio)
+    alignment.OPTIONS["ratio"].check(ratio)
     return float(f"{np.sqrt(area / _FACES / ratio):.2g}")
-
-
-def _refuse_ratio(ratio: float) -> None:
-    if not ratio > 0:
-        raise InputError(f"ratio: expected a positive number, got {ratio:g}")
 
 
 def _set_onto(mesh: QuadMesh, surfaces: Sequence[ParametricSurface], edge: float) -> QuadMesh:

@@ -15,6 +15,7 @@ from solver.mesh.quadmesh import FloatArray
 from solver.multinet import MultiNet, Quadric, elliptic_net, multi_net, reflected
 from solver.multinet.elliptic import COORDINATES, EllipticSystem
 from solver.multinet.formula import formula
+from solver.multinet.net import SPACING
 from solver.multinet.polyline import Spline
 from solver.multinet.presets import PRESETS
 from solver.option import Former, Option
@@ -29,9 +30,9 @@ QUADRICS = {
     "two-sheeted hyperboloid": (1.0, -1.0, -1.0),
 }
 _FORMULAS = "formulas"
-_SPACING = Option(
-    "spacing", "length", "choice", "Even lengths or equal steps of the parameters",
-    ("length", "parameter"),
+_QUADRIC = Option(
+    "quadric", "ellipsoid", "choice", "Quadric that carries the polyline", tuple(QUADRICS),
+    written="ellipsoid|one-sheeted|two-sheeted",
 )  # fmt: skip
 _T_RANGE = Option(
     "t_range", (0.0, 0.0), "area", "First and last t (0 and 0: clear of both ends)",
@@ -49,8 +50,7 @@ def quadric_of(quadric: str, semi_axes: ArrayLike, placement: Placing) -> Quadri
     Raises:
         InputError: an unknown kind, or semi-axes that are not positive.
     """
-    if quadric not in QUADRICS:
-        raise InputError(f"quadric: expected one of {', '.join(QUADRICS)}, got '{quadric}'")
+    _QUADRIC.check(quadric)
     lengths = np.asarray(semi_axes, dtype=np.float64)
     if lengths.shape != (3,) or not (np.isfinite(lengths) & (lengths > 0)).all():
         raise InputError(
@@ -203,13 +203,12 @@ MULTI_NET = Source(
     "multi-net",
     "Orthogonal multi-net of a polyline drawn on a quadric",
     (
-        Option("quadric", "ellipsoid", "choice", "Quadric that carries the polyline",
-               tuple(QUADRICS), written="ellipsoid|one-sheeted|two-sheeted"),
+        _QUADRIC,
         Option("semi_axes", _SEMI_AXES, "length", "Semi-axes of the quadric",
                written="A,B,C", former=Former("axes", roots)),
         sampling(24, 12),
         _T_RANGE,
-        _SPACING,
+        SPACING,
         Option("closed", False, "flag", "Join the last point with the first",
                brief="join the ends of a given curve"),
         _REFLECT,
@@ -241,7 +240,7 @@ ELLIPTIC_NET = Source(
         Option("closed", False, "flag", "Join the ends of a curve that is no preset"),
         sampling(24, 12),
         _T_RANGE,
-        _SPACING,
+        SPACING,
         _REFLECT,
         PLACEMENT,
     ),

@@ -20,13 +20,12 @@ from solver.align.features import Features
 from solver.align.field import Field, GuidingField, smooth_field
 from solver.align.given import Wanted, given_field
 from solver.align.guides import (
-    TURNED,
     along_features,
     net_guide,
     say_border,
     with_strokes,
 )
-from solver.align.membrane import STANDS_ON
+from solver.align.options import OPTIONS
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
 from solver.align.seamless import FIRM, seamless_map
@@ -50,10 +49,6 @@ from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
 
-# What may become of the border.
-# How many times as long edges of the other family may be.
-RATIOS = (0.05, 20.0)
-BORDERS = ("trim", "follow")
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
 # Powers of two that a grain of coordinates is smaller than the surface.
@@ -132,14 +127,9 @@ def aligned(
         InputError: no such net, bad lengths, no single open surface, no such lines, no map, no such
             symmetry, or a stroke or a singularity that is off the surface.
     """
-    if net not in TURNED:
-        raise InputError(f"net: expected one of {', '.join(TURNED)}, got {net}")
-    if border not in BORDERS:
-        raise InputError(f"border: expected one of {', '.join(BORDERS)}, got {border}")
-    if stands_on not in STANDS_ON:
-        raise InputError(f"stands_on: expected one of {', '.join(STANDS_ON)}, got {stands_on}")
-    if not (np.isfinite(ratio) and RATIOS[0] <= ratio <= RATIOS[1]):
-        raise InputError("ratio: expected {:g} to {:g}, got {:g}".format(*RATIOS, ratio))
+    asked = {"net": net, "edge": edge, "ratio": ratio, "border": border, "stands_on": stands_on}
+    for name, value in {**asked, "symmetry": symmetry}.items():
+        OPTIONS[name].check(value, "")
     waiting("curvature")
     given = one_surface(*sound_triangles(vertices, triangles))
     grain = _grain(given.points)
@@ -187,8 +177,6 @@ def _grain(points: FloatArray) -> float:
 
 
 def _refuse_size(surface: TriangleMesh, edge: float, other: float) -> None:
-    if not (np.isfinite(edge) and edge > 0):
-        raise InputError(f"edge: expected a positive length, got {edge:g}")
     area = float(surface.areas.sum())
     count = area / (edge * other)
     if count < _FEWEST:

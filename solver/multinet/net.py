@@ -11,10 +11,20 @@ from solver.errors import InputError
 from solver.mesh.grid import grid_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.multinet.quadric import Quadric
+from solver.option import Option
 
 # Takes (n,) curve parameters, returns (n, 3) points near a quadric.
 Curve = Callable[[FloatArray], FloatArray]
+# Points at which lengths are measured.
 _FINE = 513
+
+SPACING = Option(
+    "spacing",
+    "length",
+    "choice",
+    "Even lengths or equal steps of the parameters",
+    ("length", "parameter"),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,6 +113,7 @@ class MultiNet:
     ) -> tuple[FloatArray, FloatArray]:
         """(M,) and (N,) parameters of :meth:`sampled`."""
         first, last = self._range(t_range)
+        SPACING.check(spacing)
         if m < 2 + self.closed or n < 2:
             raise InputError(
                 f"sampling: expected at least {2 + self.closed} x 2, got {m} x {n}; take more"
@@ -110,10 +121,8 @@ class MultiNet:
         count = m + self.closed
         if spacing == "parameter":
             s, t = np.linspace(0, 1, count), np.linspace(first, last, n)
-        elif spacing == "length":
-            s, t = self._even_s(count, (first, last)), self._even_t(n, (first, last))
         else:
-            raise InputError(f"spacing: expected length or parameter, got '{spacing}'")
+            s, t = self._even_s(count, (first, last)), self._even_t(n, (first, last))
         return s[:m], t
 
     def _range(self, t_range: tuple[float, float] | None) -> tuple[float, float]:

@@ -11,7 +11,7 @@ from solver.analysis.kinds import ALIKE_DEG, REPEATED
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
-from solver.option import POSITIVE, Option
+from solver.option import POSITIVE, Option, Range
 from solver.problem import Guide, Problem
 from solver.terms.base import Term
 from solver.terms.closeness import Closeness
@@ -71,7 +71,19 @@ REPETITION = (
         "How far edges of nodes may be turned from the shape of their kind",
         title="Alike to",
         brief="how far edges of nodes may be turned from the shape of their kind",
+        within=POSITIVE,
     ),
+)
+
+
+# What ends a run that does not come to an end by itself.
+STEPS = Option(
+    "max_steps",
+    1000,
+    "count",
+    "Largest number of steps, of all attempts",
+    brief="of all attempts",
+    within=Range(1),
 )
 
 
@@ -111,6 +123,7 @@ WEIGHTS: dict[str, Option] = {
             "Faces along and across the patches that the multi-net guide keeps orthogonal",
             suffixes=("Rows", "Columns"),
             brief="faces along and across the patches of the multi-net guide",
+            within=Range(1),
         ),
         Option(
             "evenness",

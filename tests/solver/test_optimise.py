@@ -182,7 +182,7 @@ def test_everything_fixed_moves_nothing():
         ({"fairness": -1.0}, "fairness: expected 0 or more, got -1.0"),
         ({"closeness": float("nan")}, "closeness: expected a number, got nan"),
         ({"tolerance": 0.0}, "tolerance: expected a number above 0, got 0.0"),
-        ({"max_steps": 0}, "max_steps: expected 1 or more"),
+        ({"max_steps": 0}, "max steps: expected a whole number, 1 or more"),
         ({"backend": "abacus"}, "sparse solver: expected one of"),
     ],
 )

@@ -153,5 +153,5 @@ def test_every_guide_can_be_weighed_and_switched_off_and_patches_have_a_size():
     large = start_optimisation(mesh, multi=0.5, multi_patch=(2, 3)).original
     (guide,) = [one for one in large.guides if one.term.name == "multi-net"]
     assert len(guide.term.faces) == len(mesh.connectivity.rectangles(2, 3)) > 0
-    with pytest.raises(InputError, match="multi_patch: expected two counts"):
+    with pytest.raises(InputError, match="multi patch: expected two counts"):
         start_optimisation(mesh, multi_patch=(1, 1))

@@ -134,12 +134,12 @@ def test_a_panel_turned_by_half_is_of_the_same_kind():
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
-        ({"repeat": "panes"}, "repeat: expected panels, edges, nodes, got 'panes'"),
+        ({"repeat": "panes"}, "repeat: expected none, panels, edges or nodes, got 'panes'"),
         ({"repeat": "panels", "kinds": 0}, "kinds: expected 1 to 48, as the mesh has 48 panels"),
         ({"repeat": "edges", "kinds": 111}, "expected 1 to 110"),
         ({"repeat": "nodes", "kinds": 2}, "expected 3 to 63.*one for each number of edges"),
-        ({"repeat": "panels", "alike": -1.0}, "alike: expected more than 0, got -1.0"),
-        ({"repeat": "nodes", "alike_angle": 0.0}, "alike_angle: expected more than 0"),
+        ({"repeat": "panels", "alike": -1.0}, "alike: expected a number above 0, got -1.0"),
+        ({"repeat": "nodes", "alike_angle": 0.0}, "alike angle: expected a number above 0 degrees"),
         (
             {"repeat": "panels", "constraints": Constraints(handles={0: np.zeros(3)})},
             "nets with handles",

@@ -117,7 +117,7 @@ def test_what_cannot_be_solved_is_refused_in_one_line():
     posed = pose(start).require(Planarity(start.faces))
     with pytest.raises(InputError, match=r"^tolerance: expected a number"):
         solve(posed, tolerance=0)
-    with pytest.raises(InputError, match=r"^max_steps: expected 1 or more, got 0"):
+    with pytest.raises(InputError, match=r"^max steps: expected a whole number, 1 or more, got 0"):
         solve(posed, max_steps=0)
     with pytest.raises(InputError, match=r"^fix: vertex 99 does not exist"):
         pose(start, fix=[99])

@@ -75,5 +75,5 @@ def test_a_stress_net_is_near_to_the_shell_that_was_drawn():
     assert not outcome.report.flipped_faces
     surface = TriangleSurface(*reaching(made.mesh, points, faces))
     assert form.form_of(made.mesh, outcome.mesh, surface).off_surface.percent < 0.5
-    with pytest.raises(InputError, match="stands_on: expected one of boundary, corners"):
+    with pytest.raises(InputError, match="stands on: expected boundary or corners"):
         aligned(points, faces, net="stress", edge=2.0, stands_on="walls")
