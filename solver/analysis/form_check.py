@@ -53,13 +53,13 @@ def check_form(
         within: how far from the surface it may be, in model units; by default 1 % of the size.
         tuning: what counts as short and as uneven.
     """
-    chosen = tuning or Tuning()
+    tuning = tuning or Tuning()
     off = form.off_surface
-    far = within or chosen.another * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
+    far = within or tuning.another * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
     return (
         _folds(start, mesh),
-        _evenness(mesh, form, chosen),
-        _edges(start, mesh, chosen),
+        _evenness(mesh, form, tuning),
+        _edges(start, mesh, tuning),
         Finding(
             "off the surface",
             off.max,
