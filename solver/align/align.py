@@ -127,8 +127,8 @@ def aligned(
         InputError: no such net, bad lengths, no single open surface, no such lines, no map, no such
             symmetry, or a stroke or a singularity that is off the surface.
     """
-    asked = {"net": net, "edge": edge, "ratio": ratio, "border": border, "stands_on": stands_on}
-    for name, value in {**asked, "symmetry": symmetry}.items():
+    settings = {"net": net, "edge": edge, "ratio": ratio, "border": border, "stands_on": stands_on}
+    for name, value in {**settings, "symmetry": symmetry}.items():
         OPTIONS[name].check(value, "")
     waiting("curvature")
     given = one_surface(*sound_triangles(vertices, triangles))
