@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from typing import Any
 
 from freecad_ortho.fabrication.clash import ClashCheck, check_clashes
@@ -83,7 +84,7 @@ class Production:
 
     @property
     def verdicts(self) -> tuple[str, ...]:
-        """For each part "ok", or what exceeds which limit and what it cuts into."""
+        """For each part "ok", or which limit it exceeds, what it cuts and what it is too large for."""
         cuts: dict[str, list[str]] = {}
         for clash in self.clashes.clashes:
             for name, other in ((clash.first, clash.second), (clash.second, clash.first)):
@@ -96,8 +97,25 @@ class Production:
         verdicts = []
         for part, words in zip(self.structure.parts, self.structure.verdicts, strict=True):
             all_words = ([] if words == OK else [words]) + cuts.get(part.name, [])
+            all_words += [words for words in [self.not_cut.get(part.name)] if words]
             verdicts.append("; ".join(all_words) or OK)
         return tuple(verdicts)
+
+    @cached_property
+    def not_cut(self) -> dict[str, str]:
+        """What the parts that no sheet and no bar has room for are too large for, by their names."""
+        shop, places = self.workshop, self.places
+        words = {
+            part.name: f"too long for bars of {shop.stock:g} mm"
+            for part in self.stock.too_long
+            if part.name not in places
+        }
+        if shop.sheet is not None:
+            width, height = shop.sheet
+            for part in self.nesting.too_large:
+                if part.name not in places:
+                    words[part.name] = f"too large for sheets of {width:g} x {height:g} mm"
+        return words
 
     @property
     def messages(self) -> tuple[str, ...]:

@@ -232,6 +232,10 @@ def test_what_fits_is_nested_and_all_that_does_not_is_listed(structure, tmp_path
     lost = [name for name in large if rows[name]["kind"] == "panel"]
     assert all(rows[name]["cut_from"].startswith("S0") for name in sawn)
     assert all(rows[name]["cut_from"] == "" for name in lost)
+    # Whoever reads one row knows it too.
+    words = "too large for sheets of 1500 x 900 mm"
+    assert [name for name, row in rows.items() if row["verdict"].endswith(words)] == lost
+    assert all(words in report["verdict"]["failed"][name] for name in lost)
     said, others = [words for words in report["messages"] if words.startswith("sheet: ")]
     assert f"{len(lost)} parts do not fit on 1500 x 900 mm" in said
     assert f": {', '.join(lost)}; take larger sheets" in said

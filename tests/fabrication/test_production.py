@@ -228,6 +228,10 @@ def test_parts_longer_than_the_stock_are_all_named(roof):
     long = [part.name for part in some.stock.too_long]
     assert 0 < len(long) < count
     assert sorted(long + [n for bar in some.bars for n in bar.parts]) == names.split(", ")
+    told = dict(zip((part.name for part in structure.parts), some.verdicts, strict=True))
+    words = f"too long for bars of {some.workshop.stock:g} mm"
+    assert [name for name, verdict in told.items() if verdict == words] == sorted(long)
+    assert sum(verdict == "ok" for verdict in told.values()) == count - len(long)
     (words,) = some.messages
     assert f"{len(long)} parts do not fit" in words and f": {', '.join(long)}; take" in words
     assert some.report()["stock"]["too_long"] == long

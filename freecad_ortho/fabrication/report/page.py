@@ -119,7 +119,7 @@ def _summary(production: Production) -> str:
 
 
 def _verdict(production: Production) -> tuple[str, bool]:
-    """What is wrong with the parts: clashes called clashes, limits limits."""
+    """What is wrong with the parts: clashes called clashes, limits limits, sizes sizes."""
     verdicts = production.structure.verdicts
     over = sum(words != OK for words in verdicts)
     causes = clash_causes(production)
@@ -128,6 +128,9 @@ def _verdict(production: Production) -> tuple[str, bool]:
         words.append(f"{counted(len(production.clashes.open), 'pair')} may clash, see below.")
     if over:
         words.append(f"{over} of {len(verdicts)} parts exceed a limit.")
+    if production.not_cut:
+        few = counted(len(production.not_cut), "part")
+        words.append(f"{few} too large for the sheets or bars to be cut from.")
     if words:
         return " ".join([*words, "Such parts are red below."]), True
     return f"All {len(verdicts)} parts are within the limits, and none clash.", False
