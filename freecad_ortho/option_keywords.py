@@ -134,6 +134,7 @@ class WorkshopSettings(TypedDict, total=False):
     stock_lengths: str
     sheet_sizes: str
     label_sheet: str
+    ifc_assemblies: Literal["systems", "lines", "rings"]
     rhino_parts: Literal["meshes", "solids"]
 
 

@@ -84,7 +84,7 @@ class Production:
 
     @property
     def verdicts(self) -> tuple[str, ...]:
-        """For each part "ok", or which limit it exceeds, what it cuts and what it is too large for."""
+        """For each part "ok", or which limit it exceeds, what it cuts, what it is too large for."""
         cuts: dict[str, list[str]] = {}
         for clash in self.clashes.clashes:
             for name, other in ((clash.first, clash.second), (clash.second, clash.first)):
@@ -103,7 +103,7 @@ class Production:
 
     @cached_property
     def not_cut(self) -> dict[str, str]:
-        """What the parts that no sheet and no bar has room for are too large for, by their names."""
+        """Of parts that no sheet and no bar has room for, what they are too large for, by name."""
         shop, places = self.workshop, self.places
         words = {
             part.name: f"too long for bars of {shop.stock:g} mm"

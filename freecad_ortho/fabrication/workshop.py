@@ -22,6 +22,7 @@ from solver.option import Option, Range
 GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
 HARDWARE = ("list", "solids")
+IFC_ASSEMBLIES = ("systems", "lines", "rings")
 RHINO_PARTS = ("meshes", "solids")
 STEP_FILES = ("one", "systems", "in-place")
 # Tubes that differ by more percent are not one section by any standard.
@@ -72,6 +73,7 @@ class Workshop:
         date: in the title block of drawings, as it is written there; empty for none, as with a
             clock the same structure would not give the same file.
         label_sheet: a name or a description of ``label_form``.
+        ifc_assemblies: of IFC hold the parts of "systems", of "lines" of the net or of "rings".
         rhino_parts: in Rhino's files as "meshes", or as "solids" where their sides are plane.
 
     Raises:
@@ -105,6 +107,7 @@ class Workshop:
     stock_lengths: str = ""
     sheet_sizes: str = ""
     label_sheet: str = "3x8"
+    ifc_assemblies: str = "systems"
     rhino_parts: str = "meshes"
 
     options: ClassVar[tuple[Option, ...]] = (
@@ -221,6 +224,13 @@ class Workshop:
             *("label_sheet", "3x8", "text"),
             "labels are printed on this sheet: columns x rows, a4 or letter-3x10",
             written="COLSxROWS",
+        ),
+        Option(
+            *("ifc_assemblies", "systems", "choice"),
+            "assemblies in IFC hold the parts of a system, of a line or of a ring",
+            IFC_ASSEMBLIES,
+            title="Assemblies in IFC",
+            shown={"systems": "by system", "lines": "by line", "rings": "by ring"},
         ),
         Option(
             *("rhino_parts", "meshes", "choice"),

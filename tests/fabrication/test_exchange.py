@@ -12,6 +12,7 @@ import pytest
 
 from freecad_ortho.fabrication import FILES, Beams, Lamellas, Panels, Workshop, build, write
 from freecad_ortho.fabrication.exchange import WRITERS, facets
+from freecad_ortho.fabrication.exchange.assembly import write_assembly
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
 from freecad_ortho.fabrication.formats import FORMATS, formats_of
 from freecad_ortho.fabrication.material import MATERIALS
@@ -134,7 +135,7 @@ def test_ifc_is_valid_and_holds_every_part(jobs, folders, name):
     job = jobs[name]
     (storey,) = model.by_type("IfcBuildingStorey")
     assert {each.is_a() for each in elements.get_decomposition(storey, is_recursive=False)} <= {
-        *("IfcElementAssembly", "IfcCurtainWall"),
+        *("IfcElementAssembly", "IfcCurtainWall", "IfcGrid"),
     }
     # Glass is a curtain wall, and nothing else is one.
     walls = {"panels"} if name == "framed" else set()
@@ -252,6 +253,73 @@ def test_bolts_stand_in_ifc_where_they_are(roof, tmp_path):
         points = shapes.get_vertices(made.geometry) * 1000 - job.place.points(point)
         np.testing.assert_allclose((points @ way).min(), -size.head, rtol=0, atol=1e-3)
         np.testing.assert_allclose((points @ way).max(), bolts.length, rtol=0, atol=1e-3)
+
+
+@needed
+def test_lines_of_the_net_are_a_grid_in_ifc(jobs, folders):
+    """Named as in all files; in space where the net is, on the axes as it is seen."""
+    import ifcopenshell
+    from ifcopenshell.util import element as elements
+    from ifcopenshell.util import placement
+
+    job = jobs["framed"]
+    model = ifcopenshell.open(folders / "framed" / "structure.ifc")
+    (grid,) = model.by_type("IfcGrid")
+    assert elements.get_container(grid).is_a("IfcBuildingStorey")
+    lines = job.site.chosen_lines
+    axes = [*grid.UAxes, *grid.VAxes]
+    assert [each.AxisTag for each in axes] == [f"{line.family}{line.number}" for line in lines]
+    matrix = placement.get_local_placement(grid.ObjectPlacement)
+    foot, bent = grid.Representation.Representations
+    assert list(foot.Items[0].Elements) == [each.AxisCurve for each in axes]
+    points = job.place.points(job.site.mesh.vertices + job.site.shift)
+    for axis, curve, line in zip(axes, bent.Items, lines, strict=True):
+        corners = np.array([point.Coordinates for point in curve.Points])
+        there = corners @ matrix[:3, :3].T + matrix[:3, 3]
+        np.testing.assert_allclose(there, points[line.vertices], rtol=0, atol=1e-4)
+        flat = np.array([point.Coordinates for point in axis.AxisCurve.Points])
+        np.testing.assert_allclose(flat, corners[:, :2], rtol=0, atol=1e-6)
+        assert np.linalg.norm(np.diff(flat, axis=0), axis=1).min() > 1e-3
+
+
+@needed
+@pytest.mark.parametrize("by", ["lines", "rings"])
+def test_assemblies_in_ifc_are_lines_or_rings(roof, tmp_path, by):
+    """As the sequences of assembly have them; bolts stand with what they join."""
+    import ifcopenshell
+    import ifcopenshell.validate
+    from ifcopenshell.util import element as elements
+
+    job = build(
+        roof,
+        [Beams(200, 20, ends="end-plate"), Nodes("bolted")],
+        selection=Selection(family="u", lines=(2, 3, 4)),
+    )
+    shop = Workshop(ifc_assemblies=by)
+    write_ifc(tmp_path / "some.ifc", produce(job, shop), "some", lambda done: None)
+    write_assembly(tmp_path / "assembly", produce(job), "some", lambda done: None)
+    with (tmp_path / "assembly" / f"sequence-by-{by[:-1]}.csv").open(newline="") as stream:
+        rows = {row["name"]: row for row in csv.DictReader(stream)}
+    model = ifcopenshell.open(tmp_path / "some.ifc")
+    log = ifcopenshell.validate.json_logger()
+    ifcopenshell.validate.validate(model, log)
+    assert log.statements == []
+    found = {each.Name: each for each in model.by_type("IfcElement") if each.Tag}
+    assert set(found) == {part.name for part in job.parts}
+    homes = {name: elements.get_aggregate(each).Name for name, each in found.items()}
+    assert len(set(homes.values())) > 1
+    for part in job.parts:
+        row = rows[part.name]
+        if by == "lines" and row["line"]:
+            assert homes[part.name] == f"line {row['family']}{row['line']}"
+        elif by == "rings" and "-" not in part.name:
+            assert homes[part.name] == f"ring {row['ring']}"
+        # End plates stand with their beam.
+        assert homes[part.name] == homes.get(part.name.split("-")[0], homes[part.name])
+    bolts = model.by_type("IfcMechanicalFastener")
+    assert len(bolts) == job.fasteners[0].count
+    for bolt, joins in zip(bolts, job.fasteners[0].joins, strict=True):
+        assert elements.get_aggregate(bolt).Name == homes[joins[0]]
 
 
 @needed

@@ -11,6 +11,7 @@ from ortho_suite_tools import press, wait
 from PySide import QtGui
 
 from freecad_ortho import api
+from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.panels import structure_edit_panel, workshop_panels
 from freecad_ortho.panels.fields import LengthField
 from freecad_ortho.panels.option_fields import OptionField
@@ -307,23 +308,31 @@ class TestStock(WindowCase):
         changes |= {"step": "systems", "site_origin": "1000,2000,30", "site_rotation": 15.0}
         changes |= {"stock_lengths": "3000,12000", "equal": 1.0}
         changes |= {"paper": "a1", "date": "1 May", "label_sheet": "4x10", "rhino_parts": "solids"}
+        changes |= {"ifc_assemblies": "lines"}
+        # All files for other programs, those too whose package is missing here.
+        ticked = tuple(FORMATS)
         for changed in (False, True):
             FreeCADGui.runCommand("Ortho_ExportFabrication")
             wait()
             if changed:
                 for name, value in changes.items():
                     self.panel.fields[name].value = value
-                # Of these the package is always there.
-                self.panel.formats["glb"].setChecked(True)
+                for name in ticked:
+                    self.panel.formats[name].setChecked(True)
             press("Ok")
             self.assertEqual(self.errors, [])
             lines.append(self.lines[-1])
-        for name in (*(f"{name}={value!r}" for name, value in changes.items()), "write='glb'"):
+        written = f"write={','.join(ticked)!r}"
+        for name in (*(f"{name}={value!r}" for name, value in changes.items()), written):
             self.assertNotIn(name.partition("=")[0], lines[0])
             self.assertIn(name, lines[1])
-        stock = json.loads((folder / "report.json").read_text())["stock"]
+        report = json.loads((folder / "report.json").read_text())
+        for each in FORMATS.values():
+            about = [words for words in report["messages"] if words.startswith(each.file)]
+            said = any("is missing" in words for words in about)
+            self.assertEqual((each.name, (folder / each.place).exists()), (each.name, not said))
+        stock = report["stock"]
         self.assertEqual((stock["saw_mm"], stock["trim_mm"]), (4.0, 25.0))
-        self.assertTrue((folder / "structure.glb").is_file())
 
 
 class TestFlatPatterns(WindowCase):

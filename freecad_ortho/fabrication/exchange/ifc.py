@@ -1,4 +1,4 @@
-"""IFC 4: site, building, storey, an assembly for each system, in it parts and bolts.
+"""IFC 4: site, building, storey, in it a grid and assemblies of parts and bolts.
 
 Classes, quantities and units are those of ISO 16739-1. Sides that are plane are exact, bent ones
 are triangles within ``facets.CHORD``. Parts that agree within the STEP tolerance share a geometry.
@@ -6,9 +6,9 @@ are triangles within ``facets.CHORD``. Parts that agree within the STEP toleranc
 
 from __future__ import annotations
 
-import re
 import uuid
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,11 +19,14 @@ from freecad_ortho.fabrication.bolts import GRADE
 from freecad_ortho.fabrication.datum import Datum
 from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.exchange.facets import Facets, facets
+from freecad_ortho.fabrication.exchange.ifc_assemblies import assembly_names
+from freecad_ortho.fabrication.exchange.ifc_facts import Facts, class_of
 from freecad_ortho.fabrication.exchange.ifc_fasteners import fastener_type
+from freecad_ortho.fabrication.exchange.ifc_grid import grid
 from freecad_ortho.fabrication.exchange.ifc_profiles import profile_definition
 from freecad_ortho.fabrication.fasteners import Fasteners, named
 from freecad_ortho.fabrication.hardware import bolt_frames
-from freecad_ortho.fabrication.part import Part, measure_words
+from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.profiled import ProfiledBody
 from freecad_ortho.fabrication.profiles.catalogue import profile
@@ -32,34 +35,8 @@ from solver.mesh.quadmesh import FloatArray
 if TYPE_CHECKING:
     import ifcopenshell
 
-# Class, predefined type and set of quantities by kind; what is unknown is a proxy.
-_CLASSES = {
-    "beam": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
-    "arch-plate": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
-    "web": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
-    "edge-beam": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
-    "flange": ("IfcBeam", "BEAM", "Qto_BeamBaseQuantities"),
-    "lamella": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
-    "panel": ("IfcPlate", "CURTAIN_PANEL", "Qto_PlateBaseQuantities"),
-    "louvre": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
-    "bent panel": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
-    "patch": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
-    "splice": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
-    "cover-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
-    "end-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
-    "pressure-plate": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
-    "cap": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
-    "adapter": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
-    "foot": ("IfcMember", "POST", "Qto_MemberBaseQuantities"),
-    "foot-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
-    "node": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
-    "cone": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
-    "sleeve": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
-}
-_UNKNOWN = ("IfcBuildingElementProxy", "NOTDEFINED", "Qto_BuildingElementProxyQuantities")
 # The same structure gives the same file: no clock.
 _TIME = "2000-01-01T00:00:00"
-_SET = "Ortho_Part"
 # Of corners in mm: far below the CAD kernel's tolerance of points, and half as long to write.
 _DIGITS = 7
 # What the coordinates of the site are called; which grid they are of is known there.
@@ -86,7 +63,27 @@ def write_ifc(
     model = _Model(ifcopenshell.file(schema="IFC4"), project or "structure")
     model.head(path.name)
     model.fill(production, say)
-    path.write_text(model.file.to_string(), encoding="utf-8")
+    model.file.write(str(path))
+
+
+@dataclass
+class _Group:
+    """What stands together in an assembly.
+
+    Attributes:
+        place: of the assembly.
+        elements: parts and bolts.
+        panes: whether all parts are panes of glass.
+    """
+
+    place: Any
+    elements: list[Any] = field(default_factory=list)
+    panes: bool = True
+
+    def add(self, part: Part, element: Any) -> None:
+        """Take a part in."""
+        self.elements.append(element)
+        self.panes &= part.kind == "panel" and "glass" in part.material.name
 
 
 class _Model:
@@ -95,7 +92,6 @@ class _Model:
     def __init__(self, file: ifcopenshell.file, project: str) -> None:
         self.file, self.project = file, project
         self.space = uuid.uuid5(uuid.NAMESPACE_URL, f"freecad_ortho/{project}")
-        self.values: dict[tuple[str, str], Any] = {}
         self.materials: dict[tuple[str, str], list[Any]] = {}
 
     def make(self, kind: str, *values: Any) -> Any:
@@ -126,20 +122,37 @@ class _Model:
         self._aggregate("site", self.root, [site])
         self._aggregate("building", site, [building])
         self._aggregate("storey", building, [storey])
-        bolts = {id(each): names for each, names in named(structure.fasteners)}
-        assemblies, made = [], 0
-        for name, result in structure.results.items():
-            assembly, place = self._assembly(name, result.parts, storey)
-            parts = self._parts(
-                result.parts, place, body, production, lambda share: say((made + share) / 2)
+        by = production.workshop.ifc_assemblies
+        names = assembly_names(structure, by)
+        groups = {
+            name: _Group(
+                self.make(
+                    "IfcLocalPlacement", storey.ObjectPlacement, self._axes(np.zeros(3), np.eye(3))
+                )
             )
+            for name in dict.fromkeys(names.values())
+        }
+        owners = {name: groups[group] for name, group in names.items()}
+        facts = Facts(self.make, self.guid, production)
+        bolts = {id(each): names for each, names in named(structure.fasteners)}
+        made = 0
+        for result in structure.results.values():
+
+            def go_on(done: int, before: int = made) -> None:
+                say((before + done) / len(structure.parts))
+
+            self._parts(result.parts, owners, body, facts, go_on)
+            made += len(result.parts)
+            # Bolts of a system stand in its assembly, else in that of the first part they join.
+            own = owners[result.parts[0].name]
             for each in result.fasteners:
-                parts += self._fasteners(each, bolts.get(id(each), []), place, body)
-            self._aggregate(f"assembly {name}", assembly, parts)
-            assemblies.append(assembly)
+                joined = [own if by == "systems" else owners.get(n[0], own) for n in each.joins]
+                self._fasteners(each, bolts.get(id(each), []), joined, body)
+        contents = [self._assembly(name, group) for name, group in groups.items()]
+        lines = grid(self.make, self.guid, structure, storey, self.root.RepresentationContexts[0])
         self.make(
             *("IfcRelContainedInSpatialStructure", self.guid("contained"), None, None, None),
-            *(assemblies, storey),
+            *([*contents, lines] if lines is not None else contents, storey),
         )
         self._materials()
 
@@ -210,35 +223,31 @@ class _Model:
     def _aggregate(self, key: str, whole: Any, parts: list[Any]) -> None:
         self.make("IfcRelAggregates", self.guid(f"of {key}"), None, None, None, whole, parts)
 
-    def _assembly(self, name: str, parts: tuple[Part, ...], storey: Any) -> tuple[Any, Any]:
-        """What holds the parts of a system: a curtain wall where these are panes."""
-        place = self.make(
-            "IfcLocalPlacement", storey.ObjectPlacement, self._axes(np.zeros(3), np.eye(3))
-        )
-        panes = parts[0].kind == "panel" and "glass" in parts[0].material.name
-        known = [self.guid(f"assembly {name}"), None, name, None, None, place, None, None]
-        if panes:
-            return self.make("IfcCurtainWall", *known, "NOTDEFINED"), place
-        return self.make("IfcElementAssembly", *known, "FACTORY", "NOTDEFINED"), place
+    def _assembly(self, name: str, group: _Group) -> Any:
+        """What holds parts: a curtain wall where all of them are panes."""
+        known = [self.guid(f"assembly {name}"), None, name, None, None, group.place, None, None]
+        if group.panes:
+            assembly = self.make("IfcCurtainWall", *known, "NOTDEFINED")
+        else:
+            assembly = self.make("IfcElementAssembly", *known, "FACTORY", "NOTDEFINED")
+        self._aggregate(f"assembly {name}", assembly, group.elements)
+        return assembly
 
     def _parts(
         self,
         parts: tuple[Part, ...],
-        place: Any,
+        owners: Mapping[str, _Group],
         body: Any,
-        production: Production,
-        say: Callable[[float], None],
-    ) -> list[Any]:
-        verdicts = dict(
-            zip((p.name for p in production.structure.parts), production.verdicts, strict=True)
-        )
-        found: list[Any] = []
+        facts: Facts,
+        say: Callable[[int], None],
+    ) -> None:
         maps: dict[int, Any] = {}
-        same = copies(parts, production.workshop.step_tolerance)
+        users: dict[int, list[Any]] = {}
+        same = copies(parts, facts.production.workshop.step_tolerance)
         shared = {copy.first for number, copy in enumerate(same) if copy.first != number}
         for number, (part, copy) in enumerate(zip(parts, same, strict=True)):
             if number % 16 == 0:
-                say(number / len(parts))
+                say(number)
             if copy.first == number:
                 shape = self._shape(facets(part), body)
                 if number in shared:
@@ -247,30 +256,31 @@ class _Model:
                 shape = None
             if copy.first in maps:
                 shape = self._mapped(maps[copy.first], copy.turn, copy.shift, body)
-            found.append(self._element(part, place, shape))
-            self._describe(part, found[-1], verdicts[part.name], production)
+            element = self._element(part, owners[part.name], shape)
+            users.setdefault(copy.first, []).append(element)
+            facts.describe(part, element)
         for first, (_, kind) in maps.items():
-            users = [each for each, copy in zip(found, same, strict=True) if copy.first == first]
-            key = f"type {parts[first].name}"
-            self.make("IfcRelDefinesByType", self.guid(f"of {key}"), None, None, None, users, kind)
-        return found
+            key = f"of type {parts[first].name}"
+            self.make("IfcRelDefinesByType", self.guid(key), None, None, None, users[first], kind)
 
-    def _fasteners(self, bolts: Fasteners, names: list[str], place: Any, body: Any) -> list[Any]:
+    def _fasteners(
+        self, bolts: Fasteners, names: list[str], owners: list[_Group], body: Any
+    ) -> None:
         """Bolts that are alike, each with what it joins."""
         if not names:
-            return []
+            return
         key = f"bolts from {names[0]}"
         kind, shared = fastener_type(self.make, self.guid, key, bolts, body)
         origin = self.make("IfcCartesianPoint", [0.0, 0.0, 0.0])
         operator = self.make("IfcCartesianTransformationOperator3D", None, None, origin, None, None)
         found = []
-        rows = zip(names, bolts.places, bolt_frames(bolts), bolts.joins, strict=True)
-        for name, point, frame, joins in rows:
+        rows = zip(names, bolts.places, bolt_frames(bolts), bolts.joins, owners, strict=True)
+        for name, point, frame, joins, owner in rows:
             item = self.make("IfcMappedItem", shared, operator)
             shape = self.make(
                 "IfcShapeRepresentation", body, "Body", "MappedRepresentation", [item]
             )
-            own = self.make("IfcLocalPlacement", place, self._axes(point, frame))
+            own = self.make("IfcLocalPlacement", owner.place, self._axes(point, frame))
             form = self.make("IfcProductDefinitionShape", None, None, [shape])
             found.append(
                 self.make(
@@ -279,9 +289,9 @@ class _Model:
                     *(bolts.bolt.diameter, float(bolts.length), "BOLT"),
                 )
             )
+            owner.elements.append(found[-1])
         self.materials.setdefault((f"bolt steel {GRADE}", ""), []).extend(found)
         self.make("IfcRelDefinesByType", self.guid(f"of type {key}"), None, None, None, found, kind)
-        return found
 
     def _shape(self, sides: Facets, body: Any) -> Any:
         points = self.make("IfcCartesianPointList3D", np.round(sides.points, _DIGITS).tolist())
@@ -301,7 +311,7 @@ class _Model:
 
     def _type(self, part: Part, shape: Any) -> tuple[Any, Any]:
         """The geometry that equal parts share, and their type."""
-        kind, word, _ = _CLASSES.get(part.kind, _UNKNOWN)
+        kind, word, _ = class_of(part)
         origin = self._axes(np.zeros(3), np.eye(3))
         shared = self.make("IfcRepresentationMap", origin, shape)
         key = f"type {part.name}"
@@ -319,75 +329,17 @@ class _Model:
         item = self.make("IfcMappedItem", shared[0], operator)
         return self.make("IfcShapeRepresentation", body, "Body", "MappedRepresentation", [item])
 
-    def _element(self, part: Part, place: Any, shape: Any) -> Any:
-        kind, word, _ = _CLASSES.get(part.kind, _UNKNOWN)
-        own = self.make("IfcLocalPlacement", place, self._axes(part.origin, part.frame))
+    def _element(self, part: Part, owner: _Group, shape: Any) -> Any:
+        kind, word, _ = class_of(part)
+        own = self.make("IfcLocalPlacement", owner.place, self._axes(part.origin, part.frame))
         form = self.make("IfcProductDefinitionShape", None, None, [shape])
-        return self.make(
+        element = self.make(
             *(kind, self.guid(f"part {part.name}"), None, part.name, None, part.kind, own, form),
             *(part.name, word),
         )
-
-    def _describe(self, part: Part, element: Any, verdict: str, production: Production) -> None:
-        """Material, quantities and properties."""
+        owner.add(part, element)
         body = part.body
         standard = isinstance(body, ProfiledBody) and bool(body.profile.standard)
         section = part.section if standard else ""
         self.materials.setdefault((part.material.name, section), []).append(element)
-        facts: dict[str, str | int | float] = {"Verdict": verdict}
-        if part.family:
-            facts["Family"] = part.family
-        for name, number in (("Line", part.line), ("Face", part.face)):
-            if number is not None:
-                facts[name] = number
-        if part.vertices:
-            facts["Vertices"] = " ".join(map(str, part.vertices))
-        lists = {"EqualTo": production.groups.equal_to, "CutFrom": production.places}
-        facts |= {key: names[part.name] for key, names in lists.items() if part.name in names}
-        for field, value in vars(part.measures).items():
-            if value is not None:
-                words, unit = measure_words(field)
-                name = "".join(word.capitalize() for word in words.split())
-                facts[f"{name}_{re.sub(r'[^A-Za-z]+', '_', unit)}".rstrip("_")] = float(value)
-        if part.note:
-            facts["Note"] = part.note
-        values = [self._value(name, value) for name, value in facts.items()]
-        self._define(part, element, "IfcPropertySet", _SET, [None, values])
-        amounts = self._amounts(part)
-        quantities = _CLASSES.get(part.kind, _UNKNOWN)[2] or f"{_SET}_Quantities"
-        self._define(part, element, "IfcElementQuantity", quantities, [None, None, amounts])
-
-    def _define(self, part: Part, element: Any, kind: str, name: str, contents: list[Any]) -> None:
-        key = f"{name} {part.name}"
-        made = self.make(kind, self.guid(key), None, name, *contents)
-        self.make(
-            *("IfcRelDefinesByProperties", self.guid(f"of {key}"), None, None, None, [element]),
-            made,
-        )
-
-    def _value(self, name: str, value: str | int | float) -> Any:
-        """A property; parts of which it says the same share it."""
-        key = name, repr(value)
-        if key not in self.values:
-            kind = {str: "IfcText", int: "IfcInteger", float: "IfcReal"}[type(value)]
-            wrapped = self.make(kind, value)
-            self.values[key] = self.make("IfcPropertySingleValue", name, None, wrapped, None)
-        return self.values[key]
-
-    def _amounts(self, part: Part) -> list[Any]:
-        """Sizes in mm, area in m2, volume in m3, mass in kg."""
-        sizes = {"Length": part.length}
-        if _CLASSES.get(part.kind, _UNKNOWN)[0] == "IfcPlate":
-            sizes = {"Width": part.thickness}
-        found = [
-            self.make("IfcQuantityLength", name, None, None, float(value), None)
-            for name, value in sizes.items()
-            if value > 0
-        ]
-        if part.area > 0 and "Width" in sizes:
-            area = part.area * 1e-6
-            found.append(self.make("IfcQuantityArea", "NetArea", None, None, area, None))
-        volume = part.volume * 1e-9
-        found.append(self.make("IfcQuantityVolume", "NetVolume", None, None, volume, None))
-        found.append(self.make("IfcQuantityWeight", "NetWeight", None, None, part.mass, None))
-        return found
+        return element

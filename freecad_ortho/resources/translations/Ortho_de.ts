@@ -1867,6 +1867,11 @@
    <translation>Verlangt</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Assemblies in IFC</source>
+   <translation>Baugruppen in IFC</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Assembly</source>
    <translation>Montage</translation>
@@ -5086,6 +5091,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>assemblies in IFC hold the parts of a system, of a line or of a ring</source>
+   <translation>Baugruppen in IFC enthalten die Teile eines Systems, einer Linie oder eines Rings</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic</source>
    <translation>asymptotisch</translation>
   </message>
@@ -5221,8 +5231,23 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>by line</source>
+   <translation>nach Linie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>by outlines (dense)</source>
    <translation>nach Umrissen (dicht)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>by ring</source>
+   <translation>nach Ring</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>by system</source>
+   <translation>nach System</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -1867,6 +1867,11 @@
    <translation>Demandé</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Assemblies in IFC</source>
+   <translation>Ensembles dans IFC</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Assembly</source>
    <translation>Montage</translation>
@@ -5086,6 +5091,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>assemblies in IFC hold the parts of a system, of a line or of a ring</source>
+   <translation>les ensembles dans IFC contiennent les pièces d'un système, d'une ligne ou d'un anneau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>asymptotic</source>
    <translation>asymptotique</translation>
   </message>
@@ -5221,8 +5231,23 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>by line</source>
+   <translation>par ligne</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>by outlines (dense)</source>
    <translation>par contours (dense)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>by ring</source>
+   <translation>par anneau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>by system</source>
+   <translation>par système</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

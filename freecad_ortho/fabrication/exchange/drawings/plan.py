@@ -22,7 +22,7 @@ from freecad_ortho.fabrication.exchange.drawings.pen import (
     THIN,
     Pen,
 )
-from freecad_ortho.fabrication.exchange.drawings.view import View, box_of, millimetres
+from freecad_ortho.fabrication.exchange.drawings.view import View, box_of, eye, millimetres
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.report.pictures import silhouettes
 from freecad_ortho.fabrication.site import Site
@@ -36,8 +36,6 @@ _BUBBLE, _LEADER, _PUSHES = 3.6, 3.5, 6
 _AROUND, _NAMED, _OVERALL = 23.0, 14.0, 20.0
 # Edges on paper from which on nodes have their numbers, mm; an edge has the room of five of them.
 _NUMBERED = 9.0
-# What is seen of a net from above is enough where it is as much of what one side shows.
-_ENOUGH = 0.75
 _CHAIN = (4.0, 1.0, 0.6, 1.0)
 
 
@@ -115,7 +113,7 @@ def _net(production: Production) -> _Net:
     structure = production.structure
     site, place = structure.site, structure.place
     points = place.directions(site.mesh.vertices + site.shift)
-    seen, frame = _eye(site.mesh.with_vertices(points).face_area_vectors)
+    seen, frame = eye(site.mesh.with_vertices(points).face_area_vectors)
     flat = points @ frame.T
     lines, closed = [], []
     for line in site.chosen_lines:
@@ -193,19 +191,6 @@ def _kept(site: Site, line: ParameterLine, points: FloatArray) -> list[FloatArra
             goes_on, reached = False, end == 1.0
         goes_on = reached
     return [np.array(run) for run in runs]
-
-
-def _eye(normals: FloatArray) -> tuple[str, FloatArray]:
-    """From where a net is seen, and rows to the right, up and towards the eye.
-
-    From above, but for what stands so upright that much less of it would be seen.
-    """
-    x, y, z = np.abs(normals).sum(axis=0).tolist()
-    if z >= _ENOUGH * max(x, y):
-        return "seen from above", np.eye(3)
-    if y >= x:
-        return "seen along y", np.array([[1.0, 0, 0], [0, 0, 1.0], [0, -1.0, 0]])
-    return "seen against x", np.array([[0, 1.0, 0], [0, 0, 1.0], [1.0, 0, 0]])
 
 
 def _draw(pen: Pen, net: _Net, view: View) -> None:

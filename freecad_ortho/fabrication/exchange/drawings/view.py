@@ -8,6 +8,9 @@ import numpy as np
 
 from solver.mesh.quadmesh import FloatArray
 
+# What is seen of a net from above is enough where it is as much of what one side shows.
+_ENOUGH = 0.75
+
 
 @dataclass(frozen=True, eq=False)
 class View:
@@ -41,3 +44,19 @@ def box_of(points: FloatArray) -> tuple[FloatArray, FloatArray]:
 def millimetres(value: float) -> str:
     """As dimensions say a length."""
     return f"{value:.1f}"
+
+
+def eye(normals: FloatArray) -> tuple[str, FloatArray]:
+    """From where a net is seen, and rows (3, 3) to the right, up and towards the eye.
+
+    From above, but for what stands so upright that much less of it would be seen.
+
+    Args:
+        normals: (F, 3) of faces, as long as these are large.
+    """
+    x, y, z = np.abs(normals).sum(axis=0).tolist()
+    if z >= _ENOUGH * max(x, y):
+        return "seen from above", np.eye(3)
+    if y >= x:
+        return "seen along y", np.array([[1.0, 0, 0], [0, 0, 1.0], [0, -1.0, 0]])
+    return "seen against x", np.array([[0, 1.0, 0], [0, 0, 1.0], [1.0, 0, 0]])
