@@ -88,7 +88,7 @@ def _along(line: ParameterLine) -> list[int]:
 def _apart(points: FloatArray) -> FloatArray:
     """Points (n, 2) without those that lie on the one before."""
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    return points[np.concatenate([[True], steps > _SAME])]
+    return np.asarray(points[np.concatenate([[True], steps > _SAME])])
 
 
 def _polyline(make: Make, points: FloatArray) -> Any:
