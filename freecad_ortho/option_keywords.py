@@ -149,6 +149,7 @@ class DesignOptions(TypedDict, total=False):
     eccentric: Length
     layers: Length
     crossings: str
+    slots: float
     self_weight: bool
     panels: Pressure
     panel_shear: float

@@ -51,6 +51,16 @@ def write_check(feature: FreeCAD.DocumentObject) -> None:
             messages.show_status(said.format(folder))
 
 
+def analyse_check(feature: FreeCAD.DocumentObject) -> None:
+    """Add the model as an analysis of the FEM workbench, under the combination that is drawn."""
+    with messages.errors_shown(), messages.busy():
+        chosen = feature.ViewObject.Combination
+        more = {"combination": chosen} if chosen in feature.CombinationNames else {}
+        context.run("add_fem_analysis", feature, **more)
+        said = FreeCAD.Qt.translate("Ortho", "Analysis added; the FEM workbench solves it")
+        messages.show_in_status_bar(said)
+
+
 def size_check(feature: FreeCAD.DocumentObject) -> None:
     """Look for the lightest section of a list that the user chooses."""
     with messages.errors_shown(), messages.busy():

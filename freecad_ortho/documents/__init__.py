@@ -13,6 +13,7 @@ from freecad_ortho.documents.baking import bake
 from freecad_ortho.documents.display import show_net
 from freecad_ortho.documents.drawing_pages import add_drawing_page, add_drawing_pages
 from freecad_ortho.documents.examples import open_example
+from freecad_ortho.documents.fem_analyses import add_fem_analysis
 from freecad_ortho.documents.flat_patterns import add_flat_patterns, change_flat_patterns
 from freecad_ortho.documents.nets import (
     drag_net,
@@ -73,6 +74,7 @@ __all__ = [
     "add_edge_beam",
     "add_elliptic_net",
     "add_feet",
+    "add_fem_analysis",
     "add_flat_patterns",
     "add_lamellas",
     "add_louvres",

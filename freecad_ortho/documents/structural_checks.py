@@ -87,7 +87,7 @@ def change_structural_check(
         InputError: no structural check, or what cannot be checked; it is unchanged.
         OrthoError: Esc was pressed; it is unchanged.
     """
-    _require_check(target)
+    require_check(target)
     properties = _properties(settings, structural_check.design_of(target))
     with changing(target, properties), progress(target.Label) as say:
         structural_check.rebuild(target, say)
@@ -112,7 +112,7 @@ def size_structural_check(
             is unchanged.
         OrthoError: Esc was pressed; it is unchanged.
     """
-    _require_check(target)
+    require_check(target)
     if groups not in (ALL, FAMILIES):
         raise InputError(f"groups: expected {ALL} or {FAMILIES}, got '{groups[:40]}'")
     title = FreeCAD.Qt.translate("Ortho", "Finding the lightest section")
@@ -138,14 +138,15 @@ def write_check_files(target: FreeCAD.DocumentObject, folder: str | os.PathLike[
         InputError: no structural check, or what cannot be checked.
         OutputError: the folder cannot be written.
     """
-    _require_check(target)
+    require_check(target)
     title = FreeCAD.Qt.translate("Ortho", "Writing files of the check")
     with progress(title) as say:
         found = structural_check.checked(target, say)
         return write_structural_check(found, folder, target.Net.Label)
 
 
-def _require_check(target: FreeCAD.DocumentObject) -> None:
+def require_check(target: FreeCAD.DocumentObject) -> None:
+    """Raise InputError unless a document object is a structural check."""
     places.refuse_link(target)
     if not structural_check.is_check(target):
         label = getattr(target, "Label", target)

@@ -121,6 +121,24 @@ RESULTS = (
         _KEPT,
     ),
     _result(
+        "StringList",
+        "CombinationNames",
+        QT_TRANSLATE_NOOP("App::Property", "All combinations, any of which can be drawn"),
+        _KEPT,
+    ),
+    _result(
+        "FloatList",
+        "AllForcesAlong",
+        QT_TRANSLATE_NOOP("App::Property", "As ForcesAlong, of all combinations, one by one"),
+        _KEPT,
+    ),
+    _result(
+        "VectorList",
+        "AllDisplacements",
+        QT_TRANSLATE_NOOP("App::Property", "Of the nodes in all combinations, one by one"),
+        _KEPT,
+    ),
+    _result(
         "FloatList",
         "BucklingFactors",
         QT_TRANSLATE_NOOP("App::Property", "Of the modes under the loads that buckle it first"),
@@ -161,6 +179,7 @@ def store(
     first = found.first_to_buckle
     modes = None if first is None else first.buckling
     moves = np.zeros((0, 3)) if moved is None else moved.response.displacements[: len(nodes), :3]
+    everywhere = [one.response.displacements[: len(nodes), :3] for one in found.found]
     shapes = np.zeros((0, 3)) if modes is None else _with_middles(modes.shapes, found)
     values: dict[str, Any] = {
         "Passed": found.passed,
@@ -182,6 +201,9 @@ def store(
         "ForcesAlong": forces_along(found).ravel().tolist(),
         "SectionsUp": convert.vectors(found.model.bare.axes[:, 2] @ turn),
         "Displacements": convert.vectors(moves @ turn),
+        "AllForcesAlong": np.ravel([forces_along(found, one) for one in found.found]).tolist(),
+        "AllDisplacements": convert.vectors(np.concatenate(everywhere) @ turn),
+        "CombinationNames": [one.combination.name for one in found.found],
         "BucklingFactors": [] if modes is None else modes.factors.tolist(),
         "BucklingShapes": convert.vectors(shapes @ turn),
         "Verdict": found.verdict,

@@ -25,7 +25,7 @@ from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.model import GRAVITY
 from freecad_ortho.structural.sizing import Sizing
 from solver.errors import InputError
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -183,6 +183,14 @@ def checked(
     mesh, _ = _standing_mesh(feature)
     lines = list(feature.Combinations) or None
     return check_structure(mesh, combinations=lines, progress=progress, **_design(feature))
+
+
+def checked_in_place(
+    feature: FreeCAD.DocumentObject, progress: outdated.Progress | None = None
+) -> tuple[StructuralCheck, FloatArray]:
+    """As ``checked``, and (3,) the shift that takes nodes of its model to the document's place."""
+    found, (mesh, _) = checked(feature, progress), _standing_mesh(feature)
+    return found, mesh.vertices[0] - found.model.mesh.vertices[0]
 
 
 def sized(

@@ -7,7 +7,7 @@ axis is a sleeve on a pin: a second arm in its place, and equations that hold bo
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,30 +15,81 @@ from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import Model
 from solver.frame.model import Frame, Loads
 from solver.mesh.connectivity import IntArray
+from solver.mesh.quadmesh import FloatArray
 
 # Elements a member: they are turned into solids, of which one alone is too stiff.
-_PIECES = 4
+PIECES = 4
 # Young's modulus of arms by the largest of members, and of their square sections the side by the
 # largest height.
-_STIFF, _SIDE = 100.0, 1.0
+ARM, _SIDE = 100.0, 1.0
 # Of a member's springs: turning about its axis at its first node.
 _TURN = 3
 # Of the load along an element with three nodes: what each of them takes.
 _SHARES = (1 / 6, 2 / 3, 1 / 6)
 
 
+@dataclass(frozen=True, eq=False)
+class Elements:
+    """Members as elements of three nodes, ``PIECES`` a member, one member after the other.
+
+    Attributes:
+        frame: members in halves of elements; its first nodes are those of the model.
+        elements: (E, 3) nodes at the start, in the middle and at the end.
+    """
+
+    frame: Frame
+    elements: IntArray
+
+    @classmethod
+    def of(cls, frame: Frame) -> Elements:
+        """Cut the members of a frame."""
+        divided = frame.divided(2 * PIECES)
+        chain = divided.members.reshape(-1, 2, 2)
+        return cls(divided, np.column_stack([chain[:, 0], chain[:, 1, 1]]))
+
+    @property
+    def used(self) -> IntArray:
+        """(K,) nodes that elements meet, in order."""
+        return np.unique(self.frame.members)
+
+    def forces(self, whole: Frame, loads: Loads) -> FloatArray:
+        """(N, 3) forces on the nodes in N, of loads on the frame that was cut."""
+        divided = loads.divided(whole, 2 * PIECES)
+        force = divided.nodal[:, :3].copy()
+        halves = (divided.spread * self.frame.lengths[:, None]).reshape(-1, 2, 3)
+        for at, share in zip(self.elements.T, _SHARES, strict=True):
+            np.add.at(force, at, share * halves.sum(axis=1))
+        return force
+
+
 def input_file(model: Model) -> str | None:
     """Beams with three nodes, a static step a load case; N, mm, t.
 
-    None where CalculiX has no such model: sections other than rectangles and tubes, joints that are
-    not rigid, springs as supports or between layers, panels that stiffen.
+    None where CalculiX has no such model, see ``what_is_missing``.
     """
-    sections = [found for found in map(_section, model.groups) if found is not None]
-    springs = bool(model.supports.springs.any()) or model.design.panel_shear > 0
-    springs = springs or model.design.crossing_spring() not in (0.0, np.inf)
-    if len(sections) < len(model.groups) or model.design.joints != "rigid" or springs:
+    if what_is_missing(model):
         return None
+    sections = [found for found in map(_section, model.groups) if found is not None]
     return "\n".join(_lines(model, sections)) + "\n"
+
+
+def what_is_missing(model: Model) -> str:
+    """What of a model beams of CalculiX cannot be, in words; nothing where they can."""
+    for group in model.groups:
+        if _section(group) is None:
+            return f"section {group.profile.name}: it has rectangles and tubes, round or not"
+    if model.design.joints != "rigid":
+        return "joints: it has rigid ones only"
+    if model.design.crossing_spring() not in (0.0, np.inf):
+        return "crossings: it has rigid and hinged ones only"
+    if model.design.panel_shear > 0:
+        return "panel shear: it has members only"
+    return ""
+
+
+def arm_side(model: Model) -> float:
+    """Side of the square sections of arms, mm."""
+    return _SIDE * max(group.profile.height for group in model.groups)
 
 
 def _section(group: Group) -> tuple[str, str] | None:
@@ -56,17 +107,14 @@ def _section(group: Group) -> tuple[str, str] | None:
 
 def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
     frame, pins = _with_pins(model)
-    divided = frame.divided(2 * _PIECES)
-    chain = divided.members.reshape(-1, 2, 2)
-    elements = np.column_stack([chain[:, 0], chain[:, 1, 1]])
+    cut = Elements.of(frame)
     yield f"** {model.section_words} of {model.material_words}; N, mm, t; z upwards"
     yield "*NODE, NSET=ALL"
-    used = np.unique(divided.members)
-    for node in used.tolist():
-        x, y, z = divided.nodes[node].tolist()
+    for node in cut.used.tolist():
+        x, y, z = cut.frame.nodes[node].tolist()
         yield f"{node + 1}, {x:.9g}, {y:.9g}, {z:.9g}"
     yield "*ELEMENT, TYPE=B32R, ELSET=MEMBERS"
-    for number, (one, middle, two) in enumerate(elements.tolist(), 1):
+    for number, (one, middle, two) in enumerate(cut.elements.tolist(), 1):
         yield f"{number}, {one + 1}, {middle + 1}, {two + 1}"
     yield from _materials(model)
     yield from _sections(model, frame, sections)
@@ -75,6 +123,7 @@ def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
             yield "*EQUATION"
             yield "2"
             yield f"{one + 1}, {direction}, 1., {two + 1}, {direction}, -1."
+    yield from _springs(model, 1 + len(cut.elements))
     yield "*BOUNDARY"
     for node in np.flatnonzero(model.supports.fixed.any(axis=1)).tolist():
         for direction in np.flatnonzero(model.supports.fixed[node]).tolist():
@@ -87,7 +136,9 @@ def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
         loads = Loads.none(frame)
         loads.nodal[: len(case.loads.nodal)] = case.loads.nodal
         loads.spread[: len(case.loads.spread)] = case.loads.spread
-        yield from _forces(loads.divided(frame, 2 * _PIECES), divided, elements)
+        force = cut.forces(frame, loads)
+        for node, direction in np.argwhere(force != 0).tolist():
+            yield f"{node + 1}, {direction + 1}, {force[node, direction]:.9g}"
         yield "*NODE FILE, OUTPUT=2D"
         yield "U, RF"
         yield "*NODE PRINT, NSET=ALL"
@@ -131,7 +182,7 @@ def _materials(model: Model) -> Iterator[str]:
         elastic = f"{material.youngs_modulus:g}, {min(poisson, 0.49):.6g}"
         yield from _material(f"MATERIAL{number}", elastic, f"{material.density * 1e-12:g}")
     if len(model.frame.members) > len(model.families):
-        stiff = _STIFF * float(model.bare.stiffness.youngs.max())
+        stiff = ARM * float(model.bare.stiffness.youngs.max())
         # Arms weigh nothing.
         yield from _material("ARMS", f"{stiff:g}, 0.3", "1e-20")
 
@@ -145,9 +196,9 @@ def _material(name: str, elastic: str, density: str) -> Iterator[str]:
 
 
 def _sections(model: Model, frame: Frame, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
-    numbers = np.arange(1, _PIECES * len(frame.members) + 1).reshape(-1, _PIECES)
+    numbers = np.arange(1, PIECES * len(frame.members) + 1).reshape(-1, PIECES)
     up, of_group = frame.axes[:, 2], model.section_numbers.tolist()
-    side = _SIDE * max(group.profile.height for group in model.groups)
+    side = arm_side(model)
     for member, (x, y, z) in enumerate(up.tolist()):
         if member < len(of_group):
             name, material = f"M{member + 1}", f"MATERIAL{of_group[member] + 1}"
@@ -162,10 +213,13 @@ def _sections(model: Model, frame: Frame, sections: Sequence[tuple[str, str]]) -
         yield f"{x:.9g}, {y:.9g}, {z:.9g}"
 
 
-def _forces(loads: Loads, divided: Frame, elements: IntArray) -> Iterator[str]:
-    force = loads.nodal[:, :3].copy()
-    halves = (loads.spread * divided.lengths[:, None]).reshape(-1, 2, 3)
-    for at, share in zip(elements.T, _SHARES, strict=True):
-        np.add.at(force, at, share * halves.sum(axis=1))
-    for node, direction in np.argwhere(force != 0).tolist():
-        yield f"{node + 1}, {direction + 1}, {force[node, direction]:.9g}"
+def _springs(model: Model, first: int) -> Iterator[str]:
+    """Springs between supports and the ground, an element each, numbered from ``first`` on."""
+    held = np.argwhere(model.supports.springs > 0)
+    for number, (node, direction) in enumerate(held.tolist(), first):
+        yield f"*ELEMENT, TYPE=SPRING1, ELSET=SPRING{number}"
+        yield f"{number}, {node + 1}"
+        yield f"*SPRING, ELSET=SPRING{number}"
+        yield f"{direction + 1}"
+        # It takes a number without a point for another direction.
+        yield f"{model.supports.springs[node, direction]:.9E}"

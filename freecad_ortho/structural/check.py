@@ -12,6 +12,7 @@ import numpy as np
 from freecad_ortho.structural.combinations import SERVICE, STRENGTH, Combination
 from freecad_ortho.structural.membrane import Membrane, membrane
 from freecad_ortho.structural.model import Model
+from freecad_ortho.structural.slots import at_slots
 from solver.errors import InputError
 from solver.frame.buckling import Buckling, buckling
 from solver.frame.model import Loads
@@ -340,6 +341,7 @@ def _one(
         own = group.members
         section[:, own] = group.rules.section(forces[:, own], permanent)
         member[own] = group.rules.member(forces[:, own], lengths[own], permanent)
+    section = np.maximum(section, at_slots(model, forces, drawn, permanent))
     most, at = section.max(axis=0), _governing(section, member, forces)
     governing = np.take_along_axis(forces, at[None], axis=0)[0]
     second = np.asarray((at >= drawn).any(axis=1))

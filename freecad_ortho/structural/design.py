@@ -38,6 +38,7 @@ class Design:
     eccentric: float = 0.0
     layers: float = 0.0
     crossings: str = "rigid"
+    slots: float = 0.5
     self_weight: bool = True
     panels: float = 0.0
     panel_shear: float = 0.0
@@ -86,6 +87,12 @@ class Design:
             "crossings", "rigid", "text",
             "How lines u and v turn about their axis where they cross, in slots of one layer or "
             "about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad",
+        ),
+        Option(
+            "slots", 0.5, "number",
+            "What slots leave of the height of lamellas that cross in one layer, as a part; with 1 "
+            "there are none",
+            within=Range(0.0, 1.0, above=True),
         ),
         Option(
             "self_weight", True, "flag", "Weight of the members is a load",

@@ -105,8 +105,13 @@ def drawn_combination(check: StructuralCheck) -> Found:
     return check.strength[int(check.governing[int(check.utilisation.argmax())])]
 
 
-def forces_along(check: StructuralCheck) -> FloatArray:
-    """(M, 3, 6) forces of first order at start, middle and end of the members, kN and kNm."""
-    found, count = drawn_combination(check).response, len(check.model.families)
+def forces_along(check: StructuralCheck, one: Found | None = None) -> FloatArray:
+    """(M, 3, 6) forces of first order at start, middle and end of the members, kN and kNm.
+
+    Args:
+        check: what was found.
+        one: of its combinations, by default the one that is drawn.
+    """
+    found, count = (one or drawn_combination(check)).response, len(check.model.families)
     parts = [found.forces_at(check.model.frame, part)[:count] for part in (0.0, 0.5, 1.0)]
     return np.asarray(np.stack(parts, axis=1) * _KILO)

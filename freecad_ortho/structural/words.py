@@ -172,8 +172,12 @@ def _of_lamellas(check: StructuralCheck) -> list[str]:
         found.append("Lying lamellas cannot cross in one layer; give layers, their distance.")
     elif not design.layers:
         found.append(
-            "Where lamellas cross in slots, less than their whole height is left, often half of "
-            "it: sections are checked without slots."
+            f"Where lamellas cross in slots, {design.slots:g} of their height is taken for what is "
+            "left, bent by N beside its middle as well; that slots make lamellas softer is left "
+            "out."
+            if design.slots < 1
+            else "Where lamellas cross in slots, less than their whole height is left, often half "
+            "of it: sections are checked without slots."
         )
     return found
 

@@ -11,7 +11,7 @@ from pivy import coin
 
 from freecad_ortho import convert
 from freecad_ortho.structural.diagrams import FORCES, UNITS, Diagram, across, fitting, strips
-from freecad_ortho.view import nodes
+from freecad_ortho.view import check_combination, nodes
 from freecad_ortho.view.colours import palette
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -43,20 +43,23 @@ class Ordinates:
     words: list[tuple[str, FloatArray]]
 
 
-def ordinates(feature: Any, force: str, millimetres: float) -> Ordinates | None:
+def ordinates(
+    feature: Any, force: str, millimetres: float, combination: str = check_combination.GOVERNING
+) -> Ordinates | None:
     """A diagram of a check; nothing where it has none, or while its results are written.
 
     Args:
         feature: the structural check.
         force: one of ``DIAGRAMS``.
         millimetres: that 1 kN or kNm is drawn long; 0 for what fits.
+        combination: of the loads, by its name.
     """
     members = np.array(feature.MemberNodes, dtype=np.int64).reshape(-1, 2)
     up, at = convert.array(feature.SectionsUp), convert.array(feature.Nodes)
-    whole = len(feature.ForcesAlong) == 18 * len(members) == 18 * len(up)
+    forces = check_combination.forces(feature, combination, len(members))
+    whole = forces is not None and len(members) == len(up)
     if force == NONE or not whole or not len(members) or members.max() >= len(at):
         return None
-    forces = np.array(feature.ForcesAlong).reshape(-1, 3, len(FORCES))
     diagram, ends = Diagram.through(forces[:, :, FORCES.index(force)]), at[members]
     x = unit_rows(ends[:, 1] - ends[:, 0])
     axes = np.stack([x, unit_rows(np.cross(up, x)), up], axis=1)

@@ -9,6 +9,7 @@ import FreeCAD
 import numpy as np
 
 from freecad_ortho import convert
+from freecad_ortho.view import check_combination
 from freecad_ortho.view.colour_scale import ColourScale
 from freecad_ortho.view.colours import palette
 from solver.mesh.connectivity import IntArray
@@ -44,12 +45,19 @@ class Look:
         shape: one of ``SHAPES``.
         mode: number of the buckling shape, from 1.
         enlarged: times that displacements are drawn as large, 0 for what fits.
+        combination: whose forces and displacements are drawn.
     """
 
     colours: str
     shape: str
     mode: int
     enlarged: float
+    combination: str = check_combination.GOVERNING
+
+    @property
+    def chosen(self) -> str:
+        """The combination where it is not the one that governs, for a note."""
+        return "" if self.combination == check_combination.GOVERNING else f", {self.combination}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,10 +119,11 @@ def _moves(
             return None, 1.0, ""
         moves = shapes[look.mode - 1]
     else:
-        moves = convert.array(feature.Displacements)
-        if len(moves) + len(members) != len(points):
+        nodes = len(points) - len(members)
+        found = check_combination.displacements(feature, look.combination, nodes)
+        if found is None:
             return None, 1.0, ""
-        moves = _with_middles(moves, members)
+        moves = _with_middles(found, members)
     largest = float(np.linalg.norm(moves, axis=1).max())
     fits = _DRAWN * float(np.ptp(points, axis=0).max()) / largest if largest else 1.0
     times = look.enlarged or float(f"{fits:.2g}")
@@ -133,9 +142,10 @@ def _values(
         note = translate("Ortho", "max {:.0f} %").format(used.max())
         return used, ColourScale(0.0, 100.0, unit="%"), translate("Ortho", "Utilisation"), note
     if look.colours == AXIAL:
-        force = np.array(feature.AxialForces)
+        force = _axial(feature, look, len(members))
         most = float(np.abs(force).max()) or 1.0
         note = translate("Ortho", "{:.3g} to {:.3g} kN").format(force.min(), force.max())
+        note += look.chosen
         scale = ColourScale(-most, most, signed=True, unit="kN")
         return force, scale, translate("Ortho", "Axial force"), note
     if look.colours == DISPLACEMENT and moves is not None:
@@ -148,6 +158,15 @@ def _values(
             factor = feature.BucklingFactors[look.mode - 1]
             note = translate("Ortho", "factor {:.2f}").format(factor)
             return values / most, ColourScale(0.0, 1.0), title, note
-        note = translate("Ortho", "max {:.3g} mm").format(most)
+        note = translate("Ortho", "max {:.3g} mm").format(most) + look.chosen
         return values, ColourScale(0.0, most, unit="mm"), translate("Ortho", "Displacement"), note
     return None, None, "", ""
+
+
+def _axial(feature: Any, look: Look, members: int) -> FloatArray:
+    """(M,) largest axial force along each member, kN; of all combinations where it is used most."""
+    forces = check_combination.forces(feature, look.combination, members)
+    if not look.chosen or forces is None:
+        return np.array(feature.AxialForces)
+    along = forces[:, :, 0]
+    return np.take_along_axis(along, np.abs(along).argmax(axis=1)[:, None], axis=1)[:, 0]

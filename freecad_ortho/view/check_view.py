@@ -12,6 +12,7 @@ from freecad_ortho import answers
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
 from freecad_ortho.view import legends, nodes, refresh
+from freecad_ortho.view.check_combination import COMBINATIONS_FROM, GOVERNING, choices
 from freecad_ortho.view.check_diagram import (
     DIAGRAMS,
     DIAGRAMS_FROM,
@@ -79,6 +80,15 @@ _PROPERTIES = (
         default=0.0,
     ),
     Property(
+        "App::PropertyEnumeration",
+        "Combination",
+        _GROUP,
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Combination whose forces and displacements are drawn, first order"
+        ),
+        choices=(GOVERNING,),
+    ),
+    Property(
         "App::PropertyBool",
         "Legend",
         _GROUP,
@@ -100,6 +110,7 @@ _DRAWING = (
     "Enlarged",
     "Diagram",
     "DiagramScale",
+    "Combination",
     "Legend",
     "LineWidth",
     "Visibility",
@@ -159,6 +170,7 @@ class CheckView(Stateless):
                 lambda: self._show("Displacement", "Deflected"),
             ),
             (translate("Ortho", "Next diagram of forces"), self.next_diagram),
+            (translate("Ortho", "Next combination"), self.next_combination),
             (translate("Ortho", "Next buckling shape"), self.next_mode),
             (translate("Ortho", "Let the shape swing"), self.swing),
             (
@@ -166,6 +178,10 @@ class CheckView(Stateless):
                 lambda: answers.ask("size check", self.Object),
             ),
             (translate("Ortho", "Write files"), lambda: answers.ask("write check", self.Object)),
+            (
+                translate("Ortho", "Analysis of the FEM workbench"),
+                lambda: answers.ask("analyse check", self.Object),
+            ),
         ):
             entry = QtGui.QAction(words, menu)
             entry.triggered.connect(lambda *_, action=action: action())
@@ -173,7 +189,7 @@ class CheckView(Stateless):
 
     def updateData(self, feature: Any, name: str) -> None:
         """Follow the results, in whatever order they change: undo has one of its own."""
-        if name in (*DRAWN_FROM, *DIAGRAMS_FROM) and hasattr(self, "_lines"):
+        if name in (*DRAWN_FROM, *DIAGRAMS_FROM, *COMBINATIONS_FROM) and hasattr(self, "_lines"):
             self._draw()
 
     def onChanged(self, view_object: Any, name: str) -> None:
@@ -199,6 +215,14 @@ class CheckView(Stateless):
         view = self.ViewObject
         view.Diagram = DIAGRAMS[(DIAGRAMS.index(view.Diagram) + 1) % len(DIAGRAMS)]
         self._show("None", "As drawn")
+
+    def next_combination(self) -> None:
+        """Draw the combination after the one that is drawn, after the last what governs."""
+        view, all_of_them = self.ViewObject, choices(self.Object)
+        number = all_of_them.index(view.Combination) + 1
+        view.Combination = all_of_them[number % len(all_of_them)]
+        message = f"{self.Object.Label}: {view.Combination}"
+        FreeCAD.Console.PrintMessage(f"{message}\n")
 
     def swing(self) -> None:
         """Let the drawn shape swing to both sides, or stand still again."""
@@ -227,13 +251,29 @@ class CheckView(Stateless):
     def _draw(self) -> None:
         view = self.ViewObject
         self._swinging.stop()
-        look = Look(view.ColourBy, view.DrawnShape, view.BucklingMode, view.Enlarged)
+        if self._choices_changed():
+            # Drawn already, with the new choices.
+            return
+        look = Look(
+            view.ColourBy, view.DrawnShape, view.BucklingMode, view.Enlarged, view.Combination
+        )
         found = drawn(self.Object, look)
         self._lines.show(found, view.LineWidth)
         # Where the frame is drawn as it moves there is nothing for ordinates to stand on.
         drawn_still = found is not None and found.moved is None
         force = view.Diagram if drawn_still else NONE
-        self._diagram.show(ordinates(self.Object, force, view.DiagramScale))
+        self._diagram.show(ordinates(self.Object, force, view.DiagramScale, view.Combination))
         explained = found is not None and found.scale is not None and view.Legend
         self._explanation = found if explained else None
         legends.changed(self.Object)
+
+    def _choices_changed(self) -> bool:
+        """Let the combinations of the check be chosen; keep the one that is where it still is."""
+        view, found = self.ViewObject, choices(self.Object)
+        if view.getEnumerationsOfProperty("Combination") == found:
+            return False
+        chosen = view.Combination
+        view.Combination = found
+        if chosen in found:
+            view.Combination = chosen
+        return True

@@ -323,6 +323,12 @@ class Sequence:
         folder = tools.SCRATCH / "random-check"
         self.allowed_to_fail(api.write_check_files, self.dice.choice(checks), folder)
 
+    def add_fem_analysis(self):
+        checks = [item for item in self.checks() if "Invalid" not in item.State]
+        if not checks or self.document.getObject("NetAnalysis") or self.dice.random() < 0.5:
+            return False
+        self.allowed_to_fail(api.add_fem_analysis, self.dice.choice(checks))
+
     def flip_net(self):
         net = self.any_net()
         if net is None:

@@ -45,6 +45,13 @@ class TestCheck(CheckCase):
         along = np.array(check.ForcesAlong).reshape(-1, 3, 6)
         middle = by.response.forces_at(alone.model.frame, 0.5)[most]
         np.testing.assert_allclose(along[most, 1], middle / [1e3, 1e3, 1e3, 1e6, 1e6, 1e6])
+        names = [one.combination.name for one in alone.found]
+        self.assertEqual(check.CombinationNames, names)
+        every = np.array(check.AllForcesAlong).reshape(len(names), -1, 3, 6)
+        np.testing.assert_array_equal(every[names.index(check.DiagramsOf)], along)
+        everywhere = convert.array(check.AllDisplacements).reshape(len(names), -1, 3)
+        for one, there in zip(alone.found, everywhere, strict=True):
+            np.testing.assert_allclose(there, one.response.displacements[:, :3], atol=1e-9)
         self.assertEqual(json.loads(check.Report)["verdict"]["words"], alone.verdict)
         self.assertEqual(
             (check.Snow.Value, str(check.Snow.Unit)), (1.5, str(FreeCAD.Units.Pressure))
@@ -150,6 +157,104 @@ class TestCheck(CheckCase):
             places = np.array([tuple(place) for place in mesh.Nodes.values()])
             for vertex in convert.quad_mesh(self.net).vertices:
                 self.assertLess(np.linalg.norm(places - vertex, axis=1).min(), 1e-4)
+
+    @unittest.skipUnless(find_spec("ObjectsFem"), "needs the FEM workbench of FreeCAD")
+    def test_the_fem_workbench_has_the_model_as_an_analysis(self):
+        check = self.check(section="tube:100x60x5,border=chs:88.9x5", load=["14:1,0,-3"])
+        before = len(self.document.Objects)
+        service = next(name for name in check.CombinationNames if name.startswith("service"))
+        analysis = api.add_fem_analysis(check, service)
+        self.document.recompute()
+        self.assertTrue(all("Invalid" not in item.State for item in analysis.Group))
+        sections, forces, supported = self.solver_input(analysis)
+        factors = {
+            item.LoadCase: item.Factor for item in analysis.Group if hasattr(item, "LoadCase")
+        }
+        alone = api.check_structure(
+            convert.quad_mesh(self.net), section=check.Section, load="14:1,0,-3",
+            material="S355", snow=1.5, panels=0.4, wind="0.6@x",
+        )  # fmt: skip
+        self.assertEqual(set(factors), {case.name for case in alone.model.cases})
+        lengths = alone.model.frame.lengths[:, None]
+        whole = sum(
+            factors[case.name]
+            * (case.loads.nodal[:, :3].sum(0) + (case.loads.spread * lengths).sum(0))
+            for case in alone.model.cases
+        )
+        np.testing.assert_allclose(forces.sum(axis=0), whole, rtol=1e-9, atol=1e-6)
+        self.assertEqual(supported, set(np.flatnonzero(alone.model.supports.fixed.any(1)) + 1))
+        ups, groups = alone.model.frame.axes[:, 2], alone.model.section_numbers
+        self.assertEqual(len(sections), len(ups))
+        for member, (kind, sizes, width) in enumerate(sections):
+            expected = [("BOX", [60, 100, 5, 5, 5, 5]), ("PIPE", [44.45, 5])][groups[member]]
+            self.assertEqual((kind, sizes), expected)
+            self.assertAlmostEqual(np.dot(width, ups[member]), 0, places=9)
+            along = np.subtract(*alone.model.frame.nodes[alone.model.frame.members[member]])
+            self.assertLess(abs(np.dot(width, along)) / np.linalg.norm(along), 1e-9)
+        self.document.undo()
+        self.assertEqual(len(self.document.Objects), before)
+
+    def solver_input(self, analysis):
+        """Sections of the members, forces on the nodes and held nodes of FreeCAD's own input."""
+        from femsolver import run
+
+        solver = next(
+            item for item in analysis.Group if item.isDerivedFrom("Fem::FemSolverObjectPython")
+        )
+        folder = tools.SCRATCH / "check-solver"
+        folder.mkdir(exist_ok=True)
+        machine = run.getMachine(solver, str(folder))
+        machine.target = run.PREPARE
+        machine.start()
+        machine.join()
+        self.assertFalse(machine.failed)
+        (path,) = folder.glob("*.inp")
+        lines = path.read_text(encoding="utf-8").splitlines()
+        self.assertTrue(any(line.startswith("*Element, TYPE=B32R") for line in lines))
+        elements, sections, forces, held = {}, {}, {}, set()
+        for number, line in enumerate(lines):
+            if line.startswith("*ELSET,ELSET=M"):
+                elements[line.split("=")[1]] = int(lines[number + 1].strip(" ,"))
+            if line.startswith("*BEAM SECTION"):
+                words = dict(word.split("=") for word in line.split(", ")[1:])
+                sizes, width = (
+                    [float(size) for size in row.split(",")] for row in lines[number + 1 :][:2]
+                )
+                sections[elements[words["ELSET"]]] = words["SECTION"], sizes, width
+            if line.startswith("*NSET,NSET=Support"):
+                held |= {int(row.strip(" ,")) for row in self.data(lines[number + 1 :])}
+            if line == "*CLOAD":
+                for node, direction, value in map(self.numbers, self.data(lines[number + 1 :])):
+                    force = forces.setdefault(node, np.zeros(3))
+                    force[int(direction) - 1] += value
+        ordered = [sections[element] for element in sorted(sections)]
+        return ordered, np.array(list(forces.values())), held
+
+    def data(self, lines):
+        from itertools import takewhile
+
+        return [line for line in takewhile(lambda line: not line.startswith("*"), lines) if line]
+
+    def numbers(self, line):
+        return [float(word) for word in line.split(",")]
+
+    @unittest.skipUnless(find_spec("ObjectsFem"), "needs the FEM workbench of FreeCAD")
+    def test_what_the_fem_workbench_has_not_is_refused(self):
+        before = len(self.document.Objects)
+        for settings, word in (
+            ({"joints": "5"}, "joints"),
+            ({"section": "HEB100"}, "HEB100"),
+            ({"supports": "boundary:springs=1/1/1"}, "springs"),
+            ({"layers": 120.0, "crossings": "hinged"}, "crossings"),
+        ):
+            check = self.check(**settings)
+            with self.assertRaisesRegex(InputError, word) as found:
+                api.add_fem_analysis(check)
+            self.assertNotIn("\n", str(found.exception))
+            self.document.removeObject(check.Name)
+        with self.assertRaisesRegex(InputError, "no 'hail'"):
+            api.add_fem_analysis(self.check(), "hail")
+        self.assertEqual(len(self.document.Objects), before + 1)
 
     def test_in_a_part_that_is_turned_down_is_down(self):
         part = self.document.addObject("App::Part", "Part")

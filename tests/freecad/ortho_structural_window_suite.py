@@ -235,6 +235,54 @@ class TestView(CheckWindowCase):
         self.document.recompute()
         self.assertGreater(np.abs(tips() - before).max(), 50)
 
+    def test_any_combination_is_drawn(self):
+        check = self.check(wind=["0.6@x"])
+        view, start = check.ViewObject, self.points(check)
+        names = list(check.CombinationNames)
+        self.assertEqual(view.getEnumerationsOfProperty("Combination"), ["Governing", *names])
+        members, nodes = len(check.MemberUtilisation), len(check.Nodes)
+        view.Combination, view.Enlarged = names[1], 50.0
+        view.ColourBy, view.DrawnShape = "Displacement", "Deflected"
+        moves = convert.array(check.AllDisplacements).reshape(-1, nodes, 3)[1]
+        moved = self.drawn(check)[:nodes] - start[:nodes]
+        np.testing.assert_allclose(moved, 50 * moves, atol=1e-2)
+        self.assertIn(names[1], view.Proxy._explanation.note)
+        view.DrawnShape, view.ColourBy = "As drawn", "Axial force"
+        axial = np.array(check.AllForcesAlong).reshape(-1, members, 3, 6)[1, :, :, 0]
+        self.assertIn(f"{axial.min():.3g} to", view.Proxy._explanation.note)
+        view.Diagram = "N"
+        words = {
+            label.getChild(1).string.getValues()[0]
+            for label in list(view.Proxy._diagram._labels)[2:]
+        }
+        self.assertIn(f"N {axial.min():.3g} kN", words)
+        api.change_structural_check(check, snow=2.0)
+        self.assertEqual(view.Combination, names[1])
+        api.change_structural_check(check, wind=[])
+        self.assertEqual(
+            len(view.getEnumerationsOfProperty("Combination")), 1 + len(check.CombinationNames)
+        )
+        for _ in range(len(check.CombinationNames) + 1):
+            self.assertIn(view.Combination, view.getEnumerationsOfProperty("Combination"))
+            view.Proxy.next_combination()
+
+    def test_the_drawn_combination_becomes_an_analysis(self):
+        from importlib.util import find_spec
+
+        from freecad_ortho import answers
+
+        if find_spec("ObjectsFem") is None:
+            self.skipTest("needs the FEM workbench of FreeCAD")
+        check = self.check(wind=["0.6@x"])
+        check.ViewObject.Combination = check.CombinationNames[2]
+        answers.ask("analyse check", check)
+        self.assertEqual(self.errors, [])
+        self.assertIn(check.CombinationNames[2], self.lines[-1])
+        analysis = self.document.getObject("NetAnalysis")
+        self.assertTrue(analysis.Label.endswith(check.CombinationNames[2]))
+        self.document.undo()
+        self.assertIsNone(self.document.getObject("NetAnalysis"))
+
     def test_shapes_are_drawn_as_large_as_is_said(self):
         check = self.check()
         view, start = check.ViewObject, self.points(check)

@@ -174,6 +174,25 @@ def test_calculix_has_arms_and_pins_in_those_that_turn():
     assert input_file(sway("3")[0]) is None
 
 
+def test_springs_of_supports_are_elements_of_calculix():
+    supports = "boundary:springs=5/4000/0"
+    model, _ = moved(flat(3, 3, 4000.0, 4000.0), supports=f"{supports}+4:fixed", load=["4:0,0,-1"])
+    lines = input_file(model).splitlines()
+    cards = [n for n, line in enumerate(lines) if line.startswith("*ELEMENT, TYPE=SPRING1")]
+    beams = 4 * len(model.frame.members)
+    found = {}
+    for number, at in enumerate(cards, beams + 1):
+        name = lines[at].split("ELSET=")[1]
+        assert lines[at + 2] == f"*SPRING, ELSET={name}"
+        element, node = map(int, lines[at + 1].split(","))
+        assert element == number
+        # With a point, or CalculiX takes it for a direction.
+        assert "." in lines[at + 4]
+        found[node - 1, int(lines[at + 3]) - 1] = float(lines[at + 4])
+    border = np.flatnonzero(model.mesh.connectivity.boundary_vertices)
+    assert found == {(n, k): (5e3, 4e6)[k] for n in border.tolist() for k in (0, 1)}
+
+
 def rows_of(text, start, end):
     part = text.split(f"{start}\n")[1].split(end)[0]
     return [line.split(",") for line in part.strip().splitlines()]

@@ -9,6 +9,11 @@
    <translation>Ein Punkt der Ebene</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>All combinations, any of which can be drawn</source>
+   <translation>Alle Kombinationen, von denen jede gezeichnet werden kann</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Anchor: four anchor bolts hold a base plate</source>
    <translation>Anker: vier Anker halten eine Fußplatte</translation>
@@ -32,6 +37,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles of turns about x, then y, then z</source>
    <translation>Winkel der Drehungen um x, dann y, dann z</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>As ForcesAlong, of all combinations, one by one</source>
+   <translation>Wie ForcesAlong, aller Kombinationen, eine nach der anderen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -177,6 +187,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Colour of the faces where no colour map is shown</source>
    <translation>Farbe der Maschen, wo keine Farbkarte gezeigt wird</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Combination whose forces and displacements are drawn, first order</source>
+   <translation>Kombination, deren Kräfte und Verschiebungen gezeichnet werden, erste Ordnung</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -407,6 +422,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force in the membrane's border cable</source>
    <translation>Kraft im Randseil der Membran</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>Force on each node of the mesh, N</source>
+   <translation>Kraft auf jeden Knoten des Netzes, N</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -684,6 +704,11 @@
    <translation>Last an jeder Ecke, Kraft</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>Load case of the structural check</source>
+   <translation>Lastfall der statischen Prüfung</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Load of the edges, force / mm</source>
    <translation>Last der Kanten, Kraft / mm</translation>
@@ -892,6 +917,11 @@
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Of the most used member, %; 100 is all that it has</source>
    <translation>Des am stärksten ausgenutzten Stabs, %; 100 ist alles, was er hat</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the nodes in all combinations, one by one</source>
+   <translation>Der Knoten in allen Kombinationen, eine nach der anderen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1379,6 +1409,11 @@
    <translation>Das erste enthält die erste Ecke</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>The loads count so many times; 0 leaves them out</source>
+   <translation>So viele Male zählen die Lasten; 0 lässt sie weg</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The mirror image comes alone</source>
    <translation>Das Spiegelbild kommt allein</translation>
@@ -1469,7 +1504,7 @@
    <translation>Stattdessen Werte der beiden anderen Koordinaten</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
    <source>Version of this object's properties</source>
    <translation>Version der Eigenschaften dieses Objekts</translation>
   </message>
@@ -1547,6 +1582,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Was den Abstand hält</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
+   <translation>Was Schlitze von der Höhe von Lamellen lassen, die sich in einer Lage kreuzen, als Anteil; mit 1 gibt es keine</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1812,6 +1852,16 @@
    <translation>Auch schreiben</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Analysis added; the FEM workbench solves it</source>
+   <translation>Analyse angelegt; der FEM-Arbeitsbereich löst sie</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Analysis of the FEM workbench</source>
+   <translation>Analyse des FEM-Arbeitsbereichs</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Anchor</source>
    <translation>Anker</translation>
@@ -1850,6 +1900,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Area load</source>
    <translation>Flächenlast</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Arms</source>
+   <translation>Arme</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Arms beside the net</source>
+   <translation>Arme neben dem Netz</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2572,6 +2632,11 @@
    <translation>Fertigungsdateien</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/fem_analyses.py" />
+   <source>FEM analysis</source>
+   <translation>FEM-Analyse</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Fabrication files written to {}</source>
    <translation>Fertigungsdateien geschrieben nach {}</translation>
@@ -3197,6 +3262,11 @@
    <translation>Anheben</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Line elements of the members</source>
+   <translation>Linienelemente der Stäbe</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Line planes</source>
    <translation>Ebenen der Linien</translation>
@@ -3210,6 +3280,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines drawn on the surface that the net runs along</source>
    <translation>Auf die Fläche gezeichnete Linien, an denen das Netz entlangläuft</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Lines of the members</source>
+   <translation>Linien der Stäbe</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3262,6 +3337,11 @@
    <translation>Lasten</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>Loads: {}</source>
+   <translation>Lasten: {}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Louvre axis</source>
    <translation>Lamellenachse</translation>
@@ -3297,7 +3377,7 @@
    <translation>M30</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
    <source>Material</source>
    <translation>Material</translation>
   </message>
@@ -3317,7 +3397,7 @@
    <translation>Mittellinien</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
    <source>Members</source>
    <translation>Stäbe</translation>
   </message>
@@ -3465,6 +3545,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Next buckling shape</source>
    <translation>Nächste Knickform</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Next combination</source>
+   <translation>Nächste Kombination</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -4213,6 +4298,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slots</source>
+   <translation>Schlitze</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth</source>
    <translation>Glatt</translation>
   </message>
@@ -4813,6 +4903,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Was den Abstand hält</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
+   <translation>Was Schlitze von der Höhe von Lamellen lassen, die sich in einer Lage kreuzen, als Anteil; mit 1 gibt es keine</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -9,6 +9,11 @@
    <translation>Un point du plan</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>All combinations, any of which can be drawn</source>
+   <translation>Toutes les combinaisons, chacune peut être dessinée</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Anchor: four anchor bolts hold a base plate</source>
    <translation>Ancrage : quatre ancrages tiennent une platine</translation>
@@ -32,6 +37,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles of turns about x, then y, then z</source>
    <translation>Angles des rotations autour de x, puis y, puis z</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>As ForcesAlong, of all combinations, one by one</source>
+   <translation>Comme ForcesAlong, de toutes les combinaisons, l'une après l'autre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -177,6 +187,11 @@
    <location filename="../../../freecad_ortho/view/net_properties.py" />
    <source>Colour of the faces where no colour map is shown</source>
    <translation>Couleur des faces sans carte de couleurs</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Combination whose forces and displacements are drawn, first order</source>
+   <translation>Combinaison dont les efforts et déplacements sont dessinés, premier ordre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -407,6 +422,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force in the membrane's border cable</source>
    <translation>Force dans le câble de bord de la membrane</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>Force on each node of the mesh, N</source>
+   <translation>Force sur chaque nœud du maillage, N</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -684,6 +704,11 @@
    <translation>Charge à chaque sommet, force</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>Load case of the structural check</source>
+   <translation>Cas de charge de la vérification statique</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Load of the edges, force / mm</source>
    <translation>Charge des arêtes, force / mm</translation>
@@ -892,6 +917,11 @@
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Of the most used member, %; 100 is all that it has</source>
    <translation>De la barre la plus sollicitée, % ; 100 est tout ce qu'elle a</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/check_results.py" />
+   <source>Of the nodes in all combinations, one by one</source>
+   <translation>Des nœuds dans toutes les combinaisons, l'une après l'autre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1379,6 +1409,11 @@
    <translation>Le premier contient le premier sommet</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>The loads count so many times; 0 leaves them out</source>
+   <translation>Les charges comptent autant de fois ; 0 les omet</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>The mirror image comes alone</source>
    <translation>L'image miroir vient seule</translation>
@@ -1469,7 +1504,7 @@
    <translation>Valeurs des deux autres coordonnées à sa place</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
    <source>Version of this object's properties</source>
    <translation>Version des propriétés de cet objet</translation>
   </message>
@@ -1547,6 +1582,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Ce qui garde la distance</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
+   <translation>Ce que les entailles laissent de la hauteur des lamelles qui se croisent en une couche, en fraction ; avec 1 il n'y en a pas</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1812,6 +1852,16 @@
    <translation>Écrire aussi</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/commands/structural_check.py" />
+   <source>Analysis added; the FEM workbench solves it</source>
+   <translation>Analyse ajoutée ; l'atelier FEM la résout</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Analysis of the FEM workbench</source>
+   <translation>Analyse de l'atelier FEM</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Anchor</source>
    <translation>Ancrage</translation>
@@ -1850,6 +1900,16 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Area load</source>
    <translation>Charge surfacique</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Arms</source>
+   <translation>Bras</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Arms beside the net</source>
+   <translation>Bras à côté du réseau</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -2572,6 +2632,11 @@
    <translation>Fichiers de fabrication</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/documents/fem_analyses.py" />
+   <source>FEM analysis</source>
+   <translation>Analyse FEM</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Fabrication files written to {}</source>
    <translation>Fichiers de fabrication écrits dans {}</translation>
@@ -3197,6 +3262,11 @@
    <translation>Relever</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Line elements of the members</source>
+   <translation>Éléments linéiques des barres</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Line planes</source>
    <translation>Plans des lignes</translation>
@@ -3210,6 +3280,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines drawn on the surface that the net runs along</source>
    <translation>Lignes dessinées sur la surface, que le réseau suit</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
+   <source>Lines of the members</source>
+   <translation>Lignes des barres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3262,6 +3337,11 @@
    <translation>Charges</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <source>Loads: {}</source>
+   <translation>Charges : {}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Louvre axis</source>
    <translation>Axe des brise-soleil</translation>
@@ -3297,7 +3377,7 @@
    <translation>M30</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
    <source>Material</source>
    <translation>Matériau</translation>
   </message>
@@ -3317,7 +3397,7 @@
    <translation>Lignes médianes</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
    <source>Members</source>
    <translation>Barres</translation>
   </message>
@@ -3465,6 +3545,11 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Next buckling shape</source>
    <translation>Mode de flambement suivant</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/view/check_view.py" />
+   <source>Next combination</source>
+   <translation>Combinaison suivante</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -4213,6 +4298,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slots</source>
+   <translation>Entailles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Smooth</source>
    <translation>Lisse</translation>
   </message>
@@ -4813,6 +4903,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>What keeps the distance</source>
    <translation>Ce qui garde la distance</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
+   <translation>Ce que les entailles laissent de la hauteur des lamelles qui se croisent en une couche, en fraction ; avec 1 il n'y en a pas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
