@@ -20,12 +20,27 @@ from femtools import membertools
 
 from freecad_ortho.objects.fem_loads import is_loads
 
+try:
+    # From FreeCAD 1.1 on its writer heeds these, and the older proxy has others.
+    from femobjects.solver_calculix import SolverCalculiX as Current
+except ImportError:
+    Current = None
+
 _END, _ELEMENT, _SECTION = "*END STEP", "TYPE=B32,", "*BEAM SECTION"
 _OLD_SECTION = "*BEAM GENERAL SECTION"
 
 
 class Solver(calculix.Proxy):
     """Proxy of the solver: "Run solver" and a double click do as with FreeCAD's own."""
+
+    def add_attributes(self, obj: Any) -> None:
+        """Give a new or an older solver the properties that FreeCAD's writer heeds."""
+        if Current is None:
+            super().add_attributes(obj)
+            return
+        for item in Current._get_properties(self):
+            if item.name not in obj.PropertiesList:
+                item.add_to_object(obj)
 
     def createMachine(self, obj: Any, directory: str, testmode: bool = False) -> Any:
         """FreeCAD's steps, with another way to write the input."""

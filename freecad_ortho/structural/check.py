@@ -13,6 +13,7 @@ from freecad_ortho.structural.combinations import SERVICE, STRENGTH, Combination
 from freecad_ortho.structural.membrane import Membrane, membrane
 from freecad_ortho.structural.model import Model
 from freecad_ortho.structural.slots import at_slots
+from freecad_ortho.structural.strength import used_words
 from solver.errors import InputError
 from solver.frame.buckling import Buckling, buckling
 from solver.frame.model import Loads
@@ -212,7 +213,7 @@ class StructuralCheck:
             over = int((self.utilisation > 1).sum())
             words.append(
                 f"{over} of {len(self.utilisation)} members are used beyond 100 %, member {worst} "
-                f"to {100 * self.utilisation[worst]:.0f} %"
+                f"{used_words(self.utilisation[worst])}"
             )
         least = min((one.carried for one in self.strength if one.carried is not None), default=1.0)
         if least < 1:

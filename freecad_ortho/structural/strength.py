@@ -17,6 +17,8 @@ from solver.mesh.quadmesh import FloatArray
 
 # Imperfection factors of buckling curves: EN 1993-1-1, table 6.1.
 CURVES = {"a0": 0.13, "a": 0.21, "b": 0.34, "c": 0.49, "d": 0.76}
+# Utilisation that only wrong units come to.
+_ABSURD = 1000.0
 # Shear on notched and cracked timber: EN 1995-1-1, 6.1.7 (2).
 _CRACKED = 0.67
 # Redistribution in solid rectangles: EN 1995-1-1, 6.1.6 (2).
@@ -218,6 +220,13 @@ def _stresses(
         normal = np.abs(at).max(axis=0)
     shear = np.hypot(vy / profile.shear_area_y, vz / profile.shear_area_z) / part
     return normal, shear + np.abs(t) / torsion_modulus(profile)
+
+
+def used_words(utilisation: float) -> str:
+    """How far something is used, for a sentence; sizes that no design has ask for a mistake."""
+    if utilisation <= _ABSURD:
+        return f"to {100 * utilisation:.0f} %"
+    return f"beyond {100 * _ABSURD:,.0f} % (are the units of net and loads right?)"
 
 
 def torsion_modulus(profile: Profile) -> float:

@@ -257,3 +257,8 @@ def test_panels_stiffen_where_they_are_told_to(dome, checked):
     assert all(one.carried == 1.0 for one in second.strength if one.carried is not None)
     with pytest.raises(InputError, match="panel shear: expected 0 or more"):
         api.check_structure(dome, panel_shear=-1.0, **settings)
+
+
+def test_what_only_wrong_units_come_to_is_asked_for(dome):
+    found = api.check_structure(dome, unit="m", snow=1e9, modes=1)
+    assert "beyond 100,000 % (are the units of net and loads right?)" in found.verdict
