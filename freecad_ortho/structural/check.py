@@ -9,6 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from freecad_ortho.structural.bending import share_of_bending, strain_energies
 from freecad_ortho.structural.combinations import SERVICE, STRENGTH, Combination
 from freecad_ortho.structural.membrane import Membrane, membrane
 from freecad_ortho.structural.model import Model
@@ -48,6 +49,7 @@ class Found:
             largest others along it.
         deformed: (M,) whether these are those of balance in the deformed shape.
         buckling: modes under it, for strength.
+        slot: (M,) utilisation of the sections that slots leave, which is in ``section`` too.
         bent: share of the strain energy that is not of axial forces, first order; 0 is a shell
             that carries by its form alone.
         carried: part of it that is balanced in the deformed, imperfect shape, where that was
@@ -63,6 +65,7 @@ class Found:
     forces: FloatArray
     deformed: BoolArray
     buckling: Buckling | None = None
+    slot: FloatArray | None = None
     bent: float | None = None
     carried: float | None = None
     membrane: Membrane | None = None
@@ -71,6 +74,13 @@ class Found:
     def utilisation(self) -> FloatArray:
         """(M,) the larger of both."""
         return np.maximum(self.section, self.member)
+
+    def by(self, member: int) -> str:
+        """What uses a member most, in a word."""
+        if self.member[member] > self.section[member]:
+            return "buckling"
+        slot = 0.0 if self.slot is None else float(self.slot[member])
+        return "slot" if 0 < slot >= self.section[member] else "section"
 
     @property
     def factor(self) -> float | None:
@@ -330,7 +340,7 @@ def _one(
     mode = buckling(pieces.system, _summed(factors, pieces.cases), model.design.modes)
     carried = None
     forces = np.stack([whole.forces_at(model.frame, part) for part in STATIONS])[:, :count]
-    share, drawn = _bent(strain_energies(model, forces)), len(forces)
+    share, drawn = share_of_bending(strain_energies(model, forces)), len(forces)
     # What buckles under its load does not pass anyway.
     if model.design.second_order and len(mode.factors) and 1 < mode.factors[0] < ENOUGH:
         carried, deformed = pieces.second_order(mode, _summed(factors, pieces.loads))
@@ -342,13 +352,25 @@ def _one(
         own = group.members
         section[:, own] = group.rules.section(forces[:, own], permanent)
         member[own] = group.rules.member(forces[:, own], lengths[own], permanent)
-    section = np.maximum(section, at_slots(model, forces, drawn, permanent))
+    slot = at_slots(model, forces, drawn, permanent)
+    section = np.maximum(section, slot)
     most, at = section.max(axis=0), _governing(section, member, forces)
     governing = np.take_along_axis(forces, at[None], axis=0)[0]
     second = np.asarray((at >= drawn).any(axis=1))
     axial = membrane(model, loads, whole)
     return Found(
-        combination, whole, balance, most, member, governing, second, mode, share, carried, axial
+        combination,
+        whole,
+        balance,
+        most,
+        member,
+        governing,
+        second,
+        mode,
+        slot.max(axis=0),
+        share,
+        carried,
+        axial,
     )
 
 
@@ -358,30 +380,6 @@ def _governing(section: FloatArray, member: FloatArray, forces: FloatArray) -> I
     along = np.abs(forces).argmax(axis=0)
     along[:, 0] = forces[:, :, 0].argmin(axis=0)
     return np.asarray(np.where((member > section.max(axis=0))[:, None], along, own))
-
-
-def strain_energies(model: Model, forces: FloatArray) -> FloatArray:
-    """(M, 6) twice the energy of N, Vy, Vz, T, My, Mz in members, of (K, M, 6) along them, Nmm."""
-    of = model.bare.stiffness
-    stiff = np.stack(
-        [
-            of.youngs * of.area,
-            of.shear * of.shear_area_y,
-            of.shear * of.shear_area_z,
-            of.shear * of.torsion,
-            of.youngs * of.about_y,
-            of.youngs * of.about_z,
-        ],
-        axis=1,
-    )
-    squares = 0.5 * (forces[1:] ** 2 + forces[:-1] ** 2).mean(axis=0)
-    return np.asarray(squares / stiff * model.bare.lengths[:, None])
-
-
-def _bent(energy: FloatArray) -> float:
-    """Share of the strain energy (M, 6) that is not of axial forces."""
-    total = float(energy.sum())
-    return 1.0 - float(energy[:, 0].sum()) / total if total else 0.0
 
 
 def _along(pieces: _Pieces, found: Response) -> FloatArray:

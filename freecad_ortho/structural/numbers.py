@@ -83,7 +83,7 @@ def _most_used(check: StructuralCheck) -> list[dict[str, Any]]:
                 "member": member,
                 "family": check.model.families[member],
                 "used": f"{100 * check.utilisation[member]:.0f} %",
-                "by": "section" if by.section[member] >= by.member[member] else "buckling",
+                "by": by.by(member),
                 "N_kN": n / 1e3,
                 "T_kNm": t / 1e6,
                 "My_kNm": my / 1e6,

@@ -211,7 +211,7 @@ def _governing(check: StructuralCheck) -> str:
             (
                 f"{member} ({check.model.families[member]})",
                 f"{100 * check.utilisation[member]:.0f} %",
-                "section" if by.section[member] >= by.member[member] else "buckling",
+                by.by(member),
                 *(f"{forces[k] / 1e3:.2f}" for k in range(3)),
                 *(f"{forces[k] / 1e6:.3f}" for k in range(3, 6)),
                 "deformed" if check.governed_deformed[member] else "as drawn",
@@ -222,9 +222,9 @@ def _governing(check: StructuralCheck) -> str:
     note = (
         "<p>The most used members, with the forces that govern them: those of the section that is "
         "used most, or where the member buckles between its ends the most compression and the "
-        "largest of the others along it. Shape: as drawn (first order), or deformed from an "
-        "imperfect one (second order). All are in members.csv, those of first order in "
-        "forces.csv.</p>"
+        "largest of the others along it; a slot is what one leaves of a section. Shape: "
+        "as drawn (first order), or deformed from an imperfect one (second order). All are in "
+        "members.csv, those of first order in forces.csv.</p>"
     )
     more = ("Mz, kNm", "shape", "combination")
     return "<h2>Governing members</h2>" + note + _table((*head, *more), rows)

@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from freecad_ortho.fabrication.profiles import profile
-from freecad_ortho.structural.check import STATIONS, Progress, StructuralCheck, strain_energies
+from freecad_ortho.structural.bending import strain_energies
+from freecad_ortho.structural.check import STATIONS, Progress, StructuralCheck
 from freecad_ortho.structural.groups import written
 from freecad_ortho.structural.sizing import MOST, Sizing, Try, tried
 from solver.errors import InputError

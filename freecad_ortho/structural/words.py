@@ -42,6 +42,8 @@ def assumptions(check: StructuralCheck) -> list[str]:
         f"else is said, {counted(_held(check), 'node')} in all.",
         f"Sections and members are checked by {rules}; buckling length "
         f"{design.buckling_length:g} times the length.",
+        "Partial factors, and those of combinations that are not given, are the ones that the "
+        "Eurocodes recommend; national annexes may have others.",
         "Loads of faces lie on their edges, each carries the part of the face nearest to it, "
         "spread evenly.",
         f"Buckling is linear, with {counted(design.pieces, 'piece')} a member.",

@@ -101,6 +101,9 @@ def test_net_sections_at_slots_are_bent_by_axial_forces_beside_their_middle(barr
         assert not apart[~inner.any(axis=1)].any()
         assert apart[inner.all(axis=1)].all()
         np.testing.assert_array_equal(one.member, other.member)
+        most = int(one.section.argmax())
+        by = "slot" if one.section[most] > one.member[most] else "buckling"
+        assert (one.by(most), other.by(most) != "slot") == (by, True)
         expected = other.section.copy()
         frame, rest = found.model.frame, left * high
         for end in (0, 1):
