@@ -194,17 +194,19 @@ def start_optimisation(
             "repeat: nets with handles do not look for few kinds of parts; take the handles away"
         )
     standing = supports_of(mesh, asked, fix, supports)
+    wanted, overhangs = _carried(asked, mesh, chosen, wanted)
+    if standing.zigzag(mesh, overhangs):
+        ground = (
+            wanted.close_to
+            if wanted.close_to is not None
+            else (mesh.vertices, mesh.connectivity.triangles)
+        )
+        standing, slide = standing.on_surface(mesh, *ground)
+        wanted = replace(wanted, glide=(*wanted.glide, slide))
     fixed = standing.fixed.copy()
-    held = _held(asked, bool(standing.standing.any()), wanted)
+    held = _held(asked, bool(standing.standing.any()), constraints)
     fixed[corners_that_stay(mesh, wanted)] = True
     wanted = settled(mesh, fixed, wanted)
-    if asked.stays and wanted.close_to is None and not wanted.handles:
-        drawn = surface_of(mesh)
-        turned = any(getattr(chosen, name) is not None for name in asked.turning)
-        carried = beyond if turned else reaching
-        wanted = replace(wanted, close_to=carried(mesh, drawn.vertices, drawn.triangles))
-    elif wanted.close_to is not None:
-        wanted = replace(wanted, close_to=reaching(mesh, *wanted.close_to))
     wanted = replace(wanted, glide=(*wanted.glide, *standing.glides(mesh, wanted)))
     surface = _surface(asked, mesh, wanted)
     remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
@@ -291,10 +293,25 @@ def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface
     return surface
 
 
-def _held(net: Net, fixed: bool, wanted: Constraints) -> list[str]:
+def _carried(
+    asked: Net, mesh: QuadMesh, chosen: NetOptions, wanted: Constraints
+) -> tuple[Constraints, bool]:
+    """Have the design surface reach as far as the mesh does; tell whether it had to."""
+    if wanted.close_to is not None:
+        near = reaching(mesh, *wanted.close_to)
+        return replace(wanted, close_to=near), near[0] is not wanted.close_to[0]
+    if not asked.stays or wanted.handles:
+        return wanted, False
+    drawn = surface_of(mesh)
+    turned = any(getattr(chosen, name) is not None for name in asked.turning)
+    carried = beyond if turned else reaching
+    return replace(wanted, close_to=carried(mesh, drawn.vertices, drawn.triangles)), False
+
+
+def _held(net: Net, fixed: bool, wanted: Constraints | None) -> list[str]:
     """What a user holds, in the words in which it was asked for."""
     words = [net.held] if fixed else []
-    return [*words, "gliding vertices"] if wanted.glide else words
+    return [*words, "gliding vertices"] if wanted is not None and wanted.glide else words
 
 
 def _refuse_contradictions(problem: Problem) -> None:

@@ -22,12 +22,12 @@ from solver.align.given import Wanted, given_field
 from solver.align.guides import (
     along_features,
     net_guide,
-    say_border,
     with_strokes,
 )
 from solver.align.options import OPTIONS
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
+from solver.align.remarks import say_border, say_bunched, say_strokes
 from solver.align.seamless import FIRM, seamless_map
 from solver.align.seams import seams
 from solver.align.symmetry import (
@@ -149,9 +149,11 @@ def aligned(
     follows = border == "follow"
     if follows and net in ("principal", "developable"):
         say_border(work.mesh, guide, edge, remarks)
+    say_strokes(work.mesh, guide, lines, edge, net, remarks)
     asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities, mirrors)
     mesh, field = _mapped(asked, waiting, remarks)
     _say_openings(smooth, loops, mesh, remarks)
+    say_bunched(mesh, min(edge, edge * ratio), remarks)
     # What was not smoothed is where it was given.
     kept = smooth.points[: len(given.points)]
     places = np.where((kept == surface.points).all(axis=1)[:, None], given.points, kept)

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from solver.align.features import Features
-from solver.align.field import QUARTER, GuidingField, curvature_guide
+from solver.align.field import GuidingField, curvature_guide
 from solver.align.jets import face_tensors
 from solver.align.membrane import membrane_forces
 from solver.align.triangle_mesh import TriangleMesh
@@ -38,8 +38,13 @@ _MOSTLY = 0.8
 _STROKE, _WIDE, _TURN, _OFF = 30.0, 0.6, 8.0, 1.0
 # In edges, how wide a feature line is.
 _BESIDE = 0.4
-# Degrees to the lines of curvature from which on no exact net keeps a border.
-_ASKEW = 2.0
+# Normals of a plane differ by no more; those of flat faces that meet at creases by more.
+_PLANE, _FOLDED = 1e-3, 0.1
+# The border gives a plane its lines if so much of it runs in one direction, within so many degrees;
+# how much more level sides count where several are as long.
+_MUCH, _ALIKE, _LEVEL = 0.25, 1.0, 0.01
+# So many of the longest pieces of the border are tried.
+_TRIED = 200
 # Places that a stroke is looked at, for each edge of the net.
 _PLACES = 6
 
@@ -83,7 +88,14 @@ def net_guide(
             "the surface is flat or round: every direction is one of curvature; the lines run "
             "along its border"
         )
-        return _along_border(mesh, inner)
+        bent = float(np.ptp(mesh.normals[:inner], axis=0).max())
+        if bent > _FOLDED and _middle(np.abs(mean), areas) < _FLAT / edge:
+            remarks.append(
+                "it is made of flat faces that meet at creases: lines along these cannot run along "
+                "all eaves as well; a net on each face alone (--faces) keeps to its longest side"
+            )
+        straight = _along_side(mesh, inner) if bent < _PLANE else None
+        return straight or _along_border(mesh, inner)
     if net == "asymptotic":
         saddle = float(areas[gauss < 0].sum() / areas.sum())
         if saddle < _MOSTLY:
@@ -112,7 +124,7 @@ def with_strokes(
         return guide
     surface = TriangleSurface(mesh.points, mesh.triangles[: guide.inner])
     for number, stroke in enumerate(strokes, start=1):
-        places, along = _walked(stroke, edge / _PLACES, number)
+        places, along = walked(stroke, edge / _PLACES, number)
         feet, _ = surface.closest(places)
         off = float(np.linalg.norm(places - feet, axis=1).max())
         if off > _OFF * edge:
@@ -145,41 +157,6 @@ def along_features(
     return _run_along(mesh, guide, places, along, (_BESIDE * edge, reach * edge))
 
 
-def say_border(mesh: TriangleMesh, guide: GuidingField, edge: float, remarks: list[str]) -> None:
-    """Say that no exact net keeps a border that is no line of curvature.
-
-    Args:
-        mesh: the surface, with its apron.
-        guide: the directions of curvature.
-        edge: wanted edge length.
-        remarks: gets the sentence.
-    """
-    turned = turned_from_border(mesh, guide, Features.border(mesh, guide.inner, edge))
-    if turned > _ASKEW:
-        remarks.append(
-            f"the border runs at {turned:.0f} degrees to the lines of curvature on average: an "
-            "exact principal net leaves it; a planar one with some millimetres of flatness, which "
-            "glides along its boundary, keeps it"
-        )
-
-
-def turned_from_border(mesh: TriangleMesh, guide: GuidingField, rim: Features) -> float:
-    """Mean angle between a border and the nearest of the guide's directions, 0 to 45 degrees.
-
-    Args:
-        mesh: the surface, with its apron.
-        guide: directions, by how certain they are.
-        rim: edges of the border.
-    """
-    start, end = (mesh.points[side[rim.edges]] for side in mesh.ends)
-    inner = (mesh.edges[rim.edges] // 3).min(axis=1)
-    first, second = ((rim.along * mesh.axes[inner, k]).sum(axis=1) for k in (0, 1))
-    turned = np.arctan2(second, first) - guide.angles[inner]
-    turned -= QUARTER * np.round(turned / QUARTER)
-    weight = guide.certainty[inner] * np.linalg.norm(end - start, axis=1)
-    return float(np.degrees((weight * np.abs(turned)).sum() / max(weight.sum(), 1e-300)))
-
-
 def _run_along(
     mesh: TriangleMesh,
     guide: GuidingField,
@@ -206,7 +183,7 @@ def _run_along(
     return replace(guide, angles=angles, certainty=certainty, stretch=stretch)
 
 
-def _walked(stroke: FloatArray, step: float, number: int) -> tuple[FloatArray, FloatArray]:
+def walked(stroke: FloatArray, step: float, number: int) -> tuple[FloatArray, FloatArray]:
     """Places along a polyline, and its direction there."""
     runs = np.diff(stroke, axis=0)
     lengths = np.linalg.norm(runs, axis=1)
@@ -239,3 +216,25 @@ def _along_border(mesh: TriangleMesh, inner: int) -> GuidingField:
         angles[rows] = np.arctan2((run * axes[:, 1]).sum(axis=1), (run * axes[:, 0]).sum(axis=1))
         certainty[rows] = 1.0
     return GuidingField(angles, certainty, np.zeros(len(angles)), inner)
+
+
+def _along_side(mesh: TriangleMesh, inner: int) -> GuidingField | None:
+    """The direction of the longest side of a plane, all over it; None where no side is long."""
+    sides = ((mesh.edges // 3) < inner).sum(axis=1) == 1
+    start, end = (side[sides] for side in mesh.ends)
+    run = mesh.points[end] - mesh.points[start]
+    length = np.linalg.norm(run, axis=1)
+    axes = mesh.axes[0]
+    angles = np.arctan2(run @ axes[1], run @ axes[0])
+    tried = np.argsort(-length, kind="stable")[:_TRIED]
+    apart = np.abs(np.sin(2 * (angles[tried, None] - angles)))
+    alike = apart < np.sin(2 * np.radians(_ALIKE))
+    much = alike @ length / length.sum()
+    level = 1 - np.abs(run[tried, 2]) / length[tried]
+    best = int(np.argmax(much + _LEVEL * level))
+    if much[best] < _MUCH:
+        return None
+    along = run[tried[best]]
+    count = len(mesh.triangles)
+    turned = np.arctan2(mesh.axes[:, 1] @ along, mesh.axes[:, 0] @ along)
+    return GuidingField(turned, np.ones(count), np.zeros(count), inner)

@@ -265,6 +265,30 @@ def test_a_roof_under_its_weight_stays_what_was_drawn_and_its_lines_are_smooth()
     assert 60 <= corner.min() and corner.max() <= 120
 
 
+def test_supports_slide_where_the_border_is_only_where_the_net_ends():
+    """A face that sticks out has all its corners on the border, and would have no room."""
+    count = 7
+    u, v = np.meshgrid(np.linspace(-1, 1, count), np.linspace(-1, 1, count), indexing="ij")
+    points = np.stack([u + 0.05 * v**2, v + 0.08 * u, 0.4 * (2 - u**2 - v**2)], axis=2)
+    faces = grid_faces(count, count)
+    # All of the first row but one face in its middle, and all but one of the last column.
+    away = [0, 1, 3, 4, 5, *(6 * k + 5 for k in range(6) if k != 3)]
+    kept = np.delete(np.asarray(faces), away, axis=0)
+    used, numbers = np.unique(kept, return_inverse=True)
+    start = QuadMesh(points.reshape(-1, 3)[used], numbers.reshape(-1, 4))
+    rim = start.connectivity.boundary_vertices
+    assert rim[start.faces].all(axis=1).any()
+    outcome = optimise(start, "stress")
+    assert outcome.report.status == "converged", outcome.report.message
+    assert not measures.flipped(outcome.mesh).any()
+    assert right_angles(outcome.mesh).max() <= 1e-10
+    moved = np.linalg.norm(outcome.mesh.vertices - start.vertices, axis=1)[rim]
+    assert 1e-3 < moved.max() < 0.3
+    # Who says that the border stays is taken at his word.
+    with pytest.raises(InputError, match="cannot move at all"):
+        optimise(start, "stress", fix="boundary")
+
+
 def corner_angles(mesh: QuadMesh) -> np.ndarray:
     """(F, 4) angles of the faces at their corners, in degrees."""
     points = mesh.vertices[mesh.faces]
