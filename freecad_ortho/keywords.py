@@ -6,10 +6,11 @@ Those that tables of options have are in :mod:`freecad_ortho.option_keywords`.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, TypedDict
+from typing import Any, TypedDict
 
 from freecad_ortho.option_keywords import (
     DesignOptions,
+    FamilyWord,
     Feature,
     NetChoices,
     Sizes,
@@ -33,7 +34,7 @@ class StructureSettings(Sizes, total=False):
     """What a Structure of a document can be told."""
 
     beams: Feature
-    family: Literal["u", "v", "both"]
+    family: FamilyWord
     trimmed: bool
     lines: Sequence[int]
     material: str

@@ -19,6 +19,46 @@ Load = float | str
 # An object of a FreeCAD document, and where something stands: they have no type outside FreeCAD.
 Feature = Any
 Placement = Any
+# Options that are one of a few words.
+OffsetWord = Literal["above", "centre", "below"]
+EndsWord = Literal[
+    "mitred",
+    "hub",
+    "end-plate",
+    "cover-plate",
+    "cone",
+    "lapped",
+    "through-u",
+    "through-v",
+    "spliced-u",
+    "spliced-v",
+]
+BoltWord = Literal["M12", "M16", "M20", "M24", "M27", "M30"]
+NodeWord = Literal["hub", "bolted", "star", "ball", "through", "socket"]
+ThroughWord = Literal["u", "v", "both"]
+PanelEdgeWord = Literal["square", "bevel"]
+AtHubsWord = Literal["cut", "lift"]
+SliversWord = Literal["join", "leave-out"]
+FrameWord = Literal["none", "plate", "silicone"]
+BendingWord = Literal["none", "cold"]
+LouvreAxisWord = Literal["u", "v"]
+PositionWord = Literal["standing", "lying", "tilted"]
+StripWord = Literal["auto", "developable", "twisted"]
+PatternWord = Literal["auto", "straight", "arc", "free"]
+BorderCutWord = Literal["square", "along"]
+DiagonalsWord = Literal["none", "auto", "first", "second"]
+GrainWord = Literal["none", "along"]
+AnchorWord = Literal["M12", "M16", "M20", "M24", "M27", "M30"]
+NestingWord = Literal["boxes", "outlines"]
+DxfWord = Literal["blocks", "flat", "parts"]
+DxfVersionWord = Literal["r2010", "r12"]
+DxfTextWord = Literal["text", "strokes", "none"]
+StepWord = Literal["one", "systems", "in-place"]
+HardwareWord = Literal["list", "solids"]
+PaperWord = Literal["a4", "a3", "a2", "a1", "a0"]
+RhinoPartsWord = Literal["meshes", "solids"]
+MovingWord = Literal["lambda", "mu", "nu"]
+FamilyWord = Literal["u", "v", "both"]
 
 
 class Sizes(TypedDict, total=False):

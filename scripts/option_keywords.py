@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from freecad_ortho.fabrication import SYSTEMS, Workshop
+from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.sources import GROUPS, SOURCES
 from freecad_ortho.structural.design import Design
 from solver.nets.options import OPTIONS
@@ -73,6 +75,8 @@ _MORE = {
     "sheet": "tuple[float, float]",
     **dict.fromkeys(("supports", "lift", "foot_at"), "Sequence[int]"),
 }
+# Of all systems, beside their tables.
+_FAMILY = Option("family", "both", "choice", "Parameter lines that are built on", FAMILY_CHOICES)
 # Sources whose functions have names of some options among their own arguments.
 _SOURCES = {
     "PrimitiveOptions": (GROUPS["primitive"], (), "exact surfaces"),
@@ -114,7 +118,27 @@ def text() -> str:
         options = [option for each in sources for option in SOURCES[each].options]
         others = [option for option in options if option.name not in own]
         parts.append(_class(name, f"Options of {words}.", others))
-    return "\n\n\n".join([_HEAD.rstrip("\n"), *parts]) + "\n"
+    words = [*systems, *Workshop.options, SOURCES["elliptic multi-net"].option("moving"), _FAMILY]
+    return "\n\n\n".join([_HEAD.rstrip("\n") + _words(words), *parts]) + "\n"
+
+
+def alias(name: str) -> str:
+    """What the type of an option of few words is called, for functions that spell it out."""
+    return "".join(part.capitalize() for part in name.split("_")) + "Word"
+
+
+def _words(options: Iterable[Option]) -> str:
+    """A type for each option that is one of a few words."""
+    found: dict[str, list[Option]] = {}
+    for option in options:
+        if option.kind == "choice" and not option.examples:
+            found.setdefault(option.name, []).append(option)
+    head = "\n# Options that are one of a few words.\n"
+    lines = (
+        _wrapped(f"{alias(name)} = {_type([replace(one, default='') for one in each])}", "")
+        for name, each in found.items()
+    )
+    return head + "\n".join(lines)
 
 
 def _class(name: str, words: str, options: Iterable[Option]) -> str:
@@ -126,15 +150,15 @@ def _class(name: str, words: str, options: Iterable[Option]) -> str:
     return "\n".join([f"class {name}(TypedDict, total=False):", f'    """{words}"""', "", *lines])
 
 
-def _wrapped(line: str) -> str:
+def _wrapped(line: str, indent: str = "    ") -> str:
     """A long line as the formatter would break it."""
     if len(line) <= 100:
         return line
     head, _, words = line.partition("[")
     words = words.removesuffix("]")
-    if len(words) > 92:
-        words = ",\n        ".join(words.split(", ")) + ","
-    return f"{head}[\n        {words}\n    ]"
+    if len(words) > 96 - len(indent):
+        words = f",\n{indent}    ".join(words.split(", ")) + ","
+    return f"{head}[\n{indent}    {words}\n{indent}]"
 
 
 def _type(options: list[Option]) -> str:

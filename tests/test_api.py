@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from freecad_ortho import api
+from freecad_ortho import option_keywords as option_keywords_written
 from freecad_ortho.calls import listing_keywords
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.keywords import NetSettings
@@ -85,14 +86,20 @@ def test_types_of_keywords_are_those_of_the_tables():
             assert get_args(hints[name]) == option.choices, name
 
 
-def arguments_of(name):
-    """Names and defaults of a function on documents, as its source has them."""
+def definition_of(name):
+    """The source of a function on documents."""
     (function,) = (
         item
         for path in sorted((ROOT / "freecad_ortho" / "documents").glob("*.py"))
         for item in ast.parse(path.read_text(encoding="utf-8")).body
         if isinstance(item, ast.FunctionDef) and item.name == name
     )
+    return function
+
+
+def arguments_of(name):
+    """Names and defaults of a function on documents, as its source has them."""
+    function = definition_of(name)
     plain, spelled = function.args.args, function.args.kwonlyargs
     usual = dict(zip(reversed(plain), reversed(function.args.defaults), strict=False))
     usual |= dict(zip(spelled, function.args.kw_defaults, strict=True))
@@ -110,6 +117,20 @@ def test_the_function_of_a_system_has_all_its_options_with_their_defaults(system
         # Where nothing is said it may be that of a build-up.
         wanted["thickness"] = None
     assert found == wanted
+
+
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_options_that_are_one_of_a_few_words_have_these_for_their_type(system):
+    asked = definition_of(f"add_{system.replace('-', '_')}").args
+    types = {arg.arg: ast.unparse(arg.annotation) for arg in (*asked.args, *asked.kwonlyargs)}
+    words = {
+        option.name: option.choices
+        for option in SYSTEMS[system].options
+        if option.kind == "choice" and not option.examples
+    }
+    for name, choices in {**words, "family": ("u", "v", "both")}.items():
+        assert types[name] == option_keywords.alias(name)
+        assert set(choices) <= set(get_args(getattr(option_keywords_written, types[name])))
 
 
 @pytest.mark.parametrize(

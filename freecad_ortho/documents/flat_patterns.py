@@ -16,6 +16,11 @@ from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
 
 if TYPE_CHECKING:
+    from freecad_ortho.option_keywords import (
+        GrainWord,
+        NestingWord,
+    )
+
     Length = float | str | FreeCAD.Units.Quantity
 
 
@@ -23,8 +28,8 @@ def add_flat_patterns(
     structures: FreeCAD.DocumentObject | Sequence[FreeCAD.DocumentObject],
     sheet: tuple[Length, Length] | None = None,
     spacing: Length = 10.0,
-    grain: str = "none",
-    nesting: str = "boxes",
+    grain: GrainWord = "none",
+    nesting: NestingWord = "boxes",
     seed: int = 0,
     kerf: Length = 0.0,
 ) -> FreeCAD.DocumentObject:

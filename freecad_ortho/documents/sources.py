@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         EllipticNetOptions,
         FaceOptions,
         FormOptions,
+        MovingWord,
         MultiNetOptions,
         PrimitiveOptions,
         SourceOptions,
@@ -176,7 +177,7 @@ def add_multi_net(
 
 
 def add_elliptic_net(
-    moving: str = "lambda",
+    moving: MovingWord = "lambda",
     *,
     document: FreeCAD.Document | str | None = None,
     **options: Unpack[EllipticNetOptions],

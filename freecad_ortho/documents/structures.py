@@ -36,6 +36,9 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from freecad_ortho.keywords import Sizes, StructureSettings, WorkshopSettings
+    from freecad_ortho.option_keywords import (
+        FamilyWord,
+    )
 
     Length = float | str | FreeCAD.Units.Quantity
     Progress = Callable[[float, str], None]
@@ -56,7 +59,7 @@ def add_structure(
     system: str,
     *,
     beams: FreeCAD.DocumentObject | None = None,
-    family: str = "both",
+    family: FamilyWord = "both",
     lines: Sequence[int] = (),
     trimmed: bool = True,
     material: str = "steel",
