@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -162,3 +163,35 @@ def fitted_text_size(text: str, width: float, height: float, largest: float = 30
     A character of the plain stroke fonts that cutting software uses is at most as wide as high.
     """
     return float(min(0.8 * width / max(len(text), 1), 0.6 * height, largest))
+
+
+def texts_between(
+    name: str,
+    beside: Sequence[str],
+    ends: tuple[float, float],
+    middle: float,
+    size: tuple[float, float],
+) -> tuple[tuple[Mark, ...], FloatArray, float]:
+    """Marks of a straight plate that say what is beside its ends; place and size of its name.
+
+    Args:
+        name: of the part.
+        beside: before its start and behind its end, "" for nothing.
+        ends: between which there is room, along the plate, mm.
+        middle: half its height.
+        size: length and height.
+    """
+    # A third of the clear length for the name, a quarter at each end for what is beside it.
+    start, end = ends
+    length, height = size
+    clear, centre = max(end - start, 0.2 * length), (start + end) / 2
+    marks = [
+        Mark(
+            np.array([[centre + sign * 0.36 * clear, middle]]),
+            text,
+            fitted_text_size(text, 0.24 * clear, 0.5 * height, 15.0),
+        )
+        for text, sign in zip(beside, (-1.0, 1.0), strict=True)
+        if text
+    ]
+    return tuple(marks), np.array([centre, middle]), fitted_text_size(name, 0.4 * clear, height)

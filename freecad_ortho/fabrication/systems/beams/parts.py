@@ -11,15 +11,9 @@ from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import Polyhedron
 from freecad_ortho.fabrication.drilled import drilled
 from freecad_ortho.fabrication.folded import Chain, FoldedPlate, folded_plate
+from freecad_ortho.fabrication.level_plate import LevelPlate
 from freecad_ortho.fabrication.part import Measures, Part, part_names
-from freecad_ortho.fabrication.pattern import (
-    Bend,
-    FlatPattern,
-    Hole,
-    Mark,
-    fitted_text_size,
-    overlaps_itself,
-)
+from freecad_ortho.fabrication.pattern import FlatPattern, Hole, overlaps_itself, texts_between
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
@@ -265,8 +259,8 @@ def _plate_pattern(
     bottom_start, bottom_end, top_end, top_start = corner
     start = max(bottom_start[0], top_start[0]) + max(setback[0], setback[3])
     end = min(bottom_end[0], top_end[0]) - max(setback[1], setback[2])
-    texts, label, size = _texts(name, start, end, corner[:, 0].max(), height / 2, height, ends)
-    return FlatPattern(corner, texts, label, size)
+    size = (float(corner[:, 0].max()), height)
+    return FlatPattern(corner, *texts_between(name, ends, (start, end), height / 2, size))
 
 
 def _plain(name: str, outline: FloatArray, ends: list[str]) -> FlatPattern:
@@ -274,32 +268,8 @@ def _plain(name: str, outline: FloatArray, ends: list[str]) -> FlatPattern:
     low, high = outline.min(axis=0), outline.max(axis=0)
     middle = float(outline[:, 1].mean())
     start, end = np.sort(outline[:, 0])[[2, 3]].tolist()
-    texts, label, size = _texts(name, start, end, high[0], middle, float((high - low)[1]), ends)
-    return FlatPattern(outline, texts, label, size)
-
-
-def _texts(
-    name: str,
-    start: float,
-    end: float,
-    length: float,
-    middle: float,
-    height: float,
-    ends: list[str],
-) -> tuple[tuple[Mark, ...], FloatArray, float]:
-    """Names of the nodes at both ends; place and size of the name."""
-    # A third of the clear length for the name, a quarter at each end for its node.
-    clear = max(end - start, 0.2 * length)
-    centre = (start + end) / 2
-    marks = []
-    for text, sign in zip(ends, (-1.0, 1.0), strict=True):
-        if not text:
-            continue
-        place = np.array([[centre + sign * 0.36 * clear, middle]])
-        size = fitted_text_size(text, 0.24 * clear, 0.5 * height, 15.0)
-        marks.append(Mark(place, text, size))
-    label_size = fitted_text_size(name, 0.4 * clear, height)
-    return tuple(marks), np.array([centre, middle]), label_size
+    size = (float(high[0]), float((high - low)[1]))
+    return FlatPattern(outline, *texts_between(name, ends, (start, end), middle, size))
 
 
 def _folded_pattern(
@@ -310,34 +280,14 @@ def _folded_pattern(
     nodes: list[str],
 ) -> FlatPattern:
     """The unrolled plate, its ends level, with the names of nodes and beams beside the bends."""
-    along = plate.axis[-1] - plate.axis[0]
-    length = float(np.linalg.norm(along))
-    along = along / length if length > 0 else np.array([1.0, 0.0])
-    turn = np.array([along, [-along[1], along[0]]]).T
-    low = (plate.outline @ turn).min(axis=0)
-    axis, middles = plate.axis @ turn - low, plate.middles @ turn - low
-    steps = np.diff(axis, axis=0)
-    lengths = np.linalg.norm(steps, axis=1)
-    angles = np.degrees(np.arctan2(steps[:, 1], steps[:, 0])).tolist()
-    marks = []
+    level = LevelPlate.of(plate)
+    count, marks = len(level.middles), []
     for node, vertex in enumerate(line.vertices.tolist()):
         if vertex < 0:
             continue
-        step, ahead = (node, -1.0) if node < len(steps) else (node - 1, 1.0)
+        step, ahead = (node, -1.0) if node < count else (node - 1, 1.0)
         text = " ".join(
             [nodes[vertex], *(other for other in across[vertex] if not name.startswith(other))]
         )
-        size = fitted_text_size(text, 0.3 * lengths[step], 0.3 * plate.height, 12.0)
-        place = middles[step] + 0.22 * ahead * steps[step]
-        marks.append(Mark(place[None], text, size, angles[step]))
-    longest = int(lengths.argmax())
-    return FlatPattern(
-        plate.outline @ turn - low,
-        tuple(marks),
-        middles[longest] + 0.12 * steps[longest],
-        fitted_text_size(name, 0.25 * float(lengths[longest]), 0.3 * plate.height),
-        axis=axis,
-        bends=tuple(Bend(bend.points @ turn - low, bend.angle_deg) for bend in plate.bends),
-        label_angle=angles[longest],
-        seen="right",
-    )
+        marks.append(level.mark(text, step, 0.22 * ahead, 0.3, 0.3, 12.0))
+    return level.pattern(name, marks, 0.12, 0.25, 0.3)

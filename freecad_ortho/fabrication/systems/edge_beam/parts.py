@@ -12,7 +12,7 @@ import numpy as np
 from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import Body, Polyhedron
 from freecad_ortho.fabrication.part import Part
-from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
+from freecad_ortho.fabrication.pattern import FlatPattern, texts_between
 from freecad_ortho.fabrication.profiled import ProfiledBody
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
@@ -181,14 +181,9 @@ def _skin(section: EdgeSection, body: Body, outer: FloatArray) -> float:
 def _pattern(name: str, outline: FloatArray, beside: tuple[str, str]) -> FlatPattern:
     """The plate seen from its right side, with the names of those that it meets."""
     start, end = max(outline[[0, 3], 0]), min(outline[[1, 2], 0])
-    height = float(np.ptp(outline[:, 1]))
-    middle, clear = (start + end) / 2, max(end - start, 0.2 * float(np.ptp(outline[:, 0])))
-    marks = []
-    for text, sign in zip(beside, (-1.0, 1.0), strict=True):
-        place = np.array([[middle + sign * 0.36 * clear, height / 2]])
-        marks.append(Mark(place, text, fitted_text_size(text, 0.24 * clear, 0.5 * height, 15.0)))
-    size = fitted_text_size(name, 0.4 * clear, height)
-    return FlatPattern(outline, tuple(marks), np.array([middle, height / 2]), size)
+    length, height = np.ptp(outline, axis=0).tolist()
+    room = texts_between(name, beside, (start, end), height / 2, (length, height))
+    return FlatPattern(outline, *room)
 
 
 def _cut_words(section: EdgeSection, ends: FloatArray) -> str:

@@ -6,19 +6,15 @@ its bends it is plane, so it unrolls exactly.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from freecad_ortho.fabrication.folded import Chain, FoldedPlate, folded_plate
+from freecad_ortho.fabrication.level_plate import LevelPlate
 from freecad_ortho.fabrication.part import Part
-from freecad_ortho.fabrication.pattern import (
-    Bend,
-    FlatPattern,
-    Mark,
-    fitted_text_size,
-    overlaps_itself,
-)
+from freecad_ortho.fabrication.pattern import FlatPattern, overlaps_itself
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
@@ -120,31 +116,11 @@ def _chain(
 
 def _pattern(name: str, plate: FoldedPlate, beside: tuple[str, str]) -> FlatPattern:
     """The unrolled strip, its ends level, with the names of those that it meets."""
-    along = plate.axis[-1] - plate.axis[0]
-    along = along / np.linalg.norm(along)
-    turn = np.array([along, [-along[1], along[0]]]).T
-    low = (plate.outline @ turn).min(axis=0)
-    steps = np.diff(plate.axis @ turn, axis=0)
-    middles = plate.middles @ turn - low
-    lengths = np.linalg.norm(steps, axis=1)
-    angles = np.degrees(np.arctan2(steps[:, 1], steps[:, 0])).tolist()
-    marks = []
-    for text, step, ahead in ((beside[0], 0, -1.0), (beside[1], -1, 1.0)):
-        size = fitted_text_size(text, 0.24 * lengths[step], 0.4 * plate.height, 15.0)
-        place = middles[step] + 0.32 * ahead * steps[step]
-        marks.append(Mark(place[None], text, size, angles[step]))
-    longest = int(lengths.argmax())
-    return FlatPattern(
-        plate.outline @ turn - low,
-        tuple(marks),
-        middles[longest],
-        fitted_text_size(name, 0.3 * float(lengths[longest]), 0.5 * plate.height),
-        axis=plate.axis @ turn - low,
-        bends=tuple(
-            Bend(bend.points @ turn - low, bend.angle_deg)
-            for bend in plate.bends
-            if abs(bend.angle_deg) > _STRAIGHT
-        ),
-        label_angle=angles[longest],
-        seen="right",
-    )
+    level = LevelPlate.of(plate)
+    marks = [
+        level.mark(text, step, ahead, 0.24, 0.4, 15.0)
+        for text, step, ahead in ((beside[0], 0, -0.32), (beside[1], -1, 0.32))
+    ]
+    pattern = level.pattern(name, marks, 0.0, 0.3, 0.5)
+    bends = (bend for bend in pattern.bends if abs(bend.angle_deg) > _STRAIGHT)
+    return replace(pattern, bends=tuple(bends))
