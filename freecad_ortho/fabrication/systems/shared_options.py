@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from freecad_ortho.fabrication.sizes import OFFSETS, size
-from solver.option import Option
+from solver.option import NOT_NEGATIVE, Option
 
 HEIGHT = size("height", 200.0, "the beams are this high")
 PANEL_THICKNESS = Option(
@@ -18,6 +18,7 @@ USUAL_CLEARANCE = 1.0
 CLEARANCE = Option(
     *("clearance", None, "length", "slots and hubs leave this much air"),
     absent="1 mm, slots by material",
+    within=NOT_NEGATIVE,
 )
 NO_BOUNDARY_BEAMS = Option(
     "no_boundary_beams", False, "flag", "no beams are made along the boundary"
