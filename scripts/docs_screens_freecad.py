@@ -154,6 +154,7 @@ def standing() -> None:
     api.add_panels(story.net)
     story.look = seen
     story.check_structure(1.5)
+    story.draw_forces()
     story.balance_deformed()
     story.size()
     close()

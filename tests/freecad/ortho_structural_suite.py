@@ -161,7 +161,6 @@ class TestCheck(CheckCase):
     @unittest.skipUnless(find_spec("ObjectsFem"), "needs the FEM workbench of FreeCAD")
     def test_the_fem_workbench_has_the_model_as_an_analysis(self):
         check = self.check(section="tube:100x60x5,border=chs:88.9x5", load=["14:1,0,-3"])
-        before = len(self.document.Objects)
         service = next(name for name in check.CombinationNames if name.startswith("service"))
         analysis = api.add_fem_analysis(check, service)
         self.document.recompute()
@@ -191,8 +190,11 @@ class TestCheck(CheckCase):
             self.assertAlmostEqual(np.dot(width, ups[member]), 0, places=9)
             along = np.subtract(*alone.model.frame.nodes[alone.model.frame.members[member]])
             self.assertLess(abs(np.dot(width, along)) / np.linalg.norm(along), 1e-9)
-        self.document.undo()
-        self.assertEqual(len(self.document.Objects), before)
+        name = analysis.Name
+        again = self.reopened("analysis.FCStd").getObject(name)
+        reopened = self.solver_input(again)
+        self.assertEqual((reopened[0], reopened[2]), (sections, supported))
+        np.testing.assert_array_equal(reopened[1], forces)
 
     def solver_input(self, analysis):
         """Sections of the members, forces on the nodes and held nodes of FreeCAD's own input."""

@@ -151,7 +151,15 @@ class TestTutorial(CheckWindowCase):
         api.optimise_net(self.net)
         api.add_beams(self.net)
         api.add_panels(self.net)
-        story, seen = Tutorial(lambda name: seen.append(name)), []
+        drawn, seen = [], []
+
+        def look(name):
+            seen.append(name)
+            if name == "stand-diagram":
+                view = self.document.StructuralCheck.ViewObject
+                drawn.append((view.Diagram, view.Combination))
+
+        story = Tutorial(look)
         story.check_structure(1.5)
         check = self.document.StructuralCheck
         self.assertEqual((check.Snow.Value, check.Wind), (1.5, ["0.6@x"]))
@@ -159,6 +167,8 @@ class TestTutorial(CheckWindowCase):
             (check.Members, check.Cladding), (self.document.Beams, self.document.Panels)
         )
         self.assertEqual(check.CheckedSection, "plate:20x200 of steel")
+        story.draw_forces()
+        self.assertEqual(drawn, [("My", check.CombinationNames[1])])
         story.balance_deformed()
         self.assertTrue(check.SecondOrder)
         self.assertEqual(check.ViewObject.DrawnShape, "Buckling")
@@ -166,7 +176,7 @@ class TestTutorial(CheckWindowCase):
         self.assertEqual((check.Section, check.Members), ("tube:150x100x6.3", None))
         self.assertTrue(check.Passed)
         self.assertEqual(self.errors, [])
-        expected = ["stand-panel", "stand", "stand-buckling", "stand-sized"]
+        expected = ["stand-panel", "stand", "stand-diagram", "stand-buckling", "stand-sized"]
         self.assertEqual(seen, expected)
 
 

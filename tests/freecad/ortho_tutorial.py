@@ -186,6 +186,17 @@ class Tutorial:
         self.only(self.document.StructuralCheck)
         self.look("stand")
 
+    def draw_forces(self):
+        """In its menu Next diagram of forces up to My, and Next combination twice; then neither."""
+        proxy = self.document.StructuralCheck.ViewObject.Proxy
+        for _ in range(5):
+            proxy.next_diagram()
+        for _ in range(2):
+            proxy.next_combination()
+        self.look("stand-diagram")
+        view = self.document.StructuralCheck.ViewObject
+        view.Combination, view.Diagram = "Governing", "None"
+
     def balance_deformed(self):
         """A double click on the check, the tick at Second order, OK; then its buckling shape."""
         check = self.document.StructuralCheck
