@@ -136,6 +136,7 @@ class Sizes(TypedDict, total=False):
     spacing: Length
     grain: Literal["none", "along"]
     kerf: Length
+    piece_length: Length | None
     distortion: float
     foot_at: str | Sequence[int]
     foot_height: Length

@@ -149,6 +149,7 @@ def sheared(mesh: QuadMesh) -> QuadMesh:
 OTHER = View("waved shell", lambda: deformed(primitive("translational", 21, 15), 0.04))
 VIEWS = {
     "orthogonal": View("sheared wave", lambda: wavy_grid(24, 17, 0.25, 0.3), turn=-20),
+    "isogonal": View("sheared roof", lambda: sheared(freeform_roof())),
     "principal": View("demo roof", demo_roof),
     "planar": View("waved shell", lambda: deformed(primitive("translational", 21, 15), 0.02)),
     "circular": View("waved catenoid", lambda: deformed(primitive("catenoid", 33, 15)), tilt=25),

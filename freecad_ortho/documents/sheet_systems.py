@@ -225,6 +225,7 @@ def add_bent_panels(
     grain: GrainWord = "none",
     kerf: Length = 0.0,
     least_width: Length = 60.0,
+    piece_length: Length | None = None,
     family: FamilyWord = "both",
     lines: Sequence[int] = (),
     material: str = "steel",
@@ -241,6 +242,7 @@ def add_bent_panels(
         grain: whether parts may turn on a sheet.
         kerf: width of the cut.
         least_width: narrower pieces at the border of the surface are left out.
+        piece_length: rows are cut along lines of the net into pieces of at most this length.
         family: parameter lines whose rows are built.
         lines: numbers of these lines; empty for all.
         material: of all parts.

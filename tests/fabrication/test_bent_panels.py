@@ -137,6 +137,45 @@ def test_a_closed_row_is_one_plate_with_a_seam():
     check_solids(structure)
 
 
+@pytest.mark.parametrize(("sheet", "counts"), [(None, (3, 2, 3, 2)), ("700x600", (2,) * 5)])
+def test_rows_are_cut_into_pieces_of_a_wanted_length(sheet, counts):
+    """A ring of ten faces in pieces of at most 3.2 of them, or of what a sheet holds besides."""
+    chord = 2 * RADIUS * math.sin(TURN / 20)
+    rings = U if len(build(cylinder(), [BentPanels(3)], selection=U).parts) == 7 else V
+    (whole, *_) = build(cylinder(), [BentPanels(3, 10)], selection=rings).parts
+    panels = BentPanels(3, 10, sheet=sheet, piece_length=3.2 * chord)
+    structure = build(cylinder(), [panels], selection=rings)
+    pieces = [part for part in structure.parts if part.name.startswith(f"{whole.name}-")]
+    assert [part.name for part in pieces] == [
+        f"{whole.name}-{k}" for k in range(1, len(counts) + 1)
+    ]
+    assert sorted(len(part.pattern.bends) + 1 for part in pieces) == sorted(counts)
+    report = structure.report()
+    longest = report["bent-panels"]["piece_length_max_mm"]
+    assert longest == pytest.approx(max(counts) * chord, rel=1e-9)
+    assert len(structure.parts) == report["bent-panels"]["pieces"] == 7 * len(counts)
+    assert any(
+        f"7 rows are cut along lines of the net into {7 * len(counts)}" in w
+        for w in report["messages"]
+    )
+    # Between two pieces is the gap, and what plates that lean together take besides.
+    bend = TURN / 20
+    joint = 10 / math.cos(bend) + 3 * math.tan(bend)
+    wide = whole.pattern.size.min()
+    assert sum(part.area for part in pieces) == pytest.approx(
+        whole.area - (len(counts) - 1) * joint * wide, rel=1e-6
+    )
+    assert not check_clashes(structure.parts).clashes
+
+
+def test_pieces_are_no_shorter_than_a_face():
+    with pytest.raises(
+        InputError, match=r"face 42 of R-U000 is 299.7 mm.*allow longer ones or subdivide"
+    ) as refused:
+        build(cylinder(), [BentPanels(3, piece_length=50.0)])
+    assert "\n" not in str(refused.value)
+
+
 def test_rows_beside_chosen_lines_alone(roof):
     every = build(roof, [BentPanels()], selection=U).parts
     some = build(roof, [BentPanels()], selection=Selection("u", (2,))).parts

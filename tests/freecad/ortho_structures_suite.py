@@ -104,6 +104,22 @@ class TestSettings(StructureCase):
             api.change_structure(rows, sheet="wide")
         api.change_structure(rows, sheet=None)
         self.assertEqual(rows.PartNames, whole.PartNames)
+        api.change_structure(rows, piece_length=f"{0.6 * long:.0f} mm")
+        report = json.loads(rows.Report)["bent-panels"]
+        self.assertEqual(report["pieces"], len(rows.PartNames))
+        self.assertGreater(len(rows.PartNames), len(whole.PartNames))
+        self.assertLessEqual(report["piece_length_max_mm"], rows.PieceLength.Value)
+
+    def test_a_third_layer_of_lamellas_is_a_setting_of_theirs(self):
+        lamellas = api.add_lamellas(self.net, position="lying", layers=2)
+        two = set(lamellas.PartNames)
+        lamellas.Diagonals = "First"
+        self.document.recompute()
+        self.assertEqual(lamellas.State, ["Up-to-date"])
+        added = set(lamellas.PartNames) - two
+        self.assertTrue(added and all(name.startswith("L-D") for name in added))
+        api.change_structure(lamellas, diagonals="none")
+        self.assertEqual(set(lamellas.PartNames), two)
 
     def test_every_system_has_a_function(self):
         plane_lines = api.import_net(tools.wavy_mesh())

@@ -1000,6 +1000,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Piece length: rows are cut along lines of the net into pieces of at most this length</source>
+   <translation>Stücklänge: Reihen werden an Linien des Netzes in Stücke von höchstens dieser Länge geschnitten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pieces of each member for buckling and second order</source>
    <translation>Teile jedes Stabes für Knicken und zweite Ordnung</translation>
   </message>
@@ -3288,6 +3293,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines that all cross at one angle, faces not flat.</source>
+   <translation>Linien, die sich alle unter einem Winkel kreuzen, Flächen nicht eben.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that cross at right angles, faces not flat.</source>
    <translation>Linien, die sich rechtwinklig kreuzen, Maschen nicht eben.</translation>
   </message>
@@ -3795,6 +3805,11 @@
    <location filename="../../../freecad_ortho/commands/display.py" />
    <source>Picture written to {}</source>
    <translation>Bild geschrieben nach {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Piece length</source>
+   <translation>Stücklänge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5711,6 +5726,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>isogonal</source>
+   <translation>isogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isogonal: one angle</source>
+   <translation>isogonal: ein Winkel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>isometric</source>
    <translation>isometrisch</translation>
   </message>
@@ -6158,6 +6183,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>round</source>
    <translation>rund</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>rows are cut along lines of the net into pieces of at most this length</source>
+   <translation>Reihen werden an Linien des Netzes in Stücke von höchstens dieser Länge geschnitten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6698,6 +6728,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>weld</source>
    <translation>verschweißen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>whole rows</source>
+   <translation>ganze Reihen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -1000,6 +1000,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Piece length: rows are cut along lines of the net into pieces of at most this length</source>
+   <translation>Longueur des pièces: les rangées sont coupées aux lignes du réseau en pièces de cette longueur au plus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pieces of each member for buckling and second order</source>
    <translation>Morceaux de chaque barre pour le flambement et le second ordre</translation>
   </message>
@@ -3288,6 +3293,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines that all cross at one angle, faces not flat.</source>
+   <translation>Des lignes qui se croisent toutes sous un seul angle, des faces non planes.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Lines that cross at right angles, faces not flat.</source>
    <translation>Lignes qui se croisent à angle droit, faces non planes.</translation>
   </message>
@@ -3795,6 +3805,11 @@
    <location filename="../../../freecad_ortho/commands/display.py" />
    <source>Picture written to {}</source>
    <translation>Image écrite dans {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Piece length</source>
+   <translation>Longueur des pièces</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5711,6 +5726,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>isogonal</source>
+   <translation>isogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>isogonal: one angle</source>
+   <translation>isogonal : un seul angle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>isometric</source>
    <translation>isométrique</translation>
   </message>
@@ -6158,6 +6183,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>round</source>
    <translation>rond</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>rows are cut along lines of the net into pieces of at most this length</source>
+   <translation>les rangées sont coupées aux lignes du réseau en pièces de cette longueur au plus</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6698,6 +6728,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>weld</source>
    <translation>souder</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>whole rows</source>
+   <translation>rangées entières</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -86,6 +86,25 @@ def test_an_angle_that_is_given_bends_the_saddle_either_way_whatever_corner_face
     assert np.degrees(measures.medial_angles(other.vertices[other.faces])) == pytest.approx(105.0)
 
 
+@pytest.mark.parametrize("angle", [None, 60.0])
+def test_slanted_lines_cross_at_one_angle_that_is_found_or_given(angle):
+    start = freeform_roof(14, 12)
+    pushed = start.vertices + 0.4 * start.vertices[:, [1]] * [1.0, 0.0, 0.0]
+    drawn = start.with_vertices(pushed)
+    mesh, report = reached(drawn, "isogonal", angle=angle)
+    found = np.degrees(measures.medial_angles(mesh.vertices[mesh.faces]))
+    slant = np.degrees(np.arctan2(1.0, 0.4))
+    assert np.ptp(found) < 1e-8
+    assert found.mean() == pytest.approx(angle or slant, abs=1e-8 if angle else 2.0)
+    if angle is None:
+        assert report.details["angle"] == pytest.approx(found.mean(), abs=1e-8)
+    # A coarse grid: a quarter of that on one twice as fine.
+    assert report.form.off_surface.percent < 3.0
+    assert report.form.zigzag > report.form.zigzag_start - 0.01
+    turned, _ = reached(with_turned_faces(drawn), "isogonal", angle=angle)
+    assert np.abs(turned.vertices - mesh.vertices).max() < 1e-6 * mesh.mean_edge
+
+
 def test_families_that_are_exchanged_around_a_vertex_have_no_angle_but_a_right_one():
     assert [Combed(around_one_vertex(n).connectivity).families for n in (3, 4, 5, 6)] == [
         *(False, True, False, True)
@@ -95,6 +114,8 @@ def test_families_that_are_exchanged_around_a_vertex_have_no_angle_but_a_right_o
     ]
     with pytest.raises(InputError, match="only a right angle is the same for all faces"):
         optimise(around_one_vertex(5), "asymptotic-angle")
+    with pytest.raises(InputError, match="only a right angle"):
+        optimise(around_one_vertex(5), "isogonal")
     with pytest.raises(InputError, match="only a right angle"):
         optimise(around_one_vertex(3), "orthogonal", options=NetOptions(angle=80.0))
     with pytest.raises(InputError, match="an even number of faces meet"):

@@ -72,6 +72,7 @@ def test_the_advisor_knows_every_net_that_a_mesh_alone_is_judged_by():
     flat_strip = {one.net for one in advise(wavy_grid(5, 2))}
     assert flat_strip == {
         "orthogonal",
+        "isogonal",
         "planar",
         "planar-lines",
         "principal",
@@ -92,7 +93,7 @@ def test_a_strip_without_inner_vertices_is_not_called_curved(monkeypatch):
 def test_nets_of_which_others_are_special_cases_are_advised_last():
     mesh = wavy_grid(7, 6, height=0.0, shear=0.0)
     names = [one.net for one in advise(mesh)]
-    assert set(names[-4:]) == {"planar", "orthogonal", "snet"}
+    assert set(names[-5:]) == {"planar", "orthogonal", "isogonal", "snet"}
 
 
 def test_every_net_with_a_variant_has_measures_of_it():

@@ -48,6 +48,11 @@ class Plate:
     rails: FloatArray
     ends: FloatArray
 
+    @property
+    def length(self) -> float:
+        """Along the middle, from line to line of the net, mm."""
+        return float(self.ribbon.strip.lengths.sum())
+
     @cached_property
     def corners(self) -> FloatArray:
         """(2, K + 1, 3) of the middle of the plate, right side then left."""

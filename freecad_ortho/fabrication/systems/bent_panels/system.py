@@ -45,6 +45,8 @@ from solver.unroll.measures import smallest_bend_radius
 
 # Distance between a face's diagonals, in mean diagonals, above which it is not nearly plane.
 _NEARLY_PLANE = 0.02
+# Part of a length that counts as the same.
+_SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +81,8 @@ class BentPanels(System):
         grain: "none" lets panels turn on a sheet, "along" does not.
         kerf: width of the cut, mm.
         least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
+        piece_length: rows are cut along lines of the net into pieces of at most this length along
+            their middle, mm; None leaves them whole.
 
     Raises:
         InputError: a size that is not positive and finite.
@@ -91,6 +95,7 @@ class BentPanels(System):
     grain: str = Workshop.grain
     kerf: float = Workshop.kerf
     least_width: float = 60.0
+    piece_length: float | None = None
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "bent-panels"
@@ -103,6 +108,13 @@ class BentPanels(System):
         joint(10.0),
         *SHEET_OPTIONS,
         LEAST_WIDTH,
+        Option(
+            "piece_length",
+            None,
+            "length",
+            "rows are cut along lines of the net into pieces of at most this length",
+            absent="whole rows",
+        ),
     )
 
     def __post_init__(self) -> None:
@@ -141,7 +153,7 @@ class BentPanels(System):
         report = self._report(family, plates, parts)
         room = self._room
         large = 0 if room is None else sum(not room.holds(plate.outline) for plate in plates)
-        words = split_words("row", chosen, plates, self.sheet, large)
+        words = self._words(chosen, plates, large)
         if site.trimming is not None:
             trimmed = sum(cut.piece is not None for cut in cuts)
             areas = {name: piece.outline.area for name, piece in left_out.items()}
@@ -180,25 +192,57 @@ class BentPanels(System):
                     cuts.append(_Cut(own, plate, piece))
         return cuts, left_out
 
+    def _words(self, chosen: Sequence[Row], plates: Sequence[Plate], large: int) -> tuple[str, ...]:
+        """What is to be said where rows were cut."""
+        if self.piece_length is None or len(plates) <= len(chosen):
+            return split_words("row", chosen, plates, self.sheet, large)
+        fit = "" if self._room is None else f"; {large or 'none'} of them too large for the sheet"
+        return (
+            f"piece_length: {len(chosen)} rows are cut along lines of the net into {len(plates)} "
+            f"pieces, the longest of {max(plate.length for plate in plates):.1f} mm{fit}",
+        )
+
+    def _fits(self, plate: Plate) -> bool:
+        """Whether a plate is short enough, and small enough for a sheet."""
+        room = self._room
+        short = self.piece_length is None or plate.length <= self.piece_length * (1 + _SAME)
+        return short and (room is None or room.holds(plate.outline))
+
     def _plates(self, site: Site, row: Row, insets: FloatArray) -> list[Plate]:
-        """The plate of a row, or those of as few pieces as fit a sheet; whole if no face does."""
-        room, whole = self._room, [plate_of(site.mesh, row, self.thickness, self.gap, insets)]
+        """The plate of a row, or those of as few pieces as fit; whole if no face does.
+
+        Raises:
+            InputError: a face that is longer than pieces may be.
+        """
 
         def plate(piece: Row) -> Plate:
             return plate_of(site.mesh, piece, self.thickness, self.gap, insets)
 
+        whole = [plate(row)]
+        lengths = whole[0].ribbon.strip.lengths
+        self._refuse_long_faces(row, lengths)
         plates, count = whole, 1
-        while room is not None and not all(room.holds(one.outline) for one in plates):
+        while not all(self._fits(one) for one in plates):
             count += 1
             if count > len(row.faces):
                 # Single faces by now: those that fit no sheet stay alone, the others need not.
-                if not any(room.holds(one.outline) for one in plates):
+                if not any(self._fits(one) for one in plates):
                     return whole
-                held = row.filled(lambda piece: room.holds(plate(piece).outline))
-                return [plate(piece) for piece in held]
-            pieces = row.divided(whole[0].ribbon.strip.lengths, count)
-            plates = [plate(piece) for piece in pieces]
+                return [
+                    plate(piece) for piece in row.filled(lambda piece: self._fits(plate(piece)))
+                ]
+            plates = [plate(piece) for piece in row.divided(lengths, count)]
         return plates
+
+    def _refuse_long_faces(self, row: Row, lengths: FloatArray) -> None:
+        longest = int(lengths.argmax())
+        if self.piece_length is None or lengths[longest] <= self.piece_length * (1 + _SAME):
+            return
+        raise InputError(
+            f"piece_length: face {int(row.faces[longest])} of {row.name} is {lengths[longest]:.1f} "
+            f"mm long and pieces may be {self.piece_length:g} mm; pieces are cut at lines of the "
+            "net only, so allow longer ones or subdivide the net"
+        )
 
     def _gaps(self, site: Site, made: BoolArray) -> FloatArray:
         """(F,) distance of each face from plane, mm."""
@@ -254,6 +298,8 @@ class BentPanels(System):
             "family": family,
             "bend_max_deg": float(np.degrees(np.abs(bends).max())),
             "bend_radius_min_mm": min((r for r in radii if r is not None), default=None),
+            "pieces": len(plates),
+            "piece_length_max_mm": max(plate.length for plate in plates),
             "refold_max_mm": max(plate.refold_miss() for plate in plates),
             **sums(parts),
         }
