@@ -28,6 +28,9 @@ _ROUGH = 2e-3
 _BLUNT = 1.5
 # An opening less than this part of an edge across is a fault of the triangles.
 _PINHOLE = 0.25
+# So is one shorter than an edge that is as narrow as this part of it; narrower than the last, it
+# is shut.
+_SLIT, _SHUT = 0.02, 1e-6
 # How often points of a rough surface move along it, to the middle of their neighbours.
 _RELAXED = 5
 
@@ -85,15 +88,33 @@ def prepared(
 
 
 def openings(surface: TriangleMesh, edge: float, remarks: list[str]) -> list[list[int]]:
-    """Vertices of the border's loops without pinholes, which are taken for faults."""
+    """Vertices of the border's loops without pinholes and slits, which are taken for faults.
+
+    Where faces meet whose vertices along the seam are not the same, it gapes between some of them.
+    """
     loops = surface.loops()
     spans = [float(np.linalg.norm(np.ptp(surface.points[loop], axis=0))) for loop in loops]
-    kept = [loop for loop, span in zip(loops, spans, strict=True) if span > _PINHOLE * edge]
+    across = [
+        min(span, _width(surface.points[loop], span)) if span < edge else span
+        for loop, span in zip(loops, spans, strict=True)
+    ]
+    faults = [
+        span <= _PINHOLE * edge or wide <= _SLIT * edge
+        for span, wide in zip(spans, across, strict=True)
+    ]
+    kept = [loop for loop, fault in zip(loops, faults, strict=True) if not fault]
     if not kept or len(kept) == len(loops):
         return loops
-    largest = max(span for span in spans if span <= _PINHOLE * edge)
-    remarks.append(f"pinholes are closed: {len(loops) - len(kept)}, {largest:.2g} across at most")
+    gapes = [wide for wide, fault in zip(across, faults, strict=True) if fault]
+    if max(gapes) > _SHUT * edge:
+        remarks.append(f"pinholes are closed: {len(gapes)}, {max(gapes):.2g} across at most")
     return kept
+
+
+def _width(loop: FloatArray, span: float) -> float:
+    """About how wide an opening is across its longest extent."""
+    turned = np.cross(loop - loop[0], np.roll(loop, -1, axis=0) - loop[0]).sum(axis=0)
+    return float(np.linalg.norm(turned)) / max(span, float(np.finfo(float).tiny))
 
 
 def carried(

@@ -8,10 +8,24 @@ import pytest
 from solver.align.align import aligned
 from solver.align.field import curvature_guide, smooth_field
 from solver.align.mend import mended, relaxed
+from solver.align.prepare import openings
 from solver.align.triangle_mesh import TriangleMesh, one_surface
 from solver.analysis import measures
 from solver.mesh.closest import TriangleSurface
 from tests.design_surfaces import plane, random_surface, saddle, triangles, without
+
+
+@pytest.mark.parametrize(("wide", "loops", "words"), [(0, 1, 0), (0.01, 1, 1), (0.3, 2, 0)])
+def test_a_seam_that_gapes_is_no_opening(wide, loops, words):
+    points, faces = triangles(plane, 25, 17)
+    near = np.linalg.norm(points[:, :2] - [6, 4], axis=1).argmin()
+    # One side of a seam has a vertex of its own.
+    beyond = points[faces].mean(axis=1)[:, 0] > points[near, 0]
+    faces = np.where(beyond[:, None] & (faces == near), len(points), faces)
+    points = np.concatenate([points, points[near][None] + [wide, 0, 0]])
+    said: list[str] = []
+    assert len(openings(one_surface(points, faces), 1.5, said)) == loops
+    assert len(said) == words
 
 
 def test_openings_smaller_than_a_face_are_closed_and_larger_ones_kept():
