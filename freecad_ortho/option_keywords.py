@@ -87,6 +87,8 @@ class Sizes(TypedDict, total=False):
         "lapped",
         "through-u",
         "through-v",
+        "coped-u",
+        "coped-v",
         "spliced-u",
         "spliced-v",
     ]

@@ -64,7 +64,8 @@ def add_beams(
         section_width: of tubes and flanges.
         flange_thickness: by default that of the web.
         ends: ``"mitred"``, ``"hub"``, ``"end-plate"``, ``"cover-plate"``, ``"cone"``, ``"lapped"``,
-            ``"through-u"``, ``"through-v"``, ``"spliced-u"`` or ``"spliced-v"``.
+            ``"through-u"``, ``"through-v"``, ``"coped-u"``, ``"coped-v"``, ``"spliced-u"`` or
+            ``"spliced-v"``.
         hub_diameter: of the hubs that beams end before; by default 100 mm, of those that they are
             bolted to what each needs.
         clearance: of slots and hubs; by default 1 mm, of slots what the material asks for.

@@ -27,6 +27,8 @@ KINDS = {
     "lapped": {"ends": "lapped"},
     "through u": {"ends": "through-u"},
     "through v, hollow": {"ends": "through-v", "section": "hollow"},
+    "coped u": {"ends": "coped-u"},
+    "coped v, I": {"ends": "coped-v", "section": "I"},
     "no boundary": {"ends": "through-u", "boundary_beams": False},
 }
 
@@ -220,6 +222,31 @@ def test_hub_ends_keep_their_distance(skewed):
             assert (flat @ along).min() / np.linalg.norm(along) == pytest.approx(78)
 
 
+@pytest.mark.parametrize("angle", [90.0, 60.0])
+def test_coped_ends_lie_along_the_sides_of_what_runs_through(angle):
+    turn = np.radians(angle)
+    i, j = np.meshgrid(1000.0 * np.arange(4), 800.0 * np.arange(4), indexing="ij")
+    points = np.stack([i + j * np.cos(turn), j * np.sin(turn), 0 * i], axis=-1).reshape(-1, 3)
+    mesh = QuadMesh(points, grid_faces(4, 4))
+    made = build(mesh, [beams(ends="coped-u", section="hollow", clearance=2)])
+    runs = ParameterLines(mesh.connectivity).edge_family == 0
+    along = next(part for part in made.parts if runs[int(part.name[1:])])
+    side = np.array([-along.frame[0, 1], along.frame[0, 0], 0.0])
+    for part in made.parts:
+        if runs[int(part.name[1:])]:
+            continue
+        # Its ends are 30 and 2 mm from the lines through their axes, at every corner.
+        rows = (part.points @ side).min(), (part.points @ side).max()
+        axes = sorted(float(mesh.vertices[vertex] @ side) for vertex in part.vertices)
+        assert rows[0] - axes[0] == pytest.approx(32)
+        assert axes[1] - rows[1] == pytest.approx(32)
+        ends = np.minimum(
+            np.abs(part.points @ side - rows[0]), np.abs(part.points @ side - rows[1])
+        )
+        assert ends.max() == pytest.approx(0, abs=1e-6)
+        assert f"right {90 - angle:.2f} left {angle - 90:.2f}" in part.note.replace("-0.00", "0.00")
+
+
 def test_boundary_beams_can_be_left_out(roof):
     whole, inner = build(roof, [beams()]), build(roof, [beams(boundary_beams=False)])
     rim = set(np.flatnonzero(roof.connectivity.boundary_edges))
@@ -292,7 +319,7 @@ def exact():
 @pytest.mark.parametrize("name", ["heart", "conical1", "botanic-garden-bubble-0"])
 def test_nets_of_the_authors(exact, name, kind):
     mesh = exact(name)
-    if "through" in kind.get("ends", "") and name.startswith("botanic"):
+    if kind.get("ends", "").startswith(("through", "coped")) and name.startswith("botanic"):
         with pytest.raises(InputError, match="two families"):
             build(mesh, [beams(120, **kind)])
         return

@@ -125,6 +125,20 @@ def test_what_ends_at_it_or_lies_on_it_does_not_clash(roof, border, systems, tri
     assert check_clashes(made.parts).clashes == ()
 
 
+@pytest.mark.parametrize(
+    "corners",
+    [
+        [(3882, 3611), (876, 3946), (707, 4202), (-1463, 1460), (1250, 786), (2381, 708)],
+        [(-2131, 4085), (-2090, 2030), (-2121, 1550), (-2272, 959), (1574, 1225), (4202, 1985)],
+    ],
+)
+def test_beams_met_at_a_slant_leave_the_upright_edges_that_pass_their_sides(roof, corners):
+    """Of both borders an edge at a bend goes in at one side of a beam, between its edges."""
+    border = np.array([(x, y, 4500.0) for x, y in corners])
+    made = build(roof, [EdgeBeam(), Beams(200, 20)], border=[border])
+    assert check_clashes(made.parts).clashes == ()
+
+
 @pytest.mark.parametrize("beams", [Beams(200, 12), Beams(200, 12, ends="lapped")])
 def test_beams_leave_the_clearance_before_it_and_little_more(roof, beams):
     made = build(roof, [EdgeBeam(clearance=2), beams]).results["beams"].parts

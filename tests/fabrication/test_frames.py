@@ -150,6 +150,21 @@ def test_frames_go_together_with_hubs(roof):
     assert check_clashes(structure.parts).clashes == ()
 
 
+def test_caps_are_coped_where_the_beams_are(roof):
+    systems = [Beams(200, 50, ends="coped-u"), Panels(30.76, 8, frame="plate")]
+    structure = build(roof, systems, material=MATERIALS)
+    assert check_clashes(structure.parts).clashes == ()
+    caps = of_kind(structure, "cap")
+    lengths = {family: [cap.length for cap in caps if cap.family == family] for family in "uv"}
+    mitred = {
+        family: [cap.length for cap in of_kind(framed(roof), "cap") if cap.family == family]
+        for family in "uv"
+    }
+    # Those that run through lose nothing, the others their width at the least.
+    assert sum(lengths["u"]) >= sum(mitred["u"]) - 1e-6
+    assert np.all(np.array(mitred["v"]) - lengths["v"] > 25)
+
+
 def test_plates_and_caps_are_sawn_from_bars_and_listed(roof, tmp_path):
     structure = framed(roof)
     plates = of_kind(structure, "pressure-plate")

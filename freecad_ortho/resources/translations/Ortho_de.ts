@@ -5445,6 +5445,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>konst. mittlere Krümmung</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>coped-u</source>
+   <translation>an u ausgeklinkt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>coped-v</source>
+   <translation>an v ausgeklinkt</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>corners</source>
    <translation>Eckpunkte</translation>

@@ -5445,6 +5445,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>courbure moy. constante</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>coped-u</source>
+   <translation>grugé à u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>coped-v</source>
+   <translation>grugé à v</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
    <source>corners</source>
    <translation>coins</translation>

@@ -22,7 +22,8 @@ _EDGES = 4
 class Block(NamedTuple):
     """What a piece of an edge beam takes of a beam, at K places of its section.
 
-    On the beam's four edges, then where the piece's upright edges pass its lower and upper side.
+    On the beam's four edges, then where the piece's upright edges pass its lower and upper side,
+    then its right and left one.
 
     Attributes:
         normal: (3,) of the piece's sides.
@@ -60,10 +61,15 @@ def blocks_of(
     for piece, rows, low, high in edge_beam.blocked(lines, frames.along):
         arms = edge_beam.uprights[piece] - start[rows][:, None, None]
         local = np.einsum("mpek,mck->mpec", arms, axes[rows])
-        passed = _passing(local, ups[rows])
-        places = section[rows, :, 1:], passed[..., 1:]
-        stations = passed[..., 0]
-        met = np.concatenate([low < high, np.abs(passed[..., 2]) <= half], axis=1)
+        passed = _passing(local, ups[rows], 1)
+        beside = _passing(local, np.broadcast_to([half, -half], (len(rows), 2)), 2)
+        places = section[rows, :, 1:], passed[..., 1:], beside[..., 1:]
+        stations = np.concatenate([passed[..., 0], beside[..., 0]], axis=1)
+        lower, upper = ups[rows].T[..., None]
+        within = (lower <= beside[..., 1]) & (beside[..., 1] <= upper)
+        # Lines along the sides have no place on them.
+        within &= np.abs(beside[..., 2]) <= half * (1 + 1e-9)
+        met = np.concatenate([low < high, np.abs(passed[..., 2]) <= half, within], axis=1)
         low, high = (np.concatenate([one, stations], axis=1) for one in (low, high))
         up, right = np.moveaxis(np.concatenate(places, axis=1), 2, 0)
         normal = edge_beam.frame[piece, 2]
@@ -73,11 +79,14 @@ def blocks_of(
     return blocks
 
 
-def _passing(lines: FloatArray, heights: FloatArray) -> FloatArray:
-    """(M, P * 2, 3) where lines through two points (M, P, 2, 3) pass two heights (M, 2) each."""
+def _passing(lines: FloatArray, levels: FloatArray, axis: int) -> FloatArray:
+    """(M, P * 2, 3) where lines through two points (M, P, 2, 3) pass two levels (M, 2) of an axis.
+
+    Where they run along a level, where they begin.
+    """
     foot, way = lines[:, :, :1], lines[:, :, 1:] - lines[:, :, :1]
-    rise = np.where(np.abs(way[..., 1]) > 0, way[..., 1], np.inf)
-    share = (heights[:, None] - foot[..., 1]) / rise
+    rise = np.where(np.abs(way[..., axis]) > 0, way[..., axis], np.inf)
+    share = (levels[:, None] - foot[..., axis]) / rise
     return np.asarray((foot + share[..., None] * way).reshape(len(lines), -1, 3))
 
 

@@ -39,6 +39,8 @@ LOOPS = (
 RIGHT_SIDE, LEFT_SIDE = 3, 6
 # Part of a beam's length that its cuts must leave.
 _LEAST_LEFT = 1e-3
+# Sine of the angle from which on ends are cut along the side of what runs through.
+_LEAST_SINE = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -268,6 +270,42 @@ def clear_of_through(around: Around, width: float, clearance: float) -> FloatArr
         reach = np.where(angles >= np.pi, 0.0, reach)
         np.maximum.at(distance, half_edges, reach)
     return distance.reshape(2, -1).T
+
+
+def coped(
+    frames: Frames, around: Around, through: BoolArray, width: float, clearance: float
+) -> Cuts:
+    """Cut ends along the sides of both neighbours that run through, a clearance before them.
+
+    The side of a strip at an angle b is (width / 2 + clearance + y cos b) / sin b away, y to its
+    own side of the beam. Where what runs through folds, the farther of both sides counts. Ends that
+    meet it at less than 30 degrees are cut square.
+
+    Args:
+        frames: planes of the beams.
+        around: their order around the axes.
+        through: (E,) those that run through.
+        width: of all of them, mm.
+        clearance: mm.
+    """
+    half, count = width / 2, len(frames.along)
+    stations, steep = np.zeros((3, 2 * count)), np.ones(2 * count, dtype=bool)
+    runs = np.concatenate([through, through])
+    built = np.flatnonzero(around.left >= 0)
+    angles, after = around.angle[built], around.left[built]
+    for half_edges, others, sign in ((built, after, 1.0), (after, built, -1.0)):
+        met = runs[others] & (angles < np.pi)
+        sine = np.where(met, np.sin(angles), 1.0)
+        steep[half_edges[sine < _LEAST_SINE]] = False
+        for row, side in enumerate((0.0, half, -half)):
+            reach = (half + clearance + sign * side * np.cos(angles)) / np.maximum(sine, 1e-9)
+            np.maximum.at(stations[row], half_edges, np.where(met, reach, 0.0))
+    middle, left, right = stations
+    left, right = (left - middle) / half, (right - middle) / half
+    slope = np.stack([right[:count], left[count:], right[count:], left[:count]], axis=1)
+    cuts = Cuts(middle.reshape(2, -1).T * frames.slant, slope * frames.slant[:, [0, 1, 1, 0]])
+    gaps = clear_of_through(around, width, clearance)
+    return cuts.where(steep.reshape(2, -1).T, square(frames, gaps))
 
 
 def _refuse_height(mesh: QuadMesh, height: float, lengths: FloatArray) -> None:

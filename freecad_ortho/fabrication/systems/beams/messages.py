@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.stock import different_tubes
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
+from solver.mesh.quadmesh import FloatArray
 
 # Twist above which a beam is visibly not a plane plate, degrees.
 _TWIST_WORTH_SAYING = 0.01
@@ -59,3 +60,10 @@ def smaller_bolts(joints: object, wanted: str, ends: int) -> tuple[str, ...]:
         f"{wanted} above each other, so all {ends} bolted ends have {joints.bolt.name}; higher "
         f"beams have {wanted}",
     )
+
+
+def misfit_report(misfit: FloatArray) -> dict[str, Any]:
+    """How far lower sides lie apart at most, (V,) mm, and where."""
+    worst = int(misfit.argmax())
+    names = part_names("N", len(misfit))
+    return {"misfit_max_mm": float(misfit[worst]), "misfit_worst": names[worst]}

@@ -19,7 +19,9 @@ from solver.option import Option, Range
 # Beams of one family run through, in pieces, and the others are bolted to fins on them.
 SPLICED = ("spliced-u", "spliced-v")
 THROUGH = ("through-u", "through-v")
-ENDS = ("mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", *THROUGH, *SPLICED)
+# The others' ends follow the sides of those that run through.
+COPED = ("coped-u", "coped-v")
+ENDS = ("mitred", "hub", "end-plate", "cover-plate", "cone", "lapped", *THROUGH, *COPED, *SPLICED)
 # Those that are bolted to nodes.
 BOLTED = ("end-plate", "cover-plate", "cone", *SPLICED)
 # Of hubs without bolts, mm, where nothing is said.

@@ -25,13 +25,20 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
     Cuts,
     beam_geometry,
     clear_of_through,
+    coped,
     hub_distance,
     mitred,
     square,
 )
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
-from freecad_ortho.fabrication.systems.beams.messages import remarks, smaller_bolts
-from freecad_ortho.fabrication.systems.beams.options import BOLTED, OPTIONS, PLAIN_HUB, SPLICED
+from freecad_ortho.fabrication.systems.beams.messages import misfit_report, remarks, smaller_bolts
+from freecad_ortho.fabrication.systems.beams.options import (
+    BOLTED,
+    COPED,
+    OPTIONS,
+    PLAIN_HUB,
+    SPLICED,
+)
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
@@ -66,8 +73,8 @@ class Beams(System):
             or for a "cover-plate" on each side bolted to a star of plates, as round tubes with a
             "cone" for the bolt into a ball, or plates along whole lines that are "lapped" where
             they cross, half from above and half from below; with "through-u" the beams of family
-            u run through and the others are cut square between them; with "spliced-u" they are also
-            in pieces, and the others bolted to fins on them.
+            u run through and the others are cut square between them, with "coped-u" along their
+            sides; with "spliced-u" they are in pieces, and the others bolted to fins on them.
         splice_every: after how many nodes beams that run through are spliced, 0 for not at all.
         hub_diameter: of the hubs, across their faces, mm; by default 100, with end plates as large
             as each has to be.
@@ -257,7 +264,7 @@ class Beams(System):
             folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
-        report |= {} if misfit is None else _misfit_report(misfit)
+        report |= {} if misfit is None else misfit_report(misfit)
         if border is not None:
             report |= {"trimmed": int(border.cut[wanted].any(axis=1).sum()), "left_out": stubs}
             doubts += stub_words(stubs, self.least_length)
@@ -326,9 +333,10 @@ class Beams(System):
         if isinstance(bolted, FinPlates):
             radii = _hub_radii(site, around, bolted)[site.mesh.connectivity.edges]
             gaps = np.where(radii > 0, radii + bolted.setback, gaps)
-        cuts = mitred(frames, alone).where(
-            np.stack([through, through], axis=1), square(frames, gaps)
-        )
+        others = square(frames, gaps)
+        if self.ends in COPED:
+            others = coped(frames, around, through, width, self.clearance)
+        cuts = mitred(frames, alone).where(np.stack([through, through], axis=1), others)
         return cuts, through if self.section == "plate" else none, None
 
     def _bolted(self, site: Site, frames: Frames, built: BoolArray) -> Bolted | None:
@@ -389,10 +397,3 @@ def _runs(site: Site, along: BoolArray, border: BorderEnds | None) -> tuple[Para
         return tuple(line for line in site.chosen_lines if along[line.edges].all())
     ends = site.mesh.connectivity.edges
     return tuple(run for line in site.chosen_lines for run in border.runs(line, along, ends))
-
-
-def _misfit_report(misfit: FloatArray) -> dict[str, Any]:
-    """How far lower sides lie apart at most, (V,) mm, and where."""
-    worst = int(misfit.argmax())
-    names = part_names("N", len(misfit))
-    return {"misfit_max_mm": float(misfit[worst]), "misfit_worst": names[worst]}

@@ -24,13 +24,15 @@ from freecad_ortho.fabrication.profiles.end import End
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
+from freecad_ortho.fabrication.systems.beams.fins import runs_through
 from freecad_ortho.fabrication.systems.beams.frames import (
     Frames,
     around_axes,
     beam_frames,
     edge_name,
 )
-from freecad_ortho.fabrication.systems.beams.geometry import Cuts, mitred, square
+from freecad_ortho.fabrication.systems.beams.geometry import Cuts, coped, mitred, square
+from freecad_ortho.fabrication.systems.beams.options import COPED
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.system import Table
 from solver.errors import InputError
@@ -209,9 +211,9 @@ class _Members:
         if site.trimming is not None:
             border = BorderEnds.at_border(site, frames)
             built = built & border.within
-            cuts = mitred(frames, around_axes(site.mesh, site.axes, frames.along, built))
+            cuts = _cuts(site, frames, width, built)
             built = built & (border.lengths(site.mesh.edge_lengths, cuts, width / 2) > width)
-        cuts = mitred(frames, around_axes(site.mesh, site.axes, frames.along, built))
+        cuts = _cuts(site, frames, width, built)
         if border is not None:
             both = np.stack([built, built], axis=1)
             cuts = cuts.where(both, square(frames, 0 * frames.slope))
@@ -286,6 +288,19 @@ class _Members:
             End(first, float(slopes[0]), right_first, left_first),
             End(last, float(slopes[1]), -right_last, -left_last),
         )
+
+
+def _cuts(site: Site, frames: Frames, width: float, built: BoolArray) -> Cuts:
+    """Ends of members of the edges that are built, (E,): coped as the beams are, else mitred."""
+    around = around_axes(site.mesh, site.axes, frames.along, built)
+    beams = site.done["beams"].settings if "beams" in site.done else None
+    ends = getattr(beams, "ends", "")
+    if ends not in COPED:
+        return mitred(frames, around)
+    through = runs_through(site.lines, ends)
+    alone = around_axes(site.mesh, site.axes, frames.along, built & through)
+    others = coped(frames, around, through, width, getattr(beams, "clearance", 0.0))
+    return mitred(frames, alone).where(np.stack([through, through], axis=1), others)
 
 
 @dataclass(frozen=True, eq=False)
