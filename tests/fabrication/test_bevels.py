@@ -7,9 +7,12 @@ import ezdxf
 import numpy as np
 import pytest
 
+from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
 from freecad_ortho.fabrication.bevels import bevels_of
 from freecad_ortho.fabrication.bodies import BOX_SIDES, Polyhedron
+from solver.mesh.quadmesh import QuadMesh
+from tests.conftest import grid_faces
 
 
 def table(path):
@@ -24,6 +27,14 @@ def written(skewed, tmp_path_factory):
     structure = build(skewed, [Beams(160, 12), Panels(20, 15, edge="bevel")])
     write(structure, folder, workshop=Workshop(dxf="blocks"))
     return structure, folder
+
+
+@pytest.fixture(scope="module")
+def barrel():
+    """A flat arc of cylinder, 4 x 3 faces."""
+    angle, y = np.meshgrid(np.linspace(-0.4, 0.4, 5), 500.0 * np.arange(4), indexing="ij")
+    points = np.stack([3000 * np.sin(angle), y, 3000 * np.cos(angle)], axis=-1)
+    return QuadMesh(points.reshape(-1, 3), grid_faces(5, 4))
 
 
 def distance(point, start, end):
@@ -122,3 +133,26 @@ def test_bevels_of_a_frustum(inset):
         assert (
             (bevel.points >= np.array(low) - 1e-9) & (bevel.points <= np.array(high) + 1e-9)
         ).all()
+
+
+@pytest.mark.parametrize(
+    ("system", "sizes", "side"),
+    [
+        ("lamellas", {"width": 40, "thickness": 3}, "right"),
+        ("lamellas", {"width": 40, "thickness": 3, "position": "lying", "layers": 2}, "above"),
+        ("arches", {"height": 60, "thickness": 5}, "right"),
+        ("louvres", {"tilt": 20}, "above"),
+        ("bent-panels", {}, "above"),
+        ("patches", {}, "above"),
+    ],
+)
+def test_lists_say_the_side_of_every_system(barrel, tmp_path, system, sizes, side):
+    """Solids lie in the coordinates of their patterns: z is towards who looks at them."""
+    structure = api.fabricate(barrel, system, unit="mm", **sizes)
+    write(structure, tmp_path)
+    rows = {row["name"]: row["seen_from"] for row in table(tmp_path / "parts.csv")}
+    assert set(rows.values()) == {side}
+    for part in structure.parts:
+        up = barrel.vertex_normals[list(part.vertices)].mean(axis=0)
+        towards = up if side == "above" else np.cross(part.frame[0], up)
+        assert part.frame[2] @ towards > 0.5 * np.linalg.norm(towards)

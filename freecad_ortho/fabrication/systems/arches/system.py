@@ -267,4 +267,5 @@ def _pattern(
         fitted_text_size(name, 0.4 * float(lengths[longest]), height / 4),
         axis=axis,
         label_angle=float(angles[longest]),
+        seen="right",
     )

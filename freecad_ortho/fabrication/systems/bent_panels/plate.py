@@ -152,6 +152,7 @@ class Plate:
             label_size=size,
             bends=bends,
             label_angle=float(np.degrees(np.arctan2(*along.mean(axis=0)[::-1]))),
+            seen="above",
         )
 
 

@@ -126,7 +126,7 @@ def _bodies(
     return whole, span_body(ribbon, slots, holes, smooth, name) if holes else whole
 
 
-def lamella_part(made: Cut, site: Site) -> Part:
+def lamella_part(made: Cut, site: Site, position: str) -> Part:
     """Return the part, its own coordinates in the middle of its axis."""
     lamella, ribbon = made.lamella, made.lamella.ribbon
     origin, frame = ribbon.middle()
@@ -137,7 +137,9 @@ def lamella_part(made: Cut, site: Site) -> Part:
             for (place, direction), hole in zip(_drills(made), made.holes, strict=True)
         )
         body = DrilledBody(body, made.drilled.seen_from(origin, frame), placed)
-    pattern = _pattern(made)
+    # The pattern runs along the line from left to right: upwards in it is away from the surface,
+    # or across the line to its left where the strip lies.
+    pattern = replace(_pattern(made), seen="above" if position == "lying" else "right")
     measures = lamella.measures
     straight = lamella.aim == "straight"
     # A single edge lies on arcs of every radius.

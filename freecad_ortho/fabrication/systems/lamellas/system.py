@@ -110,7 +110,7 @@ class Lamellas(LamellaSettings, System):
             above = build_above(site, third, lamellas, self.standing, set(cleats))
             lamellas = above.grid
         cuts = [cut(each, here, self) for each, here in zip(lamellas, met, strict=True)]
-        parts = tuple(lamella_part(made, site) for made in cuts)
+        parts = tuple(lamella_part(made, site, self.position) for made in cuts)
         parts, doubts = judged(parts, slot_ways(lamellas, met, self, site.material))
         plates = tuple(splice_part(splice, site, self) for splice in splices)
         bolts = splice_bolts(splices, plates, self)

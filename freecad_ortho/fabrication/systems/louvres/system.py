@@ -283,7 +283,7 @@ def _pattern(name: str, flat: FloatArray) -> FlatPattern:
     size = fitted_text_size(name, 0.3 * width, 0.3 * height)
     place = middle + [0.0, size]
     tick = Mark(np.stack([flat[0], flat[0] + 0.12 * (middle - flat[0])]))
-    return FlatPattern(flat, (tick,), place, size, axis=flat[[0, 2]])
+    return FlatPattern(flat, (tick,), place, size, axis=flat[[0, 2]], seen="above")
 
 
 def _within(axis: FloatArray, piece: Trimmed) -> FloatArray | None:

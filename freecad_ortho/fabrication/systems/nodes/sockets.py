@@ -71,14 +71,25 @@ def socket(angles: FloatArray, radius: float, half: float, levels: FloatArray) -
     corners = np.array(points)
     blocks = [Prism(corners[under, :2], float(levels[0]), float(levels[1]))]
     for loop in tops:
-        ring = corners[list(loop), :2]
-        # Around more than half of the disc a pillar is two blocks.
-        middle = (len(ring) - 1) // 2
-        wide = _turns_inwards(ring)
-        rings = [ring] if not wide else [np.vstack([ring[-1:], ring[: middle + 1]]), ring[middle:]]
+        rings = _convex(corners[list(loop), :2], len(pillars) == 1)
         blocks.extend(Prism(one, float(levels[1]), float(levels[2])) for one in rings)
     pieces = tuple(piece for block in blocks for piece in block.pieces())
     return Divided(corners, tuple(loops), pieces)
+
+
+def _convex(ring: FloatArray, alone: bool) -> list[FloatArray]:
+    """Convex polygons that fill that of a pillar: its rim, then one inner corner, alone two."""
+    if alone:
+        # Around a single plate: on its left, behind it and on its right.
+        rim, (right, left) = ring[:-2], ring[-2:]
+        one, two = (len(rim) - 1) // 3, 2 * (len(rim) - 1) // 3
+        behind = np.vstack([left, rim[one : two + 1], right])
+        return [np.vstack([left, rim[: one + 1]]), behind, np.vstack([right, rim[two:]])]
+    if not _turns_inwards(ring):
+        return [ring]
+    # Around more than half of the disc a pillar is two blocks.
+    middle = (len(ring) - 1) // 2
+    return [np.vstack([ring[-1:], ring[: middle + 1]]), ring[middle:]]
 
 
 def _turns_inwards(ring: FloatArray) -> bool:

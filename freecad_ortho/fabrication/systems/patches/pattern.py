@@ -48,7 +48,8 @@ def patch_pattern(
     middle = points[grid.numbers[rows - 1 : rows + 1, columns - 1 : columns + 1]].reshape(-1, 2)
     box = np.ptp(middle, axis=0)
     size = fitted_text_size(piece.name, *(0.9 * box).tolist())
-    return FlatPattern(points[around], tuple(marks), middle.mean(axis=0), size)
+    label = middle.mean(axis=0)
+    return FlatPattern(points[around], tuple(marks), label, size, seen="above")
 
 
 class _Writer:
