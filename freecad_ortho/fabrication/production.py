@@ -29,6 +29,8 @@ from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.words import counted
 
 Progress = Callable[[float, str], None]
+# Components of one STEP file from which on FreeCAD takes minutes: the time grows with their square.
+_MANY = 3000
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +148,17 @@ class Production:
                     f"{each.place}: nothing to write, as no part is of {what}; give such a "
                     f"material, or leave out {each.name}"
                 )
-        return (*words, *self._about_stock())
+        return (*words, *self._about_solids(), *self._about_stock())
+
+    def _about_solids(self) -> list[str]:
+        """What makes a large STEP file slow to open."""
+        count, shop = len(self.structure.parts), self.workshop
+        if count <= _MANY or shop.step == "in-place" or shop.step_tolerance > 0:
+            return []
+        return [
+            f"step: {count:,} parts in one assembly take FreeCAD long to open; "
+            "for it take step in-place, and Use LinkGroup in its preferences for STEP"
+        ]
 
     def _about_stock(self) -> list[str]:
         """What is cut from no sheet and no bar, or not from the one that it should be."""

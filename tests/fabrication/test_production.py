@@ -435,6 +435,23 @@ def test_units_of_measures_in_words():
     assert measure_words("stress_MPa") == ("stress", "MPa")
 
 
+def test_what_makes_a_large_file_slow_to_open_is_said(structure, monkeypatch):
+    monkeypatch.setattr("freecad_ortho.fabrication.production.check_clashes", no_clashes)
+    said = {}
+    for many in (len(structure.parts), len(structure.parts) - 1):
+        monkeypatch.setattr("freecad_ortho.fabrication.production._MANY", many)
+        for given in ({}, {"step": "in-place"}, {"step_tolerance": 0.001}):
+            messages = produce(structure, Workshop(**given)).messages
+            said[(many, *given)] = [words for words in messages if words.startswith("step: ")]
+    (words,) = said.pop((many,))
+    assert f"{len(structure.parts)} parts" in words and "in-place" in words
+    assert not any(said.values())
+
+
+def no_clashes(parts, *_):
+    return ClashCheck(0, 0, ())
+
+
 def test_progress_rises_to_one_with_the_clash_check(structure, monkeypatch):
     def clashes(parts, executor, progress):
         for done in (0.2, 0.5, 1.0):
