@@ -99,7 +99,7 @@ def build_above(
         ties, pieces, grid, lost = ties_of(pieces, grid, frozenset(taken), settings, count)
     met = _crossings(pieces, grid, standing)
     cuts = [cut(each, here, settings) for each, here in zip(pieces, met, strict=True)]
-    lamellas = tuple(lamella_part(made, site) for made in cuts)
+    lamellas = tuple(lamella_part(made, site, settings.position) for made in cuts)
     plates = tuple(splice_part(splice, site, settings) for splice in splices)
     bolts = splice_bolts(splices, plates, settings)
     if standing:
