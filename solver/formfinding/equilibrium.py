@@ -18,6 +18,7 @@ from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 
+# A shape of which a vertex is farther away than this many times its size has no equilibrium.
 _BLOWN_UP = 1e2
 
 

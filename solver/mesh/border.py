@@ -14,6 +14,7 @@ from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
+# Rounds that make room; each goes half of the way, so that a few rings have evened out by then.
 _SMOOTHINGS = 15
 # Rings of faces at the border whose vertices move to make room for it.
 _RINGS = 3

@@ -18,6 +18,8 @@ from solver.mesh.join import joined
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
+# Points on a line by which lengths are measured; lines of each family for that; points a side for
+# an area of which no more than the size is wanted.
 _FINE = 129
 _LINES = 9
 _COARSE = 25

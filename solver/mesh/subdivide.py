@@ -9,6 +9,7 @@ from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
+# More is a slip of the hand, and would fill the memory.
 _MOST_FACES = 4_000_000
 
 

@@ -26,6 +26,7 @@ _FUNCTIONS: dict[str, Callable[[FloatArray], FloatArray]] = {
     name: getattr(np, name)
     for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs")
 }
+# No formula of a curve is longer, and what is may be meant to keep the reader of it busy.
 _LONGEST = 300
 
 

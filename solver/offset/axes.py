@@ -41,7 +41,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 from solver.offset.parallelism import apply, edge_weights, factorised, projections
 
 _NORMAL = 1e-3  # pull to the vertex normal, decides what the edges leave open
-_PASSES = 10
+_PASSES = 10  # at most; one that does not halve the residual is the last
 _CLOSED = 1e-14  # constraint residual at which more passes gain nothing
 
 

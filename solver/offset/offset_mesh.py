@@ -49,7 +49,7 @@ _STAY, _FADE, _LEAST_STAY = 1e-2, 0.3, 1e-7
 # two solutions, which Gauss-Newton does not leave.
 _OUTWARD = 0.05
 _STIFF = 1e5  # weight of parallelism; the multipliers do the rest
-_ITERATIONS = 40
+_ITERATIONS = 40  # at most; the pull is at its least after ten
 _SETTLED = 1e-12  # change of the distances in an iteration
 _LEAST_LEFT = 1e-3  # part of an edge's length that an offset must leave
 _PARALLEL_DEG = 1e-4  # above it corresponding edges are said to be askew

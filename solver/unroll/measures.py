@@ -9,6 +9,7 @@ import numpy as np
 from solver.mesh.quadmesh import FloatArray
 from solver.unroll.strip import Strip
 
+# Newton steps to the circle nearest to points; from the algebraic one a few do.
 _STEPS = 20
 # Share of its rise up to a ruling by which the curvature of a strip may go on rising beyond it.
 _OVERSHOOT = 0.25

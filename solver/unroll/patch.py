@@ -16,6 +16,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
 from solver.nets.options import NetOptions
 from solver.optimise import optimise
 
+# Most steps to the isometric net in the plane; after that lengths are made true alone.
 _STEPS = 60
 # Gauss-Newton steps on the lengths, and their damping, which holds the pattern in its place.
 _POLISHING = 8

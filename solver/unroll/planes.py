@@ -25,11 +25,14 @@ from solver.mesh.quadmesh import FloatArray, unit_rows
 from solver.unroll.corner import Corners
 from solver.unroll.strip import Strip, refuse_empty_edges
 
+# Newton steps at most, the largest turn in one, radians, as a larger one overshoots, and the turn
+# of each plane below which they are solved.
 _STEPS = 60
 _LARGEST_STEP = 0.3
 _SOLVED = 1e-14
 # Added to the diagonal of equations that repeat each other.
 _DAMPING = 1e-15
+# Residual up to which they hold.
 _HOLDS = 1e-9
 # Offsets of alternating sign that are tried when rulings meet inside the width, radians.
 _TRIALS = tuple(sign * 0.005 * 2.0**k for k in range(6) for sign in (1, -1))

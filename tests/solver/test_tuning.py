@@ -27,6 +27,21 @@ def test_every_number_is_explained_and_used():
     assert [name for name in NAMES if not re.search(rf"uning\.{name}\b", code)] == []
 
 
+def test_numbers_at_the_heads_of_files_have_their_reasons():
+    constant = re.compile(r"_?[A-Z][A-Z_0-9, ]+(: [^=]+)? = (?P<number>[-+.(\d].*\d)?")
+    bare = []
+    for path in sorted(ROOT.rglob("*.py")):
+        explained, before = False, ""
+        for line in path.read_text(encoding="utf-8").splitlines():
+            found = constant.match(line)
+            # One comment may be of several that follow it.
+            explained = found and ("#" in line or before.startswith("#") or explained)
+            if found and found["number"] and not explained:
+                bare.append(f"{path.relative_to(ROOT)}: {line}")
+            before = line
+    assert bare == []
+
+
 def test_the_table_of_what_each_does_has_all_numbers():
     table = (ROOT.parent / "docs" / "tuning.md").read_text(encoding="utf-8")
     rows = dict(re.findall(r"^\| (\w+) \| ([^|]+) \|", table, re.MULTILINE))
