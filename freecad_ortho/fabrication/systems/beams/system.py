@@ -33,7 +33,6 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
 from freecad_ortho.fabrication.systems.beams.messages import misfit_report, remarks, smaller_bolts
 from freecad_ortho.fabrication.systems.beams.options import (
-    BOLTED,
     COPED,
     OPTIONS,
     PLAIN_HUB,
@@ -125,8 +124,6 @@ class Beams(System):
             for name, size in own.items():
                 object.__setattr__(self, name, size)
         check_options(self, self.options)
-        if self.hub_diameter is None and self.ends not in BOLTED:
-            object.__setattr__(self, "hub_diameter", PLAIN_HUB)
         if self.ends == "hub":
             check_size("hub diameter", self.across)
         if self.ends == "end-plate":

@@ -141,8 +141,6 @@ class Nodes(System):
             depth="socket_depth",
             wall="hub_wall",
         )
-        if self.diameter is None and self.kind not in BOLTED_KINDS:
-            object.__setattr__(self, "diameter", PLAIN_HUB)
         check_size("hub diameter", self.across)
         if not 0 <= self.bore < 0.8 * self.across:
             raise InputError(
