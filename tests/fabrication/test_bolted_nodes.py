@@ -18,7 +18,7 @@ from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.systems.beams.end_plates import EndPlates
 from freecad_ortho.fabrication.systems.nodes.hollow import BoltHole, hollow_hub
 from solver.errors import InputError
-from solver.mesh.quadmesh import QuadMesh
+from solver.mesh.quadmesh import QuadMesh, unit_rows
 from tests.conftest import ROOT
 from tests.fabrication.conftest import grid_faces
 
@@ -140,6 +140,30 @@ def test_equal_nodes_are_one_type_and_bolts_are_counted(plane, tmp_path):
     types = (tmp_path / "node-types.csv").read_text().splitlines()[1:]
     assert [int(row.split(",")[1]) for row in types] == [6, 4, 2]
     assert types[2].split(",")[6] == "90.00 90.00 90.00 90.00"
+
+
+def test_the_list_of_holes_is_what_the_hubs_are_drilled_by(roof):
+    made = build(roof, [Beams(200, 20, ends="end-plate"), Nodes("bolted")]).results["nodes"]
+    table = next(table for table in made.tables if table.name == "hub-holes.csv")
+    rows = [dict(zip(table.columns, row, strict=True)) for row in table.rows]
+    plates = {part.name: part for part in made.parts if part.kind == "end-plate"}
+    for hub in (part for part in made.parts if part.kind == "node"):
+        own = [row for row in rows if row["hub"] == hub.name]
+        assert len(own) == len(hub.body.drills)
+        low = hub.body.points[:, 2].min()
+        for row, drill in zip(own, hub.body.drills, strict=True):
+            turn = np.radians(float(row["azimuth_deg"]))
+            way = np.array([np.cos(turn), np.sin(turn), 0.0])
+            face = (float(row["face_mm"]) - hub.thickness / 2) * way
+            height = np.array([0.0, 0.0, low + float(row["from_lower_mm"])])
+            assert drill.centre == pytest.approx(face + height, abs=2e-3)
+            assert float(row["hole_mm"]) == drill.diameter == 18
+            # The plate is the one that stands before it.
+            plate = plates[row["plate"]]
+            middle = plate.points.mean(axis=0) - hub.origin
+            assert unit_rows((middle - middle @ hub.frame[2] * hub.frame[2])[None])[0] @ (
+                way @ hub.frame
+            ) == pytest.approx(1, abs=1e-3)
 
 
 def test_sharper_angles_get_larger_hubs():

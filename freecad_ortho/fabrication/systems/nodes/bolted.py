@@ -55,7 +55,8 @@ def with_end_plates(
         hub.name: NodeSize(star, hub.width, hub.length, hub.thickness)
         for hub, star in zip(hubs, joined, strict=True)
     }
-    tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
+    types = node_types(named, list(groups.values()), site.axes)
+    tables = (making.bolt_list(), making.hole_list(), types)
     corners = {hub.vertices[0]: (hub.points - site.shift).reshape(2, 2, -1, 3)[0] for hub in hubs}
     said = (*making.remarks(), *_doubts(hubs))
     bolts = (making.fasteners,)

@@ -24,6 +24,7 @@ from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 _ENDS = ("start", "end")
+_HOLE_COLUMNS = ("hub", "plate", "azimuth_deg", "from_lower_mm", "face_mm", "hole_mm")
 _BOLT_COLUMNS = (
     *("bolt", "length_mm", "standard", "grade", "count", "washers"),
     *("grip_mm", "thread_mm", "hole_mm", "drill_mm", *COLUMNS),
@@ -38,6 +39,7 @@ class HubMaking:
         self.seats = seats(site, beams, sizes)
         self.plates: dict[tuple[int, int], Part] = {}
         self.single: list[str] = []
+        self.holes: list[tuple[object, ...]] = []
         self.placed: list[tuple[FloatArray, FloatArray, tuple[str, ...]]] = []
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
@@ -57,6 +59,7 @@ class HubMaking:
             heights = self._bolts(vertex, places[k], low, high)
             holes += [BoltHole(k, height, self.sizes.bolt.hole) for height in heights]
             self.plates[places[k]] = self._plate(vertex, places[k], heights)
+            self._note_holes(star, k, places[k], [height - low for height in heights])
             self._place_bolts(vertex, places[k], heights)
         radius = float(self.beams.hub_radii[vertex])
         body = hollow_hub(star.turn, radius, self.sizes.wall, (low, high), holes)
@@ -76,11 +79,29 @@ class HubMaking:
             material=site.material,
             vertices=(vertex,),
             measures=Measures(lean_deg=float(site.axes.lean_deg[vertex])),
-            note=f"{len(holes)} holes of {self.sizes.bolt.hole:g} mm for {self._bolt_words()}",
+            note=f"{len(holes)} holes of {self.sizes.bolt.hole:g} mm for {self._bolt_words()}: "
+            "hub-holes.csv",
             assembly="; ".join(
                 words for k in met for words in self._doubts(star, k, self.names[places[k][0]])
             ),
         )
+
+    def _note_holes(
+        self, star: Star, beam: int, place: tuple[int, int], above: list[float]
+    ) -> None:
+        """What a hub is drilled by: from its first beam on, from its lower end up, mm."""
+        plate = f"{self.names[place[0]]}-{_ENDS[place[1]]}"
+        turned = float(np.degrees(star.turn[beam] - star.turn[0])) % 360
+        face = float(self.beams.hub_radii[star.vertex])
+        self.holes += [
+            (self.nodes[star.vertex], plate, f"{turned:.4f}", f"{height:.3f}")
+            + (f"{face:.3f}", f"{self.sizes.bolt.hole:g}")
+            for height in above
+        ]
+
+    def hole_list(self) -> Table:
+        """The bolt holes of all hubs."""
+        return Table("hub-holes.csv", _HOLE_COLUMNS, tuple(self.holes))
 
     def _place_bolts(self, vertex: int, place: tuple[int, int], heights: list[float]) -> None:
         """Note where the bolts of a plate stand, their heads within the hub."""
