@@ -313,6 +313,10 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
             found = quads(mesh, cut, made, work.covered)
             close = (calm, firm) == (_CALM[0], FIRM[0])
             crossing = _crossing(found)
+            if crossing is not None and work.covered > work.inner:
+                # Beyond the border lines may do so: the surface is covered without that strip.
+                found = quads(mesh, cut, made, work.inner)
+                crossing = _crossing(found)
             if crossing is not None:
                 refusal = f"map: lines run into each other near {_at(crossing)}; {_REMEDY}"
                 yield _Attempt(field, close, refusal=refusal)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from solver.align.align import aligned
+from solver.align.cells import quads
 from solver.align.field import curvature_guide, smooth_field
 from solver.align.mend import mended, relaxed
 from solver.align.prepare import openings
@@ -114,3 +117,21 @@ def test_hard_surfaces_get_nets(seed):
     assert np.linalg.norm(points[corners].mean(axis=1) - feet, axis=1).max() < 0.3
     assert (made.mesh.connectivity.components == 0).all()
     assert not measures.flipped(made.mesh).any()
+
+
+def test_lines_that_cross_beyond_the_border_only_are_left_out(monkeypatch):
+    asked: list[int] = []
+
+    def crossing(mesh, cut, made, covered):
+        asked.append(covered)
+        found = quads(mesh, cut, made, covered)
+        again = found.faces[:1] if len(asked) == 1 else found.faces[:0]
+        return replace(found, faces=np.concatenate([found.faces, again]))
+
+    monkeypatch.setattr("solver.align.align.quads", crossing)
+    points, faces = triangles(saddle, 31, 19)
+    made = aligned(points, faces, edge=2.5)
+    assert len(asked) == 2 and asked[1] < asked[0]
+    net = TriangleSurface.from_quads(made.mesh)
+    far = np.linalg.norm(points - net.closest(points)[0], axis=1)
+    assert far.max() < 0.1 * made.mesh.mean_edge
