@@ -15,6 +15,8 @@ from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # Places at which two plates are compared, along and across where they cross.
 _GRID = np.linspace(-1.0, 1.0, 9)
+# The same along an edge.
+_ALONG = np.linspace(-1.0, 1.0, 41)
 # Share of what is missing that is added to it, as plates are compared along one direction, and what
 # a clearance is rounded up to, mm.
 _SPARE, _ROUNDED = 0.1, 0.1
@@ -90,7 +92,7 @@ def gap_above_edge(upper: tuple[Lamella, int], lower: tuple[Lamella, int]) -> fl
     reach = (lamella.ribbon.width / 2 + ribbon.thickness) / max(float(sine), 0.2)
     edge = ribbon.edge(ribbon.upper)[there - 1 : there + 2]
     ways = unit_rows(np.diff(edge, axis=0))
-    steps = reach * _GRID[:, None]
+    steps = reach * _ALONG[:, None]
     flat = edge[1] + np.where(steps < 0, steps * ways[0], steps * ways[1])
     middle, half = placed_near(ribbon, there, flat)
     points = np.concatenate([middle + half, middle - half])
