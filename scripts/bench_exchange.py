@@ -98,9 +98,8 @@ def resident() -> int:
 
 def produced(case: str) -> Production:
     """A structure, ready to be written."""
-    mesh = api.read_mesh(ROOT / "examples" / "data" / "demo_roof.obj").mesh
-    if case == "vault":
-        mesh = vault(50, 52)
+    loaded = api.read_mesh(ROOT / "examples" / "data" / "demo_roof.obj")
+    mesh, unit = (vault(50, 52), "m") if case == "vault" else (loaded.mesh, loaded.unit)
     structure = api.fabricate(
         mesh,
         "nodes+beams+panels",
@@ -108,7 +107,7 @@ def produced(case: str) -> Production:
         ends="hub",
         hub_diameter=260.0,
         material="nodes=steel,panels=toughened-glass",
-        unit="m",
+        unit=unit,
     )
     structure.solids()
     return produce(structure, Workshop(sheet=(3000.0, 1500.0), step_tolerance=STEP_TOLERANCE))

@@ -71,17 +71,22 @@ def test_nothing_is_written_unasked(structure, tmp_path):
 
 
 def test_what_is_missing_is_said_and_leaves_the_others(structure, tmp_path, monkeypatch):
-    gone = {"ifcopenshell", "reportlab"}
+    gone = {"ifcopenshell", "reportlab", "xlsxwriter", "rhino3dm"}
     monkeypatch.setattr(
         "freecad_ortho.fabrication.formats.find_spec",
         lambda name: None if name in gone else find_spec(name),
     )
-    write(structure, tmp_path, workshop=Workshop(write="ifc,labels,glb"))
+    write(structure, tmp_path, workshop=Workshop(write="ifc,xlsx,labels,3dm,drawings,glb"))
     report = json.loads((tmp_path / "report.json").read_text())
     said = [words for words in report["messages"] if "is missing" in words]
-    assert [words.split()[0] for words in said] == ["structure.ifc", "labels.pdf"]
+    files = ["structure.ifc", "lists.xlsx", "labels.pdf", "structure.3dm", "drawings.pdf"]
+    assert [words.split()[0] for words in said] == files
+    assert said[1] == (
+        "lists.xlsx is not written: the Python package 'XlsxWriter' is missing; install it with "
+        "pip, or leave out xlsx"
+    )
     assert "structure.glb" in report["files"]
-    assert not (tmp_path / "structure.ifc").exists()
+    assert not any((tmp_path / file).exists() for file in files)
 
 
 @needed
@@ -460,3 +465,33 @@ def test_workbooks_have_no_clock(folders):
     assert {node.text[:4] for node in core if node.tag.endswith(("created", "modified"))} == {
         "2000"
     }
+
+
+class Stopped(Exception):
+    pass
+
+
+@pytest.fixture(scope="module")
+def produced(jobs):
+    """The panes alone; the saw list, which has none of them, is of all."""
+    shop = Workshop(sheet=(12000, 4000))
+    return {
+        name: produce(job, shop)
+        for name, job in (("all", jobs["framed"]), ("panes", jobs["framed"].only("panels")))
+    }
+
+
+@needed
+@pytest.mark.parametrize("name", FORMATS)
+def test_every_writer_can_be_stopped(produced, tmp_path, name):
+    """It says how far it is, without going back, and whatever that raises ends it."""
+    production = produced["all" if name == "saw" else "panes"]
+    seen = []
+    WRITERS[name](tmp_path / "whole", production, "project", seen.append)
+    assert seen == sorted(seen) and 0 <= seen[0] <= seen[-1] <= 1
+
+    def stop(done):
+        raise Stopped
+
+    with pytest.raises(Stopped):
+        WRITERS[name](tmp_path / "stopped", production, "project", stop)
