@@ -272,7 +272,8 @@ class NearestNet:
     def exact(self) -> FloatArray:
         """The flat vector reached, on the net to rounding error."""
         point, tuning = self.point.weighed(self._net), self._tuning
-        first = tuning.last_corrections
+        first, length = tuning.last_corrections, 0.0
+        back: Callable[[FloatArray], FloatArray] | None = None
         with one_thread():
             for number in range(tuning.most_corrections):
                 if number >= first and self._worst(point) <= tuning.exact:
@@ -281,14 +282,19 @@ class NearestNet:
                 # what is added would stand in the way.
                 tangent = tuning.last_tangents[0 if number < first else 1]
                 try:
-                    move = self._back(point, tangent * tuning.tangent)(-point.gradient)
+                    # Factors of a shape nearby serve as long as moves with them shrink.
+                    back = back or self._back(point, tangent * tuning.tangent)
+                    move = back(-point.gradient)
                 except SingularSystemError:
                     # Rounding is larger than what is added: nothing nearer is to be found.
                     break
                 # Loads and closest points are those of the shape that is kept.
                 point = point.moved(move).followed(weighty=True)
-                if np.abs(move).max(initial=0.0) <= _ROUNDING:
+                before, length = length, float(np.abs(move).max(initial=0.0))
+                if length <= _ROUNDING:
                     break
+                if length > tuning.shrinking * before and self._worst(point) > tuning.exact:
+                    back = None
         return point.x
 
     def _step(self) -> tuple[float, float]:

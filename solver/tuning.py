@@ -137,7 +137,8 @@ class Tuning:
         near_net: with one larger than this the step was none along the net.
         along_worth: steps that lower the wishes by less than this part of them are not worth their
             time.
-        last_corrections: at the end, to the last digit, with new factors each,
+        last_corrections: at the end, to the last digit,
+        shrinking: with new factors where moves do not shrink to this part of the one before,
         most_corrections: and so many where the residual is still larger
         exact: than this;
         last_tangents: with these parts of what is added: fewer digits of a nearly singular matrix
@@ -262,6 +263,7 @@ class Tuning:
     near_net: float = 1e-4
     along_worth: float = 3e-4
     last_corrections: int = 5
+    shrinking: float = 0.1
     most_corrections: int = 25
     exact: float = 1e-12
     last_tangents: tuple[float, ...] = (1e-3, 1e-5)

@@ -151,6 +151,21 @@ def test_where_it_ends_no_motion_along_the_net_helps(start):
     assert left <= 0.02 * np.linalg.norm(pull)
 
 
+def test_the_last_digits_take_no_new_factors(start):
+    """A shape that is nearly a net is brought onto it with the factors that are at hand."""
+    net = optimise(start).mesh
+    problem = NETS["principal"].recipe(
+        Problem("principal", net, np.zeros(len(net.vertices), dtype=bool)), NetOptions()
+    )
+    beside = problem.start + 1e-5 * np.sin(np.arange(len(problem.start)))
+    nearest = NearestNet(problem, beside, [])
+    factor, made = nearest._along.factor, []
+    nearest._along.factor = lambda lower: made.append(lower) or factor(lower)
+    x = nearest.exact()
+    worst = max(np.abs(term.linearise(x).residual).max() for term in problem.constraints)
+    assert worst <= 1e-13 and len(made) <= 2
+
+
 def test_wishes_measure_in_the_units_of_the_problem(start, surface):
     problem = Problem("principal", start, np.zeros(len(start.vertices), dtype=bool))
     wishes = {
