@@ -155,6 +155,27 @@ def test_no_geometry_is_written_twice_and_numbers_run_on(structure, tmp_path):
     assert used <= set(range(1, len(found) + 1))
 
 
+@pytest.mark.parametrize("in_place", [False, True])
+def test_every_shape_stands_on_a_placement_of_its_own(structure, tmp_path, in_place):
+    """OpenCASCADE goes through all that refers to it: shared by all, time would grow by squares."""
+    write_step(tmp_path / "all.step", structure.parts, in_place=in_place)
+    found = dict(entities(tmp_path / "all.step"))
+    refers = {number: re.findall(rb"#(\d+)", body) for number, body in found.items()}
+    shapes = {
+        number: {k for k in refers[number] if found[k].startswith(b"AXIS2_PLACEMENT_3D")}
+        for number, body in found.items()
+        if re.match(rb"(ADVANCED_BREP_)?SHAPE_REPRESENTATION", body)
+    }
+    stands = Counter(k for placements in shapes.values() for k in placements)
+    assert len(shapes) == len(structure.parts) + (not in_place)
+    assert set(stands.values()) == {1}
+    moves = [number for number, body in found.items() if b"_WITH_TRANSFORMATION(" in body]
+    assert len(moves) == (0 if in_place else len(structure.parts))
+    for part, whole, move in map(refers.get, moves):
+        start, end = refers[move]
+        assert start in shapes[part] and end in shapes[whole]
+
+
 def test_twisted_lamellas_are_valid_and_small_without_flat_curves(twisted_lamellas, tmp_path):
     write_step(tmp_path / "lamellas.step", twisted_lamellas)
     assert b"PCURVE" not in (tmp_path / "lamellas.step").read_bytes()
