@@ -1,4 +1,4 @@
-"""The project's papers agree: add-on, Python package and pinned versions; icons are as they say."""
+"""Add-on, Python package and pins agree; icons are as they say; no merge is left half done."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -49,3 +49,36 @@ def test_icons_are_64_by_64():
     for path in icons:
         image = ElementTree.parse(path).getroot()
         assert (image.get("width"), image.get("height")) == ("64", "64"), path
+
+
+WRITTEN = {".py", ".md", ".ts", ".txt", ".toml", ".xml", ".sh", ".yml", ".html", ".css", ".svg"}
+
+
+def left_by_a_merge(folder):
+    """Lines of texts in there, hidden folders apart, that are marks of a merge: file and number."""
+    return [
+        f"{path.relative_to(folder)}:{number}"
+        for place in (folder, *folder.glob("[!.]*/"))
+        for path in sorted(place.glob("*" if place == folder else "**/*"))
+        if path.suffix in WRITTEN and path.is_file()
+        for number, line in enumerate(
+            path.read_text(encoding="utf-8", errors="replace").splitlines(), 1
+        )
+        if re.match(r"(<{7}|>{7}|[|]{7}) ", line)
+    ]
+
+
+def test_no_merge_was_left_half_done():
+    assert left_by_a_merge(ROOT) == []
+
+
+def test_a_merge_left_half_done_is_found(tmp_path):
+    (tmp_path / "some" / "where").mkdir(parents=True)
+    (tmp_path / "clean.md").write_text("a <<<<<<< b\n=======\n<<<<<<<<<\n")
+    assert left_by_a_merge(tmp_path) == []
+    sides = "<" * 7 + " ours\nyes\n=======\nno\n" + ">" * 7 + " theirs\n"
+    (tmp_path / "some" / "where" / "half.ts").write_text(sides)
+    (tmp_path / "half.md").write_text(sides)
+    assert left_by_a_merge(tmp_path) == [
+        *("half.md:1", "half.md:5", "some/where/half.ts:1", "some/where/half.ts:5"),
+    ]

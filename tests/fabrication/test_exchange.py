@@ -71,21 +71,22 @@ def test_nothing_is_written_unasked(structure, tmp_path):
 
 
 def test_what_is_missing_is_said_and_leaves_the_others(structure, tmp_path, monkeypatch):
-    gone = {"ifcopenshell", "reportlab", "xlsxwriter", "rhino3dm"}
+    gone = {each.package for each in FORMATS.values()} - {""}
     monkeypatch.setattr(
         "freecad_ortho.fabrication.formats.find_spec",
         lambda name: None if name in gone else find_spec(name),
     )
-    write(structure, tmp_path, workshop=Workshop(write="ifc,xlsx,labels,3dm,drawings,glb"))
+    write(structure, tmp_path, workshop=Workshop(write="ifc,glb,xlsx,labels,3dm,drawings,saw"))
     report = json.loads((tmp_path / "report.json").read_text())
     said = [words for words in report["messages"] if "is missing" in words]
-    files = ["structure.ifc", "lists.xlsx", "labels.pdf", "structure.3dm", "drawings.pdf"]
+    files = ["structure.ifc", "structure.glb", "lists.xlsx", "labels.pdf", "structure.3dm"]
+    files.append("drawings.pdf")
     assert [words.split()[0] for words in said] == files
-    assert said[1] == (
+    assert said[2] == (
         "lists.xlsx is not written: the Python package 'XlsxWriter' is missing; install it with "
         "pip, or leave out xlsx"
     )
-    assert "structure.glb" in report["files"]
+    assert "saw-list/saw-list.csv" in report["files"]
     assert not any((tmp_path / file).exists() for file in files)
 
 
@@ -301,11 +302,15 @@ def test_assemblies_in_ifc_are_lines_or_rings(roof, tmp_path, by):
         selection=Selection(family="u", lines=(2, 3, 4)),
     )
     shop = Workshop(ifc_assemblies=by)
-    write_ifc(tmp_path / "some.ifc", produce(job, shop), "some", lambda done: None)
+    files = [tmp_path / name / "some.ifc" for name in ("once", "twice")]
+    for file in files:
+        file.parent.mkdir()
+        write_ifc(file, produce(job, shop), "some", lambda done: None)
+    assert files[0].read_bytes() == files[1].read_bytes()
     write_assembly(tmp_path / "assembly", produce(job), "some", lambda done: None)
     with (tmp_path / "assembly" / f"sequence-by-{by[:-1]}.csv").open(newline="") as stream:
         rows = {row["name"]: row for row in csv.DictReader(stream)}
-    model = ifcopenshell.open(tmp_path / "some.ifc")
+    model = ifcopenshell.open(files[0])
     log = ifcopenshell.validate.json_logger()
     ifcopenshell.validate.validate(model, log)
     assert log.statements == []
