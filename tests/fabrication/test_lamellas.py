@@ -12,7 +12,7 @@ import shapely
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho import api
-from freecad_ortho.fabrication import Lamellas, Selection, build, write
+from freecad_ortho.fabrication import Lamellas, Selection, build, clash, write
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.step import read_step
@@ -308,7 +308,34 @@ def test_the_clearance_that_keeps_lying_layers_apart_is_named():
         assert named is not apart
 
 
-def test_layers_that_twist_are_kept_apart_to_their_corners():
+def skewed(angle):
+    """A bent and twisted net of three rows whose lines cross at an angle, degrees."""
+    i, j = np.meshgrid(*2 * [np.arange(4) - 1.5], indexing="ij")
+    across, along = np.sin(np.radians(angle)), np.cos(np.radians(angle))
+    height = 0.3 * (0.3 * i**2 - 0.2 * j**2 + 0.3 * i * j)
+    k = np.arange(16).reshape(4, 4)
+    faces = np.stack([k[:-1, :-1], k[1:, :-1], k[1:, 1:], k[:-1, 1:]], axis=-1).reshape(-1, 4)
+    points = np.stack([i + along * j, across * j, height], axis=-1).reshape(-1, 3)
+    return QuadMesh(1000 * points, faces)
+
+
+@pytest.mark.parametrize("angle", [75, 115])
+def test_the_clearance_that_is_named_works_where_lines_cross_askew(angle, monkeypatch):
+    """Plates share a rhombus, whose corners are further off than those of a rectangle."""
+    monkeypatch.setattr(clash, "CONTACT", 1e-10)
+    settings, net = Lamellas(60, 5, position="lying", layers=2), skewed(angle)
+    said = build(net, [settings])
+    assert check_clashes(said.parts).clashes
+    (words,) = [words for words in said.report()["messages"] if "take clearance" in words]
+    least = float(words.rpartition(" ")[2])
+    made = build(net, [dataclasses.replace(settings, clearance=least)])
+    assert not check_clashes(made.parts).clashes
+    assert not any("take clearance" in words for words in made.report()["messages"])
+
+
+def test_layers_that_twist_are_kept_apart_to_their_corners(monkeypatch):
+    # Corners that are a tenth of a millimetre deep share little; contact leaves room for that.
+    monkeypatch.setattr(clash, "CONTACT", 1e-10)
     net = helicoid(5, 5).scaled(2500.0)
     settings = Lamellas(60, 5, position="lying", layers=2, strip="twisted")
     (words,) = [w for w in build(net, [settings]).report()["messages"] if "take clearance" in w]
