@@ -5,13 +5,13 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from pathlib import Path
 
 from freecad_ortho import api
 from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
 from freecad_ortho.cli.endings import EXIT_OK, past_stopping
 from freecad_ortho.fabrication.tolerances import Tolerances
+from solver.io.atomic import write_text
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -42,6 +42,6 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         text = json.dumps({"file": options.input, **landed.report()}, indent=2)
         past_stopping()
-        Path(options.output).write_text(f"{text}\n", encoding="utf-8")
+        write_text(options.output, f"{text}\n")
     sys.stdout.write(f"{landed.words()}\n")
     return EXIT_OK

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -178,6 +179,13 @@ class Part:
 def piece_name(name: str, number: int) -> str:
     """The name of one of the pieces of a part: P0012, P0012b, P0012c ..."""
     return name if number == 0 else f"{name}{chr(ord('a') + number)}"
+
+
+def some_names(names: Sequence[str], shown: int | None = None) -> str:
+    """Names in one line: the first so many, and how many more the report lists; else all."""
+    if shown is None or len(names) <= shown:
+        return ", ".join(names)
+    return f"{', '.join(names[:shown])} and {len(names) - shown} more, which the report lists"
 
 
 def part_names(letter: str, count: int) -> list[str]:

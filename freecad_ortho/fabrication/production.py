@@ -14,6 +14,7 @@ from freecad_ortho.fabrication.kerf import compensated
 from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.nesting import Nesting, Sheet, nest, too_large_words
 from freecad_ortho.fabrication.nodes import Node, nodes
+from freecad_ortho.fabrication.part import some_names
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.stock import (
     Bar,
@@ -31,6 +32,8 @@ from freecad_ortho.words import counted
 Progress = Callable[[float, str], None]
 # Components of one STEP file from which on FreeCAD takes minutes: the time grows with their square.
 _MANY = 3000
+# Names that a message has; the report lists all.
+_SHOWN = 10
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,15 +177,15 @@ class Production:
             )
         lost = [part for part in large if part.name not in places]
         if lost:
-            words.append(too_large_words(lost, self.workshop))
+            words.append(too_large_words(lost, self.workshop, _SHOWN))
         if len(lost) < len(large):
             sawn = [part.name for part in large if part.name in places]
             words.append(
                 f"sheet: {counted(len(sawn), 'part')} too large for a sheet, sawn from bars "
-                f"instead: {', '.join(sawn)}"
+                f"instead: {some_names(sawn, _SHOWN)}"
             )
         if self.stock.too_long:
-            words.append(too_long_words(self.stock.too_long, self.workshop))
+            words.append(too_long_words(self.stock.too_long, self.workshop, _SHOWN))
         return words
 
     def report(self) -> dict[str, Any]:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.part import Part, some_names
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 
@@ -117,9 +117,9 @@ def stock_list(parts: Sequence[Part], workshop: Workshop) -> Stock:
     return Stock(tuple(bars), too_long)
 
 
-def too_long_words(parts: Sequence[Part], workshop: Workshop) -> str:
-    """Name all the parts that do not fit on a bar, with the length of the longest."""
-    names = ", ".join(part.name for part in parts)
+def too_long_words(parts: Sequence[Part], workshop: Workshop, shown: int | None = None) -> str:
+    """Name the parts that do not fit on a bar, all or so many, with the length of the longest."""
+    names = some_names([part.name for part in parts], shown)
     count = f"{len(parts)} parts do" if len(parts) > 1 else "1 part does"
     longest = max(part.length for part in parts)
     return (

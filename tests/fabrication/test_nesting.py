@@ -18,6 +18,7 @@ from freecad_ortho.fabrication import Beams, FlatPattern, Panels, Workshop, buil
 from freecad_ortho.fabrication.dxf import LAYERS
 from freecad_ortho.fabrication.nesting import library, nest
 from freecad_ortho.fabrication.nesting.skyline import Skyline
+from freecad_ortho.fabrication.part import some_names
 from freecad_ortho.fabrication.pattern import polygon_area
 from solver.errors import InputError
 
@@ -238,9 +239,19 @@ def test_what_fits_is_nested_and_all_that_does_not_is_listed(structure, tmp_path
     assert all(words in report["verdict"]["failed"][name] for name in lost)
     said, others = [words for words in report["messages"] if words.startswith("sheet: ")]
     assert f"{len(lost)} parts do not fit on 1500 x 900 mm" in said
-    assert f": {', '.join(lost)}; take larger sheets" in said
-    assert others.endswith(f"sawn from bars instead: {', '.join(sawn)}")
+    assert f": {some_names(lost, 10)}; take larger sheets" in said
+    assert others.endswith(f"sawn from bars instead: {some_names(sawn, 10)}")
+    assert set(lost) | set(sawn) == set(large)
     assert said in html.unescape((tmp_path / "report.html").read_text())
+
+
+def test_a_message_has_ten_names_and_says_how_many_more_there_are():
+    names = [f"P{number:04d}" for number in range(163)]
+    assert some_names(names[:10], 10) == ", ".join(names[:10])
+    assert some_names(names, 10) == (
+        ", ".join(names[:10]) + " and 153 more, which the report lists"
+    )
+    assert some_names(names) == ", ".join(names)
 
 
 def test_a_part_as_large_as_the_sheet_fits(plates):

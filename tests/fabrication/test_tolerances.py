@@ -1,6 +1,7 @@
 """Errors of cutting and drilling: how they add up along a chain, and what a net makes of them."""
 
 import json
+import os
 from dataclasses import replace
 
 import numpy as np
@@ -99,7 +100,11 @@ def test_a_closed_net_has_to_say_what_is_held(dodecahedron):
         api.tolerances(dodecahedron)
 
 
-def test_the_command_says_it_in_a_line_and_in_a_file(roof, tmp_path, capsys):
+def failing(*_):
+    raise OSError("the disk is full")
+
+
+def test_the_command_says_it_in_a_line_and_in_a_file(roof, tmp_path, capsys, monkeypatch):
     net, numbers = tmp_path / "net.obj", tmp_path / "tolerances.json"
     api.write_mesh(net, roof)
     told = ["--tolerance", "0.3", "--trials", "50", "--held", "0,9,60,69"]
@@ -110,5 +115,11 @@ def test_the_command_says_it_in_a_line_and_in_a_file(roof, tmp_path, capsys):
     assert found["off_95_mm"] == pytest.approx(expected["off_95_mm"], rel=1e-4)
     line = capsys.readouterr().out
     assert f"the design bears {expected['tolerance_borne_mm']:.2f} mm" in line
+    # A file is there whole or not at all: what could not be renamed leaves the old one.
+    before = numbers.read_bytes()
+    monkeypatch.setattr(os, "replace", failing)
+    assert run(["tolerances", str(net), "--unit", "mm", *told, "-o", str(numbers)]) == 2
+    assert str(numbers) in capsys.readouterr().err
+    assert numbers.read_bytes() == before and sorted(tmp_path.iterdir()) == [net, numbers]
     assert run(["tolerances", str(net), "--tolerance", "0"]) == 2
     assert "tolerance: expected a number above 0 mm" in capsys.readouterr().err

@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.nesting.sheet import Placement, Sheet, turned
 from freecad_ortho.fabrication.nesting.skyline import Skyline
 from freecad_ortho.fabrication.nesting.strip import LIBRARY
-from freecad_ortho.fabrication.part import Part
+from freecad_ortho.fabrication.part import Part, some_names
 from freecad_ortho.fabrication.pattern import FlatPattern
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError, OrthoError
@@ -210,11 +210,11 @@ def _item(part: Part, pattern: FlatPattern, workshop: Workshop) -> _Item | None:
     return None if best is None else best[1]
 
 
-def too_large_words(parts: Sequence[Part], workshop: Workshop) -> str:
-    """Name all the parts that do not fit on a sheet, with the size of the largest."""
+def too_large_words(parts: Sequence[Part], workshop: Workshop, shown: int | None = None) -> str:
+    """Name the parts that do not fit on a sheet, all or so many, with the size of the largest."""
     width, height = workshop.sheet or (0.0, 0.0)
     largest = max((part.pattern.size for part in parts if part.pattern), key=np.prod)
-    names = ", ".join(part.name for part in parts)
+    names = some_names([part.name for part in parts], shown)
     count = f"{len(parts)} parts do" if len(parts) > 1 else "1 part does"
     size = " x ".join(f"{length:g}" for length in np.ceil(largest))
     return (
