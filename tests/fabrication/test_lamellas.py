@@ -319,18 +319,20 @@ def skewed(angle):
     return QuadMesh(1000 * points, faces)
 
 
-@pytest.mark.parametrize("angle", [75, 115])
-def test_the_clearance_that_is_named_works_where_lines_cross_askew(angle, monkeypatch):
+@pytest.mark.parametrize("net", ["own", "wein99_diag"])
+def test_the_clearance_that_is_named_works_where_lines_cross_askew(net, monkeypatch):
     """Plates share a rhombus, whose corners are further off than those of a rectangle."""
     monkeypatch.setattr(clash, "CONTACT", 1e-10)
-    settings, net = Lamellas(60, 5, position="lying", layers=2), skewed(angle)
-    said = build(net, [settings])
-    assert check_clashes(said.parts).clashes
+    mesh = skewed(75) if net == "own" else shared_mesh(net).scaled(1000.0)
+    some = None if net == "own" else Selection(lines=(10, 11, 12))
+    settings = Lamellas(60, 4, position="lying", layers=2)
+    said = build(mesh, [settings], selection=some)
     (words,) = [words for words in said.report()["messages"] if "take clearance" in words]
     least = float(words.rpartition(" ")[2])
-    made = build(net, [dataclasses.replace(settings, clearance=least)])
-    assert not check_clashes(made.parts).clashes
-    assert not any("take clearance" in words for words in made.report()["messages"])
+    for clearance, apart in ((least, True), (0.85 * least, False)):
+        made = build(mesh, [dataclasses.replace(settings, clearance=clearance)], selection=some)
+        assert any("take clearance" in words for words in made.report()["messages"]) is not apart
+        assert not (apart and check_clashes(made.parts).clashes)
 
 
 def test_layers_that_twist_are_kept_apart_to_their_corners(monkeypatch):
