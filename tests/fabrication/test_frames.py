@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 import pytest
+import shapely
 
 from freecad_ortho.fabrication import Beams, Panels, build, material, write
 from freecad_ortho.fabrication.clash import check_clashes
@@ -12,7 +13,7 @@ from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.stock import stock_list
 from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.systems.panels.frame import PressureFrame
-from freecad_ortho.fabrication.systems.panels.silicone import Silicone
+from freecad_ortho.fabrication.systems.panels.silicone import Silicone, strips
 from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 from tests.fabrication.test_trimming import SLANTED
@@ -247,3 +248,24 @@ def test_frames_that_cannot_be_are_refused(options, words):
 def test_a_frame_too_wide_for_an_edge_names_it():
     with pytest.raises(InputError, match=r"frame width: 1000 mm does not fit edge \d+ .* at most"):
         framed(plane_net(), frame_width=1000.0, edge_cover=490.0)
+
+
+@pytest.mark.parametrize(
+    ("outline", "count"),
+    [
+        ([[0, 0], [600, 0], [600, 300], [0, 25]], 3),
+        ([[0, 0], [900, -10], [900, 500], [0, 22]], 3),
+        ([[0, 0], [600, 0], [600, 160]], 3),
+        ([[0, 0], [600, 0], [600, 400], [0, 400]], 4),
+    ],
+)
+def test_adapters_on_both_sides_of_a_short_side_do_not_run_into_each_other(outline, count):
+    plate = shapely.Polygon(outline)
+    made = [shapely.Polygon(ring) for ring in strips(np.array(outline, float), 20.0)]
+    assert len(made) == count
+    for number, one in enumerate(made):
+        assert one.difference(plate).area <= 1e-6
+        assert (
+            max(one.intersection(other).area for other in [*made[:number], shapely.Point()]) <= 1e-6
+        )
+        assert one.area > 20.0 * 40.0

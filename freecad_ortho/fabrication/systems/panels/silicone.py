@@ -27,6 +27,8 @@ _TAPE, _HEIGHT = 8.0, 20.0
 _LONG = 3.0
 # A circle of so many of them as radius has to fit into a panel.
 _ROOM = 2.5
+# What two strips that are mitred share by rounding, mm2.
+_CONTACT = 1e-6
 COLUMNS = ("panel", "bite_mm", "joint_mm", "length_mm", "wind_kN_m2")
 
 
@@ -127,7 +129,7 @@ def strips(outline: FloatArray, width: float) -> list[FloatArray]:
     """(4, 2) each: strips of this width within the long sides of an outline (N, 2).
 
     Two that meet are mitred; beside a short side one ends square, or flush with that side where it
-    leans in.
+    leans in. Of two that would run into each other along it the shorter one ends before.
     """
     ahead = np.roll(outline, -1, axis=0) - outline
     length = np.linalg.norm(ahead, axis=1)
@@ -149,7 +151,37 @@ def strips(outline: FloatArray, width: float) -> list[FloatArray]:
         )
         if (inner[1] - inner[0]) @ along[side] > 0:
             found.append(np.array([outline[side], outline[after], inner[1], inner[0]]))
-    return found
+    return _apart(found, width)
+
+
+def _apart(rings: list[FloatArray], width: float) -> list[FloatArray]:
+    """The same strips, in their order, cut back where they share space; none is left too short."""
+    lengths = [float(np.linalg.norm(ring[1] - ring[0])) for ring in rings]
+    kept: dict[int, FloatArray] = {}
+    for number in sorted(range(len(rings)), key=lambda k: -lengths[k]):
+        ring: FloatArray | None = rings[number]
+        for other in kept.values():
+            ring = None if ring is None else _ended_before(ring, other, _LONG * width)
+        if ring is not None:
+            kept[number] = ring
+    return [kept[number] for number in sorted(kept)]
+
+
+def _ended_before(ring: FloatArray, other: FloatArray, least: float) -> FloatArray | None:
+    """A strip cut square where it meets another one; None if less than ``least`` is left."""
+    import shapely
+
+    shared = shapely.intersection(shapely.Polygon(ring), shapely.Polygon(other))
+    if shared.area <= _CONTACT:
+        return ring
+    along = (ring[1] - ring[0]) / np.linalg.norm(ring[1] - ring[0])
+    place = (ring - ring[0]) @ along
+    met = (shapely.get_coordinates(shared) - ring[0]) @ along
+    cut, ends = (met.min(), [1, 2]) if met.min() > place[1] - met.max() else (met.max(), [0, 3])
+    shorter = ring.copy()
+    shorter[ends] += (cut - place[ends])[:, None] * along
+    outer, inner = shorter[1] - shorter[0], shorter[2] - shorter[3]
+    return shorter if min(outer @ along, inner @ along) >= least else None
 
 
 def silicone_table(panels: Sequence[Part], silicone: Silicone) -> Table:
