@@ -46,6 +46,7 @@ def wishes_of(
     evenness: float,
     within: float | None,
     near: bool,
+    early: bool,
 ) -> list[Wish]:
     """Handles at their goals where there are any, else the surface.
 
@@ -56,12 +57,13 @@ def wishes_of(
         evenness: weight of lines that bend evenly.
         within: distance from the surface from which on it weighs more.
         near: the net nearly is on the surface.
+        early: other attempts would follow.
     """
     pull = pull_of(problem)
     if pull is not None:
         return drawn(problem, original.mesh, pull)
     assert surface is not None
-    return nearness(problem, original.mesh, surface, evenness, within, near)
+    return nearness(problem, original.mesh, surface, evenness, within, near, early)
 
 
 def has_a_wish(net: Candidate, original: Problem, surface: TriangleSurface | None) -> bool:

@@ -9,12 +9,14 @@ evenness of the motion, edges that stay long) while every constraint of the net 
 2. divides it by the curvature of the wishes along the net (Gauss-Newton: their residuals are small,
    so that the multipliers are, and how the constraints curve counts little);
 3. returns onto the net by corrections of least length with the factors at hand, and
-4. is accepted if the wishes fall. Else it is damped more.
+4. is accepted if the wishes fall. Else it is damped more, as is the next one where they fell by
+   little of what step 2 promised.
 
 So each shape on the way is a net, and where the wishes fall no more is a stationary point.
 
-Source: Nocedal, Wright (2006), Numerical Optimization, sections 18.1 and 18.3 (sequential quadratic
-programming, multipliers of least squares, second-order corrections).
+Source: Nocedal, Wright (2006), Numerical Optimization, sections 4.1 (damping by gain over promise),
+18.1 and 18.3 (sequential quadratic programming, multipliers of least squares, second-order
+corrections).
 """
 
 from __future__ import annotations
@@ -38,11 +40,13 @@ from solver.problem import Problem
 from solver.terms.base import Linearisation, Term, coordinates_of, length, points_of
 from solver.terms.beyond_surface import BeyondSurface
 from solver.terms.closeness import Closeness
+from solver.terms.corner_guard import CornerGuard
 from solver.terms.edge_guard import EdgeGuard
 from solver.terms.evenness import Evenness
 from solver.terms.face_guard import FaceGuard
 from solver.terms.fairness import Fairness
-from solver.terms.gliding import OnCurve, OnSurface
+from solver.terms.gliding import OnCurve
+from solver.terms.near_surface import NearSurface
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.pull import Pull
 from solver.terms.umbrella import umbrellas
@@ -71,6 +75,7 @@ def nearness(
     evenness: float,
     within: float | None = None,
     near: bool = False,
+    early: bool = False,
 ) -> list[Wish]:
     """Wish for a net on a surface whose lines run as evenly as those of the start did.
 
@@ -88,6 +93,7 @@ def nearness(
         evenness: weight of lines that bend evenly, where that of the distance is one.
         within: distance from the surface, in model units, from which on it weighs more.
         near: the net nearly is on the surface: short edges need not give way.
+        early: other attempts would follow, so that corners may stay more upright.
     """
     net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
     rest, tuning = problem.at(start), problem.tuning
@@ -97,7 +103,7 @@ def nearness(
     lifts = halfway(net, points, ground, tuning)
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
-        Wish(OnSurface(used, ground, name="close to surface", lifts=lifts[used]), 1.0),
+        Wish(NearSurface(used, ground, lifts[used]), 1.0),
         *_not_beyond(problem, ground, within),
         Wish(Evenness(net.line_quadruples), evenness),
         Wish(Fairness(net.line_triples, rest, "smooth motion"), tuning.along_motion),
@@ -106,6 +112,7 @@ def nearness(
         Wish(Orthogonality(net.quads, name="right angles"), tuning.along_squareness * evenness),
         *(Wish(border, tuning.along_border) for border in borders),
         *_guards(net, shortest, tuning.roomy if near else tuning.room, tuning),
+        Wish(CornerGuard.of(net.quads, points, tuning.slants[early]), tuning.along_guard),
     ]
 
 
@@ -239,7 +246,7 @@ class NearestNet:
         self._wished = np.array([0.0] * self._count + [wish.weight for wish in wishes])
         self.problem, self._tuning = problem, problem.tuning
         self.point = Point.at(system, terms, x.copy()).followed()
-        self.damping = self._tuning.along_damping_min
+        self.damping = self._tuning.along_damping_start
         self.finished = not wishes or not len(system.sparsity.unknowns)
 
     @property
@@ -318,24 +325,52 @@ class NearestNet:
             solving += time.perf_counter() - begin
             length = float(np.abs(move).max(initial=0.0))
             if np.isfinite(length) and length <= tuning.along_longest:
-                there = self._returned(net, move, back)
-                after = there.weighed(self._wished).energy
-                if after < before and self._worst(there) <= limit:
+                there = self._returned(net, net.moved(move), back)
+                gain = before - there.weighed(self._wished).energy
+                if gain > 0 and limit < self._worst(there) <= tuning.off_net:
+                    # A step that is worth it is worth new factors, with which it comes back.
+                    there = self._brought_back(there)
+                    gain = before - there.weighed(self._wished).energy
+                if gain > 0 and self._worst(there) <= limit:
+                    # Of what it promised, were wishes quadratic along the net, damping took a part.
+                    taken = used / tuning.share * float(move @ move)
+                    promised = taken - float(free @ move)
                     self.point = there
-                    calmer = max(tuning.along_calmer * used, tuning.along_damping_min)
-                    self.damping = used if refused else calmer
-                    self.finished = before - after < tuning.along_worth * before
+                    self.damping = self._damping_after(used, gain / promised, refused)
+                    done = taken < tuning.undamped * promised
+                    done = done and promised < tuning.along_enough * before
+                    self.finished = done or gain < tuning.along_worth * before
                     return length, solving
             self.damping = max(tuning.along_harder * used, tuning.along_refused)
             refused = True
         self.finished = True
         return 0.0, solving
 
+    def _damping_after(self, used: float, kept: float, refused: bool) -> float:
+        """Damping of the next step, after one that kept so much of what it promised.
+
+        Args:
+            used: in the step.
+            kept: part of the promise by which the wishes fell.
+            refused: it was tried with less damping before.
+        """
+        tuning = self._tuning
+        if kept < tuning.kept_little:
+            return max(tuning.along_harder * used, tuning.along_refused)
+        calmer = max(tuning.along_calmer * used, tuning.along_damping_min)
+        return used if refused or kept < tuning.kept_much else calmer
+
     def _returned(
-        self, net: Point, move: FloatArray, back: Callable[[FloatArray], FloatArray]
+        self, net: Point, there: Point, back: Callable[[FloatArray], FloatArray]
     ) -> Point:
-        """Where a move leads after corrections back onto the net, all terms linearised there."""
-        there = net.moved(move).followed(weighty=True)
+        """Where corrections lead back onto the net, all terms linearised there.
+
+        Args:
+            net: the point whose derivatives the factors are made of.
+            there: from where they set out.
+            back: the factors.
+        """
+        there = there.followed(weighty=True)
         for _ in range(self._tuning.corrections):
             if not self._tuning.on_net < self._worst(there) < np.inf:
                 break
@@ -347,6 +382,14 @@ class NearestNet:
             there = there.moved(back(-replace(there, linearisations=mixed).gradient))
             there = there.followed(weighty=True)
         return there.standing_at(there.x).followed()
+
+    def _brought_back(self, there: Point) -> Point:
+        """The same with factors made where it stands; as it is where there are none."""
+        net = there.weighed(self._net)
+        try:
+            return self._returned(net, net, self._back(net, self._tuning.tangent))
+        except SingularSystemError:
+            return there
 
     def _back(self, net: Point, tangent: float) -> Callable[[FloatArray], FloatArray]:
         """Factors of the constraints' own matrix: they answer with moves of least length."""

@@ -117,7 +117,11 @@ class Tuning:
         along_closeness: of staying where they were, which decides only what nothing else does,
         along_squareness: of faces that are not sheared, as part of that of even lines,
         along_border: of the border, which a net across the curvature has to leave,
-        along_guard: and of long edges and open faces, which feel nothing as long as they are so.
+        along_guard: and of long edges, open faces and their corners, which feel nothing as long as
+            they are so.
+        slants: corners farther than this from upright, in radians, and than at the start are pushed
+            back: faces that turn into triangles lie near, and are none of a quad net. The second
+            where the last phase comes early.
         room: edges shorter than this part of the shortest at the start are pushed back,
         roomy: and than this where the net nearly is on its surface, so that none need give way.
         across: edges over which a surface rises by more than this part of their length cut across
@@ -126,17 +130,23 @@ class Tuning:
             the better it keeps to the net; rounding is the limit.
         tangent: added to the constraints' own matrix, which alone says nothing of motions along
             the net.
-        along_damping_min: least damping of such a step, above rounding,
+        along_damping_start: damping of the first such step,
+        along_damping_min: the least, above rounding,
         along_damping_max: and that from which on it is too short to help;
-        along_calmer: factor on it after a step that was accepted at once,
-        along_harder: and after one that was refused,
+        along_calmer: factor on it after a step that was accepted at once and kept
+        kept_much: more than this part of what it promised,
+        along_harder: and after one that was refused or kept
+        kept_little: less than this part,
         along_refused: from this on.
         along_longest: a longer step leaves the neighbourhood that it was made for.
         corrections: back onto the net with the same factors, at most so many,
         on_net: until this residual;
-        near_net: with one larger than this the step was none along the net.
+        near_net: with one larger than this the step was none along the net,
+        off_net: nor is it brought back with new factors from farther off than this.
         along_worth: steps that lower the wishes by less than this part of them are not worth their
-            time.
+            time,
+        along_enough: nor is what follows on one that promised less than this,
+        undamped: where damping took less than this part of the promise.
         last_corrections: at the end, to the last digit,
         shrinking: with new factors where moves do not shrink to this part of the one before,
         most_corrections: and so many where the residual is still larger
@@ -247,21 +257,28 @@ class Tuning:
     along_squareness: float = 0.3
     along_border: float = 1e-2
     along_guard: float = 0.3
+    slants: tuple[float, ...] = (0.9, 0.6)
     room: float = 0.6
     roomy: float = 0.85
     across: float = 0.2
     share: float = 1e-4
     tangent: float = 1e-7
+    along_damping_start: float = 1e-6
     along_damping_min: float = 1e-11
     along_damping_max: float = 1e2
     along_calmer: float = 0.25
+    kept_much: float = 0.75
     along_harder: float = 4.0
+    kept_little: float = 0.25
     along_refused: float = 1e-9
     along_longest: float = 1.0
-    corrections: int = 4
+    corrections: int = 6
     on_net: float = 1e-9
     near_net: float = 1e-4
+    off_net: float = 1e-2
     along_worth: float = 3e-4
+    along_enough: float = 5e-3
+    undamped: float = 0.4
     last_corrections: int = 5
     shrinking: float = 0.1
     most_corrections: int = 25

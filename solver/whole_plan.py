@@ -174,7 +174,7 @@ class WholePlan:
         limit: float | None = None,
     ) -> Whole:
         """One attempt along the nets: what it reached."""
-        asks = self.original, self.aim.surface, evenness, limit, near
+        asks = self.original, self.aim.surface, evenness, limit, near, early
         wishes = last_phase.wishes_of(net.problem, *asks)
         nearest = NearestNet(net.problem, net.x, wishes, self._backend)
         # Nobody asked for what is tried beside a surface, so that it may not take long.

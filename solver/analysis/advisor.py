@@ -136,7 +136,8 @@ def _order(advice: Advice, zero: float) -> tuple[bool, bool, bool, bool, bool, f
     there, doubtful = advice.distance < zero, bool(advice.cause)
     net = NETS[advice.net]
     last = net.general and not (there and net.telling)
-    how_far = advice.beyond, advice.distance
+    # Of nets that it is, what is left is rounding.
+    how_far = (0.0, 0.0) if last and there else (advice.beyond, advice.distance)
     return last, not there, not advice.possible, doubtful, net.general, *how_far
 
 

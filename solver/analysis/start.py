@@ -19,8 +19,8 @@ from solver.nets import NETS
 # principal directions flatten the shape or stall; where the diagonals have less than that of it,
 # the diagonal mesh is a start for them.
 _TWISTED, _FOLLOWING = 0.45, 0.2
-# A part of the area this large where no flat faces are near is worth a word; from the second on
-# other lines are the better start, if those of the diagonal mesh are.
+# A part of the area this large where lines have to turn for flat faces is worth a word; from the
+# second on other lines are the better start, if those of the diagonal mesh are.
 _HARDLY, _MOSTLY = 0.05, 0.5
 # Degrees that the normal may turn about a border that is held: more were not made up for.
 _TURN = 1.0
@@ -125,7 +125,7 @@ def asymptotic_lines(mesh: QuadMesh) -> Remark | None:
         return None
     fact = (
         f"on {100 * share:.0f} % of the surface the lines run along its asymptotic directions, "
-        "straight on a saddle, where no flat faces are near"
+        "straight on a saddle, where faces are flat only once the lines have turned away"
     )
     otherwise = "a start whose lines follow the curvature, or a larger --flatness"
     if share < _MOSTLY:

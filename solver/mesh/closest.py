@@ -7,14 +7,16 @@ and no neighbourhood is guessed, so a point gets its true closest point wherever
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
 from solver.errors import InputError
-from solver.mesh.connectivity import IntArray
+from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.features import open_sides, pseudo_normals
 from solver.mesh.quadmesh import FloatArray, QuadMesh, cross_rows, unit_rows
 
 # Pairs of point and box that are looked at together; bounds the memory, about 100 bytes each.
@@ -54,7 +56,7 @@ class TriangleSurface:
             )
         self._corners = self.vertices[self.triangles]
         self._boxes = _BoxTree(self._corners)
-        self._normals, self._side_normals, self._corner_normals = _pseudo_normals(
+        self._normals, self._side_normals, self._corner_normals = pseudo_normals(
             self._corners, self.triangles
         )
 
@@ -82,7 +84,10 @@ class TriangleSurface:
             unit vector.
         """
         query = _points(points, "points", empty=True)
-        hit = self._boxes.nearest(query, self._corners)
+        return self._normals_at(query, self._boxes.nearest(query, self._corners))
+
+    def _normals_at(self, query: FloatArray, hit: _Hit) -> tuple[FloatArray, FloatArray]:
+        """Feet and normals for :meth:`closest`."""
         pseudo = self._pseudo_normals(hit)
         away = query - hit.feet
         distance = np.linalg.norm(away, axis=1)
@@ -93,6 +98,34 @@ class TriangleSurface:
         normals = np.where(on_rim[:, None], directed, pseudo)
         normals[~normals.any(axis=1)] = [0.0, 0.0, 1.0]
         return hit.feet, normals
+
+    def beside(self, points: ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Like :meth:`closest`, but beyond the border with the normals of the surface itself.
+
+        Args:
+            points: (N, 3) coordinates.
+
+        Returns:
+            (N, 3) feet, (N, 3) unit normals, and (N, 3) unit vectors across these that lead from
+            the border to points beyond it; zero for all others.
+        """
+        query = _points(points, "points", empty=True)
+        hit = self._boxes.nearest(query, self._corners)
+        feet, normals = self._normals_at(query, hit)
+        on_side, on_corner = (hit.feature >= 0) & (hit.feature < 3), hit.feature >= 3
+        sides, corners = self._open
+        at_border = np.zeros(len(query), dtype=bool)
+        at_border[on_side] = sides[hit.item[on_side], hit.feature[on_side]]
+        at_border[on_corner] = corners[hit.item[on_corner], hit.feature[on_corner] - 3]
+        normals[at_border] = self._pseudo_normals(hit)[at_border]
+        away = query - feet
+        away -= np.einsum("ij,ij->i", away, normals)[:, None] * normals
+        far = np.linalg.norm(away, axis=1) > _TOUCHING * self._boxes.sizes[hit.item]
+        return feet, normals, np.where((at_border & far)[:, None], unit_rows(away), 0.0)
+
+    @cached_property
+    def _open(self) -> tuple[BoolArray, BoolArray]:
+        return open_sides(self.vertices, self.triangles)
 
     def _pseudo_normals(self, hit: _Hit) -> FloatArray:
         """(N, 3) mean normals of the faces, edges and vertices that were hit."""
@@ -331,7 +364,7 @@ def _closest_on_sides(
     return feet, feature, best
 
 
-def _feet_inside(points: FloatArray, corners: FloatArray) -> tuple[NDArray[np.bool_], FloatArray]:
+def _feet_inside(points: FloatArray, corners: FloatArray) -> tuple[BoolArray, FloatArray]:
     """(N,) whether the foot on the triangle's plane lies inside, and (N, 3) that foot."""
     a = corners[:, 0]
     u, v, w = corners[:, 1] - a, corners[:, 2] - a, points - a
@@ -345,33 +378,7 @@ def _feet_inside(points: FloatArray, corners: FloatArray) -> tuple[NDArray[np.bo
     return inside, a + second[:, None] * u + third[:, None] * v
 
 
-def _pseudo_normals(
-    corners: FloatArray, triangles: IntArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """(T, 3) unit normals of faces, (T, 3, 3) of their sides, (V, 3) of vertices.
-
-    Source: Baerentzen, Aanaes (2005), Signed distance computation using the angle weighted
-    pseudonormal.
-    """
-    normals = unit_rows(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
-    pairs = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2), axis=2)
-    edges, which = np.unique(pairs.reshape(-1, 2), axis=0, return_inverse=True)
-    of_edges = _sums(which.ravel(), np.repeat(normals, 3, axis=0), len(edges))
-    sides = unit_rows(np.roll(corners, -1, axis=1) - corners)
-    cosine = -np.einsum("tki,tki->tk", sides, np.roll(sides, 1, axis=1))
-    angle = np.arccos(np.clip(cosine, -1, 1))
-    weighted = (angle[..., None] * normals[:, None]).reshape(-1, 3)
-    of_vertices = _sums(triangles.ravel(), weighted, int(triangles.max()) + 1)
-    return normals, of_edges[which.ravel()].reshape(-1, 3, 3), of_vertices
-
-
-def _sums(places: IntArray, vectors: FloatArray, count: int) -> FloatArray:
-    """(count, 3) unit vectors along the sums of the vectors of each place."""
-    total = [np.bincount(places, vectors[:, k], count) for k in range(3)]
-    return unit_rows(np.stack(total, axis=1))
-
-
-def _ends(hit: _Hit, corners: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _ends(hit: _Hit, corners: FloatArray) -> tuple[BoolArray, BoolArray]:
     """(N,) whether the foot is the start of the segment that was hit, and whether its end."""
     segment = corners[hit.item]
     at_start = (hit.feet == segment[:, 0]).all(axis=1)

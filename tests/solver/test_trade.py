@@ -33,6 +33,14 @@ def gap(mesh):
     return float(np.abs(((b - a) * across).sum(axis=1)).max())
 
 
+def corners_of(mesh):
+    """(F, 4) angles between the edges at the corners of faces, radians."""
+    corners = mesh.vertices[mesh.faces]
+    after, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
+    size = np.linalg.norm(after, axis=2) * np.linalg.norm(before, axis=2)
+    return np.arccos((after * before).sum(axis=2) / size)
+
+
 def test_the_flatter_the_panels_the_farther_from_the_surface(start, wanted):
     assert gap(start) > 0.012
     outcomes = {flatness: planar(start, wanted, flatness) for flatness in (None, 0.002, 0.008)}
@@ -58,11 +66,15 @@ def canopy(rows, columns):
 @pytest.mark.parametrize(("flatness", "most"), [(None, 0.12), (0.002, 0.07)])
 def test_lines_across_the_curvature_are_turned_until_flat_panels_are_near(flatness, most):
     wanted = Constraints(close_to=triangles_of(canopy(121, 73)))
-    report = planar(canopy(31, 19), wanted, flatness).report
+    net = planar(canopy(31, 19), wanted, flatness)
+    report = net.report
     assert report.status == CONVERGED and report.flipped_faces == 0
-    # Measured: 70 and 47 mm; a last phase that gives up too early leaves 331 and 78.
+    # Measured: 90 and 49 mm; a last phase that gives up too early leaves 331 and 78.
     assert report.form.off_surface.max < most
     assert report.form.zigzag > 0.8
+    # Without a guard of corners a face there is a triangle, 9 and 177 degrees.
+    corners = np.degrees(corners_of(net.mesh))
+    assert 30 < corners.min() and corners.max() < 150
 
 
 def test_a_mesh_within_both_is_found(start, wanted):
@@ -116,17 +128,26 @@ def test_a_surface_far_from_the_mesh_is_refused(start, wanted):
             planar(start, Constraints(close_to=(wrong, triangles)))
 
 
-@pytest.mark.parametrize("bulge", [0.0, 0.02])
-def test_lines_along_asymptotic_directions_have_no_flat_faces_near(bulge):
+def test_lines_along_asymptotic_directions_of_a_saddle_have_no_flat_faces_near():
     """Not even where a flatter surface has some is that what was drawn."""
     x, y = parameters(21, 21, 10.0, 10.0)
-    start = grid(x, y, 0.05 * x * y + bulge * x**2)
+    start = grid(x, y, 0.05 * x * y)
     report = planar(start, None).report
     assert report.status == COLLAPSED
     assert "asymptotic directions" in report.warnings[0]
     assert "diagonal IN.obj" in report.message
     # A gap that the surface has anyway needs no other lines.
     assert planar(start, None, 0.02).report.status == CONVERGED
+
+
+def test_lines_near_asymptotic_directions_turn_until_faces_are_flat():
+    x, y = parameters(21, 21, 10.0, 10.0)
+    net = planar(grid(x, y, 0.05 * x * y + 0.02 * x**2), None)
+    report = net.report
+    assert report.status == CONVERGED and "asymptotic directions" in report.warnings[0]
+    # Measured: 0.29 %; where steps beyond the border were refused 8.3 %, a quarter as high.
+    assert report.form.off_surface.percent < 0.4 and report.form.height_ratio > 0.75
+    assert report.form.zigzag > 0.9 and corners_of(net.mesh).min() > np.radians(30)
 
 
 def test_a_sheet_that_is_nearly_level_may_become_so():

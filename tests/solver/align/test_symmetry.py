@@ -150,7 +150,7 @@ def test_what_is_not_symmetric_is_said():
         InputError, match=r"mirrored in the plane x = .* the surface is .* off itself near"
     ):
         aligned(points, faces, edge=EDGE, symmetry="x")
-    with pytest.raises(InputError, match="expected one of none, auto"):
+    with pytest.raises(InputError, match="symmetry: expected none, auto, x, y, z"):
         aligned(points, faces, edge=EDGE, symmetry="w")
     said = []
     assert mirrors_of(one_surface(points, faces), "auto", EDGE, said) == ()

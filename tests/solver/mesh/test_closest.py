@@ -108,6 +108,21 @@ def test_beyond_the_border_the_normal_leads_back():
     assert normals[2, 2] > 0
 
 
+@pytest.mark.parametrize("together", [True, False])
+def test_beyond_the_border_the_surface_keeps_its_normal_and_a_way_out(together):
+    vertices = np.array([[0.0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
+    triangles = np.array([[0, 1, 2], [0, 2, 3]])
+    if not together:
+        vertices, triangles = vertices[triangles].reshape(-1, 3), np.arange(6).reshape(2, 3)
+    # Beside a side, beside a corner, over the surface, over the diagonal inside, on the border.
+    points = [[1, -3, 0.5], [-3, -4, 1], [1.2, 0.5, 0.7], [1, 1, 0.3], [2, 1, 0.0]]
+    feet, normals, outwards = TriangleSurface(vertices, triangles).beside(points)
+    np.testing.assert_allclose(feet[:2], [[1, 0, 0], [0, 0, 0]], atol=1e-15)
+    np.testing.assert_allclose(normals, np.tile([0.0, 0, 1], (5, 1)), atol=1e-15)
+    ways = [[0, -1, 0], [-0.6, -0.8, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]]
+    np.testing.assert_allclose(outwards, ways, atol=1e-12)
+
+
 def test_gradient_of_the_distance_is_the_normal():
     rng = np.random.default_rng(3)
     mesh = wavy_grid(8, 7)

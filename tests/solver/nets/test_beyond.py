@@ -143,8 +143,12 @@ def test_small_circles_of_a_sphere_have_the_tilt_of_their_radius():
         tilt = lines.common_tilt(*lines.family_bends(mesh, family))
         assert np.degrees(tilt) == pytest.approx(40.0, abs=0.1)
     assert lines.tilt(mesh).max() < 1e-5
-    _, report = reached(deformed(mesh, 0.05), "pseudo-geodesic")
-    assert 35 < report.details["tilt u"] < 50 and 35 < report.details["tilt v"] < 50
+    # Of a surface that is no sphere the nearest net has tilts of its own.
+    near, report = reached(deformed(mesh, 0.05), "pseudo-geodesic")
+    for family, name in enumerate(("tilt u", "tilt v")):
+        tilt = np.degrees(lines.common_tilt(*lines.family_bends(near, family)))
+        assert report.details[name] == pytest.approx(tilt % 180.0, abs=1e-6)
+    assert report.form.off_surface.percent < 0.1
 
 
 @functools.cache

@@ -18,6 +18,7 @@ from solver.terms.base import Term
 from solver.terms.beyond_surface import BeyondSurface
 from solver.terms.chebyshev import EqualEdges
 from solver.terms.closeness import Closeness
+from solver.terms.corner_guard import CornerGuard
 from solver.terms.derivatives import derivative_error
 from solver.terms.edge_guard import EdgeGuard
 from solver.terms.edge_vectors import EdgeVectors
@@ -33,6 +34,7 @@ from solver.terms.isometry import Isometry
 from solver.terms.koenigs_star import KoenigsStar
 from solver.terms.medial_angle import MedialAngle
 from solver.terms.multi import multi_net
+from solver.terms.near_surface import NearSurface
 from solver.terms.orthogonality import Orthogonality
 from solver.terms.planarity import Planarity
 from solver.terms.pull import Pull
@@ -187,10 +189,14 @@ CASES = {
     ),
     "edge guard": Case(lambda m: EdgeGuard(m.connectivity.edges, 1.29), SQUARES),
     "face guard": Case(lambda m: FaceGuard(m.faces, 0.99), SQUARES),
+    "corner guard": Case(lambda m: CornerGuard(m.faces, np.zeros((len(m.faces), 4))), SQUARES),
     "closeness": Case(lambda m: Closeness(ALL, REST.vertices), REST, [], False),
     "handles": Case(lambda m: Pull(ALL, REST.vertices, goals=REST.vertices + 1.0), REST, [], False),
     "on plane": Case(lambda m: OnPlane(ALL, np.array([0, 0, 1.0]), 0.0), SQUARES, [], False),
     "on surface": Case(following(lambda m: OnSurface(ALL, SHEET)), SQUARES, [], False),
+    "near surface": Case(
+        following(lambda m: NearSurface(ALL, SHEET, np.zeros((COUNT, 3)))), SQUARES, [], False
+    ),
     "beyond surface": Case(
         following(lambda m: BeyondSurface(m.faces, SHEET, 0.05)), SQUARES, [], False
     ),
@@ -324,6 +330,7 @@ EQUATIONS = {
     "edge guard": 31,
     "equal edges": 31,
     "face guard": 2 * 12,
+    "corner guard": 4 * 12,
     "isometry": 3 * 12,
     "koenigs": 6,
     "equilibrium": 3 * 2,
