@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from solver.analysis.form import off_surface
 from solver.candidate import Candidate
 from solver.mesh.closest import TriangleSurface
-from solver.nearest import Wish, drawn, limit_in_reach, missing, nearness, pull_of
 from solver.problem import Problem
 from solver.report import COLLAPSED, CONVERGED
 from solver.tuning import Tuning
+from solver.wishes import Wish, drawn, limit_in_reach, missing, nearness, pull_of
 
 
 @dataclass(frozen=True)

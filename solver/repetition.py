@@ -29,11 +29,12 @@ from solver.errors import InputError
 from solver.grouping import Groups, groups_of, in_rows, merged, near_ones, stressed, unstressed
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nearest import NearestNet, Wish, nearness
+from solver.nearest import NearestNet
 from solver.point import Point
 from solver.problem import Problem
 from solver.report import Repeated
 from solver.terms.gliding import OnCurve
+from solver.wishes import Wish, nearness
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,12 @@ from solver.candidate import Candidate, judge
 from solver.last_phase import Aim
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nearest import NearestNet, pull_of
+from solver.nearest import NearestNet
 from solver.plan import Attempt, Attempts
 from solver.problem import Problem
 from solver.repetition import Repeat, Repetition
 from solver.report import CONVERGED, STALLED, STOPPED, Repeated, StepRecord
+from solver.wishes import pull_of
 
 
 class Ended(NamedTuple):

@@ -33,7 +33,7 @@ DEFERRED = {
 LAYERS = (
     "errors", "option", "tuning", "isolated", "mesh", "io", "multinet", "mesh.primitives",
     "offset", "linear", "statics", "frame", "analysis", "align", "terms", "report", "problem",
-    "nets", "analysis.start", "candidate", "plan",
+    "nets", "analysis.start", "candidate", "plan", "wishes",
     "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "grouping",
     "repetition", "best", "summary", "last_phase", "along", "whole_plan", "run", "optimise",
     "session", "solve",

@@ -9,12 +9,13 @@ from solver.analysis.form import off_surface, surface_of
 from solver.candidate import judge
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.grid import grid_faces, grid_mesh
-from solver.nearest import NearestNet, Wish, halfway, nearness
+from solver.nearest import NearestNet
 from solver.nets import NETS
 from solver.problem import Problem
 from solver.report import CONVERGED
 from solver.terms.closeness import Closeness
 from solver.tuning import Tuning
+from solver.wishes import Wish, halfway, nearness
 from tests.meshes import hanging_net
 
 
