@@ -30,6 +30,8 @@ EndsWord = Literal[
     "lapped",
     "through-u",
     "through-v",
+    "coped-u",
+    "coped-v",
     "spliced-u",
     "spliced-v",
 ]
