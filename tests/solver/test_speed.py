@@ -55,10 +55,15 @@ def test_time_grows_slowly_with_the_mesh(monkeypatch):
     assert np.log(large / small) / np.log(10_000 / 1_024) <= 1.55
 
 
-def laplacian_seconds(side=100, repeats=8):
-    """Fastest factorisation of the five-point Laplacian of a grid: how fast this machine is now."""
+def factorisation_seconds(side=39, repeats=8):
+    """Fastest factorisation by a library of a matrix as large and as full as that of such a net.
+
+    Three unknowns a vertex, each with those of the vertices two edges away: as the step itself it
+    feels how much of the caches other work leaves.
+    """
     line = sparse.diags([-1.0, 2.1, -1.0], [-1, 0, 1], shape=(side, side))
-    matrix = sparse.csc_matrix(sparse.kronsum(line, line))
+    laplacian = sparse.kronsum(line, line)
+    matrix = sparse.csc_matrix(sparse.kron(laplacian @ laplacian, np.ones((3, 3)) + 2 * np.eye(3)))
     fastest = np.inf
     for _ in range(repeats):
         begin = time.process_time()
@@ -68,14 +73,14 @@ def laplacian_seconds(side=100, repeats=8):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("net", "most"), [("principal", 3), ("cmc", 3), ("stress", 5)])
-def test_a_step_costs_few_factorisations_of_a_laplacian(monkeypatch, net, most):
-    # Measured 1.1 to 1.9, 1.6 to 2.0 and 2.0 to 3.2, while the machine itself varied by two; where
-    # other work came between, it is measured again.
+@pytest.mark.parametrize(("net", "most"), [("principal", 1.6), ("cmc", 1.6), ("stress", 2.6)])
+def test_a_step_costs_little_more_than_one_factorisation(monkeypatch, net, most):
+    # Measured 0.9 to 1.2, 0.9 to 1.2 and 1.7 to 1.9 beside other work; where that came between, it
+    # is measured again.
     ratios = []
     while len(ratios) < 3 and (not ratios or ratios[-1] > most):
-        yardsticks = [laplacian_seconds()]
+        yardsticks = [factorisation_seconds()]
         step, _, _ = times(monkeypatch, wavy_grid(39, 39), net)
-        yardsticks.append(laplacian_seconds())
+        yardsticks.append(factorisation_seconds())
         ratios.append(step / max(yardsticks))
     assert ratios[-1] <= most, ratios
