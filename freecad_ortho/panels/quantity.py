@@ -12,6 +12,8 @@ from PySide import QtCore, QtGui
 _DIGITS = 6
 # What is less is a rest of a calculation: FreeCAD would show it as so many nanometres.
 _NOTHING = 1e-6
+# So many fields are made until one is not taken for another.
+_TRIES = 20
 
 
 class Absent(QtCore.QObject):
@@ -47,6 +49,26 @@ class Absent(QtCore.QObject):
             line.clear()
 
 
+def _box() -> Any:
+    """A new field of FreeCAD's own.
+
+    Where it comes to lie in the place of one that was deleted PySide now and then takes it for that
+    one. Another is made then, which lies elsewhere as the first still has its place.
+
+    Raises:
+        RuntimeError: PySide takes each of them for deleted.
+    """
+    for _ in range(_TRIES):
+        widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        try:
+            widget.objectName()
+        except RuntimeError as error:
+            mistaken = error
+        else:
+            return widget
+    raise mistaken
+
+
 class QuantityField(QtCore.QObject):
     """FreeCAD's own field in the user's unit system, which by itself takes what it shows for true.
 
@@ -72,7 +94,7 @@ class QuantityField(QtCore.QObject):
         maximum: float | None = None,
         absent: str = "",
     ) -> None:
-        self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        self.widget = _box()
         super().__init__(self.widget)
         self._unit = unit
         self.widget.setProperty("unit", unit)

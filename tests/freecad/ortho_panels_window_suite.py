@@ -8,7 +8,7 @@ import ortho_suite_tools as tools
 from ortho_panel_tools import PANELS, broad, cut_off, document_for_panels, form, open_panel, width
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from freecad_ortho import api
 from freecad_ortho.fabrication.formats import FORMATS
@@ -90,6 +90,25 @@ class TestUnits(WindowCase):
         self.addCleanup(group.SetInt, "UserSchema", before)
         group.SetInt("UserSchema", 5)
         FreeCAD.Units.setSchema(5)
+
+    def test_a_field_in_the_place_of_a_deleted_one_is_made_again(self):
+        """PySide takes it for that one now and then: here the first two times."""
+        loader, kinds = FreeCADGui.UiLoader, []
+
+        class Mistaken:
+            def createWidget(self, kind):
+                kinds.append(kind)
+                if len(kinds) > 2:
+                    return loader().createWidget(kind)
+                gone = QtGui.QSpinBox()
+                gone.deleteLater()
+                QtCore.QCoreApplication.sendPostedEvents(gone, QtCore.QEvent.DeferredDelete)
+                return gone
+
+        FreeCADGui.UiLoader = Mistaken
+        self.addCleanup(setattr, FreeCADGui, "UiLoader", loader)
+        self.assertEqual(LengthField(12.0).millimetres, 12.0)
+        self.assertEqual(kinds, 3 * ["Gui::QuantitySpinBox"])
 
     def test_defaults_are_shown_and_stored_exactly_in_us_building_units(self):
         net = api.import_net(tools.wavy_mesh())
