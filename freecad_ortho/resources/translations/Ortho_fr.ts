@@ -5962,7 +5962,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>one for each system</source>
-   <translation>un pour chaque système</translation>
+   <translation>un par système</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
