@@ -12,7 +12,8 @@ from solver.problem import Problem
 def isogonal(problem: Problem, options: NetOptions) -> Problem:
     """Require one angle between the medial lines of all faces, given or free.
 
-    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, the remark after lemma 4.
+    Source: Dellinger, Li, Wang (2023), Discrete Orthogonal Structures, section 2, after lemma 4, on
+    medial lines as tangents of the lines.
     """
     return require_angle(problem, options, options.angle)
 
