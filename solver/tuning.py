@@ -141,8 +141,9 @@ class Tuning:
         along_longest: a longer step leaves the neighbourhood that it was made for.
         corrections: back onto the net with the same factors, at most so many,
         on_net: until this residual;
-        near_net: with one larger than this the step was none along the net,
-        off_net: nor is it brought back with new factors from farther off than this.
+        near_net: with one larger than this the step is none along the net: the way back from there
+            may cost more than the next one gains;
+        off_net: it is brought back with new factors then, from farther off than this not at all.
         along_worth: steps that lower the wishes by less than this part of them are not worth their
             time,
         along_enough: nor is what follows on one that promised less than this,
@@ -274,7 +275,7 @@ class Tuning:
     along_longest: float = 1.0
     corrections: int = 6
     on_net: float = 1e-9
-    near_net: float = 1e-4
+    near_net: float = 1e-7
     off_net: float = 1e-2
     along_worth: float = 3e-4
     along_enough: float = 5e-3
