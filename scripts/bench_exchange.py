@@ -24,6 +24,8 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from bench import write  # noqa: E402
+
 from freecad_ortho import api  # noqa: E402
 from freecad_ortho.fabrication.exchange import WRITERS  # noqa: E402
 from freecad_ortho.fabrication.formats import FORMATS  # noqa: E402
@@ -32,7 +34,6 @@ from freecad_ortho.fabrication.workshop import Workshop  # noqa: E402
 from solver import QuadMesh  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "exchange.md"
-MARKS = "<!-- size table: begin -->", "<!-- size table: end -->"
 CASES = ("demo roof", "vault")
 STEP_TOLERANCE = 0.01
 
@@ -54,10 +55,7 @@ def main() -> None:
     text = "\n".join(lines)
     print(text)
     if "--write" in sys.argv:
-        before, rest = DOCUMENT.read_text(encoding="utf-8").split(MARKS[0])
-        after = rest.split(MARKS[1])[1]
-        page = f"{before}{MARKS[0]}\n\n{text}\n\n{MARKS[1]}{after}"
-        DOCUMENT.write_text(page, encoding="utf-8")
+        write(DOCUMENT, "size", text)
 
 
 def measured(case: str) -> tuple[int, dict[str, tuple[float, float, float]]]:

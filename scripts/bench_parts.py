@@ -23,6 +23,8 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from bench import write  # noqa: E402
+
 from freecad_ortho import api  # noqa: E402
 from freecad_ortho.fabrication.dxf import write_dxf  # noqa: E402
 from freecad_ortho.fabrication.equal import copies  # noqa: E402
@@ -33,7 +35,6 @@ from freecad_ortho.fabrication.structure import OK, Structure  # noqa: E402
 from solver import QuadMesh  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "benchmarks.md"
-MARKS = "<!-- parts table: begin -->", "<!-- parts table: end -->"
 GLAZED = {
     "node": "bolted",
     "section": "tube:160x80x5",
@@ -64,10 +65,7 @@ def main() -> None:
     text = "\n".join(lines)
     print(text)
     if "--write" in sys.argv:
-        before, rest = DOCUMENT.read_text(encoding="utf-8").split(MARKS[0])
-        after = rest.split(MARKS[1])[1]
-        page = f"{before}{MARKS[0]}\n{text}\n{MARKS[1]}{after}"
-        DOCUMENT.write_text(page, encoding="utf-8")
+        write(DOCUMENT, "parts", text)
 
 
 def row(found: dict[str, Any]) -> str:
