@@ -11,10 +11,9 @@ import numpy as np
 
 from freecad_ortho import convert
 from freecad_ortho.objects import fem_loads
-from freecad_ortho.structural.calculix import ARM, PIECES, Elements, arm_side, what_is_missing
+from freecad_ortho.structural.calculix import ARM, PIECES, Joined, arm_side, what_is_missing
 from freecad_ortho.structural.model import Model
 from solver.errors import InputError
-from solver.frame.model import Loads
 from solver.mesh.quadmesh import FloatArray
 
 translate = FreeCAD.Qt.translate
@@ -28,10 +27,6 @@ def refuse_missing(model: Model) -> None:
             "the model for CalculiX itself"
         )
     missing = what_is_missing(model)
-    if model.supports.springs.any():
-        missing = "supports: its analysis has no springs"
-    if model.design.crossing_spring() == 0 and len(model.frame.members) > len(model.families):
-        missing = "crossings: its analysis has rigid ones only"
     if missing:
         raise InputError(
             f"FEM analysis: CalculiX in the FEM workbench does not know the model's {missing}; "
@@ -55,34 +50,24 @@ def create(
     from freecad_ortho.objects import fem_solver
 
     analysis = ObjectsFem.makeAnalysis(document, "NetAnalysis")
-    cut = Elements.of(model.frame)
-    lines = _lines(document, model, shift)
-    members = [fem_solver.create(document), _mesh(document, model, cut, lines, shift)]
-    members += _sections(ObjectsFem, document, model, lines)
-    members += _supports(ObjectsFem, document, model, lines)
+    joined = Joined.of(model)
+    lines = _lines(document, joined, shift)
+    members = [fem_solver.create(document), _mesh(document, model, joined, lines, shift)]
+    members += _sections(ObjectsFem, document, model, joined, lines)
+    members += _supports(ObjectsFem, document, model, joined, lines)
     for case in model.cases:
-        forces = cut.forces(model.frame, _padded(case.loads, model))
-        members.append(
-            fem_loads.create(document, case.name, float(factors.get(case.name, 0.0)), forces)
-        )
+        factor = float(factors.get(case.name, 0.0))
+        members.append(fem_loads.create(document, case.name, factor, joined.forces(case.loads)))
     for member in (lines, *members):
         analysis.addObject(member)
     return analysis
 
 
-def _padded(loads: Loads, model: Model) -> Loads:
-    """Loads with rows for the arms and their nodes."""
-    found = Loads.none(model.frame)
-    found.nodal[: len(loads.nodal)] = loads.nodal
-    found.spread[: len(loads.spread)] = loads.spread
-    return found
-
-
-def _lines(document: Any, model: Model, shift: FloatArray) -> Any:
+def _lines(document: Any, joined: Joined, shift: FloatArray) -> Any:
     """An edge for every member, with two vertices each, which sections and supports name."""
     import Part
 
-    ends = (model.frame.nodes + shift)[model.frame.members]
+    ends = (joined.frame.nodes + shift)[joined.frame.members]
     edges = [Part.makeLine(*convert.vectors(pair)) for pair in ends]
     feature = document.addObject("Part::Feature", "MemberLines")
     feature.Label = translate("Ortho", "Lines of the members")
@@ -90,9 +75,10 @@ def _lines(document: Any, model: Model, shift: FloatArray) -> Any:
     return feature
 
 
-def _mesh(document: Any, model: Model, cut: Elements, lines: Any, shift: FloatArray) -> Any:
+def _mesh(document: Any, model: Model, joined: Joined, lines: Any, shift: FloatArray) -> Any:
     import Fem
 
+    cut = joined.cut
     mesh, places = Fem.FemMesh(), cut.frame.nodes + shift
     for node in cut.used.tolist():
         mesh.addNode(*places[node].tolist(), node + 1)
@@ -106,16 +92,22 @@ def _mesh(document: Any, model: Model, cut: Elements, lines: Any, shift: FloatAr
     feature.Shape = lines
     words = "Direction of the width of each member's section"
     feature.addProperty("App::PropertyVectorList", "SectionWidths", "FEM Mesh", words, 4)
-    feature.SectionWidths = convert.vectors(model.frame.axes[:, 1])
+    feature.SectionWidths = convert.vectors(joined.frame.axes[:, 1])
     words = "Elements of each member, one member after the other"
     feature.addProperty("App::PropertyInteger", "ElementsPerMember", "FEM Mesh", words, 1)
     feature.ElementsPerMember = PIECES
+    words = "The first nodes are those of the net, so many"
+    feature.addProperty("App::PropertyInteger", "NetNodes", "FEM Mesh", words, 5)
+    feature.NetNodes = len(model.mesh.vertices)
+    words = "Lines for CalculiX: joints that give, panels that stiffen, springs of supports"
+    feature.addProperty("App::PropertyStringList", "Links", "FEM Mesh", words, 4)
+    feature.Links = list(joined.link_lines(model))
     return feature
 
 
-def _sections(fem: Any, document: Any, model: Model, lines: Any) -> Iterable[Any]:
+def _sections(fem: Any, document: Any, model: Model, joined: Joined, lines: Any) -> Iterable[Any]:
     """A section and a material for each group of members, and for arms beside the net."""
-    one_for_all = len(model.groups) == 1 and len(model.frame.members) == len(model.families)
+    one_for_all = len(model.groups) == 1 and len(joined.frame.members) == len(model.families)
     for group in model.groups:
         profile, material = group.profile, group.material
         on = [] if one_for_all else _named(lines, np.flatnonzero(group.members))
@@ -132,7 +124,7 @@ def _sections(fem: Any, document: Any, model: Model, lines: Any) -> Iterable[Any
             (material.youngs_modulus, min(poisson, 0.49), material.density),
             on,
         )
-    arms = np.arange(len(model.families), len(model.frame.members))
+    arms = np.arange(len(model.families), len(joined.frame.members))
     if len(arms):
         side, on = arm_side(model), _named(lines, arms)
         section = _rectangle(fem, document, side, side)
@@ -185,10 +177,10 @@ def _material(
     return feature
 
 
-def _supports(fem: Any, document: Any, model: Model, lines: Any) -> Iterable[Any]:
+def _supports(fem: Any, document: Any, model: Model, joined: Joined, lines: Any) -> Iterable[Any]:
     """A constraint for every kind of support."""
     held, first = model.supports.fixed, {}
-    for place, node in enumerate(model.frame.members.ravel().tolist(), 1):
+    for place, node in enumerate(joined.frame.members.ravel().tolist(), 1):
         first.setdefault(node, f"Vertex{place}")
     kinds, which = np.unique(held, axis=0, return_inverse=True)
     for kind, fixed in enumerate(kinds):

@@ -1,8 +1,8 @@
-"""CalculiX in the FEM workbench for the analysis of a net: FreeCAD's solver, and two things more.
+"""CalculiX in the FEM workbench for the analysis of a net: FreeCAD's solver, and some things more.
 
 Sections turn by the axes of the net, each member by its own, where FreeCAD turns all of an analysis
-by one angle from directions of its own; and loads act along members. Loaded only where the FEM
-workbench is.
+by one angle from directions of its own; loads act along members; joints give, supports are springs
+and panels stiffen. Loaded only where the FEM workbench is.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ try:
 except ImportError:
     Current = None
 
-_END, _ELEMENT, _SECTION = "*END STEP", "TYPE=B32,", "*BEAM SECTION"
+_STEP, _END, _ELEMENT, _SECTION = "*STEP", "*END STEP", "TYPE=B32,", "*BEAM SECTION"
 _OLD_SECTION = "*BEAM GENERAL SECTION"
 
 
@@ -78,6 +78,22 @@ class Sets(MeshSetsGetter):
         """Elements of each material."""
         self._shared(self.member.mats_linear, "M")
 
+    def get_constraints_fixed_nodes(self) -> None:
+        """Nodes that cannot move."""
+        super().get_constraints_fixed_nodes()
+        self._of_the_net(self.member.cons_fixed)
+
+    def get_constraints_displacement_nodes(self) -> None:
+        """Nodes that cannot move some ways."""
+        super().get_constraints_displacement_nodes()
+        self._of_the_net(self.member.cons_displacement)
+
+    def _of_the_net(self, owners: list[dict[str, Any]]) -> None:
+        """Leave out ends of members that are linked to a node in their place."""
+        count = getattr(self.mesh_object, "NetNodes", 0)
+        for owner in owners:
+            owner["Nodes"] = [node for node in owner["Nodes"] if not count or node <= count]
+
     def _shared(self, owners: list[dict[str, Any]], letter: str) -> None:
         """Hand elements to those that name edges, the others to one that names none."""
         each, count = self.mesh_object.ElementsPerMember, len(self.mesh_object.SectionWidths)
@@ -115,17 +131,19 @@ class Prepare(run.Prepare):
             for one in sets.mat_geo_sets
             if hasattr(one.get("beamsection_obj"), "Wall")
         }
-        complete(Path(path), hollow, list(_forces(self.analysis)))
+        links = list(getattr(mesh, "Links", []))
+        complete(Path(path), hollow, links, list(_forces(self.analysis)))
         # Where FreeCAD's next steps look for the name.
         tasks._inputFileName = Path(path).stem
 
 
-def complete(path: Path, hollow: dict[str, float], forces: list[str]) -> None:
+def complete(path: Path, hollow: dict[str, float], links: list[str], forces: list[str]) -> None:
     """Put into an input file what FreeCAD's writer has not.
 
     Args:
         path: of the file, which is written anew.
         hollow: walls, mm, of rectangular sections that are hollow, by the names of their sets.
+        links: lines of joints that give and springs.
         forces: lines of the loads.
     """
     found: list[str] = []
@@ -138,6 +156,8 @@ def complete(path: Path, hollow: dict[str, float], forces: list[str]) -> None:
             wall = f"{hollow[words['ELSET']]:.13G}"
             found += [line.replace("SECTION=RECT", "SECTION=BOX")]
             line = ",".join([next(lines), wall, wall, wall, wall])
+        if line.startswith(_STEP):
+            found += links
         if line.startswith(_END):
             found += forces
         found.append(line)
@@ -164,4 +184,7 @@ def create(document: Any) -> Any:
     """Add the solver to a document: static, linear."""
     from femtools import femutils
 
-    return femutils.createObject(document, "SolverCalculiX", Solver, calculix.ViewProxy)
+    solver = femutils.createObject(document, "SolverCalculiX", Solver, calculix.ViewProxy)
+    # FreeCAD 1.1 asks for the solids that CalculiX makes of beams, whose nodes are not the net's.
+    solver.BeamShellResultOutput3D = False
+    return solver

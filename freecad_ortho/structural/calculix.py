@@ -2,6 +2,7 @@
 
 Arms of members beside the net are beams too, far stiffer than members. One that turns about its
 axis is a sleeve on a pin: a second arm in its place, and equations that hold both ends together.
+Ends of members that give are linked to their nodes, see ``calculix_links``.
 """
 
 from __future__ import annotations
@@ -11,6 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_ortho.structural import calculix_links
+from freecad_ortho.structural.calculix_links import Link
 from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import Model
 from solver.frame.model import Frame, Loads
@@ -22,6 +25,8 @@ PIECES = 4
 # Young's modulus of arms by the largest of members, and of their square sections the side by the
 # largest height.
 ARM, _SIDE = 100.0, 1.0
+# Length of levers by the side of arms.
+_LEVER = 2.0
 # Of a member's springs: turning about its axis at its first node.
 _TURN = 3
 # Of the load along an element with three nodes: what each of them takes.
@@ -77,13 +82,10 @@ def what_is_missing(model: Model) -> str:
     """What of a model beams of CalculiX cannot be, in words; nothing where they can."""
     for group in model.groups:
         if _section(group) is None:
-            return f"section {group.profile.name}: it has rectangles and tubes, round or not"
-    if model.design.joints != "rigid":
-        return "joints: it has rigid ones only"
-    if model.design.crossing_spring() not in (0.0, np.inf):
-        return "crossings: it has rigid and hinged ones only"
-    if model.design.panel_shear > 0:
-        return "panel shear: it has members only"
+            return (
+                f"section {group.profile.name}: its beams are rectangles and tubes, round or not, "
+                "and what it takes by numbers twists like a round bar"
+            )
     return ""
 
 
@@ -105,9 +107,51 @@ def _section(group: Group) -> tuple[str, str] | None:
     return None
 
 
+@dataclass(frozen=True, eq=False)
+class Joined:
+    """A model as beams and what links them.
+
+    Attributes:
+        frame: its first members are the model's, then its arms, then pins and levers, all as
+            stiff as arms.
+        links: between its nodes.
+        cut: the frame in elements.
+    """
+
+    frame: Frame
+    links: Sequence[Link]
+    cut: Elements
+
+    @classmethod
+    def of(cls, model: Model) -> Joined:
+        """Beams of a model."""
+        pinned, pairs = _with_pins(model)
+        frame, links = calculix_links.giving_joints(pinned, _LEVER * arm_side(model))
+        for one, two in pairs.tolist():
+            links += [Link(((one, k, 1.0), (two, k, -1.0))) for k in range(3)]
+        return cls(frame, [*links, *calculix_links.stiffening_panels(frame)], Elements.of(frame))
+
+    def forces(self, loads: Loads) -> FloatArray:
+        """(N, 3) forces on the nodes of the elements in N, of loads on the model."""
+        found = Loads.none(self.frame)
+        found.nodal[: len(loads.nodal)] = loads.nodal
+        found.spread[: len(loads.spread)] = loads.spread
+        return self.cut.forces(self.frame, found)
+
+    def link_lines(self, model: Model) -> Iterator[str]:
+        """Lines of an input file: equations of the links, springs of links and of supports."""
+        element = 1 + len(self.cut.elements)
+        held = np.argwhere(model.supports.springs > 0)
+        for number, (node, direction) in enumerate(held.tolist(), element):
+            stiffness = float(model.supports.springs[node, direction])
+            yield from calculix_links.spring(number, node + 1, direction + 1, stiffness)
+        node = 1 + len(self.cut.frame.nodes)
+        yield from calculix_links.lines(self.links, self.frame.nodes, node, element + len(held))
+
+
 def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
-    frame, pins = _with_pins(model)
-    cut = Elements.of(frame)
+    joined = Joined.of(model)
+    cut = joined.cut
     yield f"** {model.section_words} of {model.material_words}; N, mm, t; z upwards"
     yield "*NODE, NSET=ALL"
     for node in cut.used.tolist():
@@ -116,14 +160,9 @@ def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
     yield "*ELEMENT, TYPE=B32R, ELSET=MEMBERS"
     for number, (one, middle, two) in enumerate(cut.elements.tolist(), 1):
         yield f"{number}, {one + 1}, {middle + 1}, {two + 1}"
-    yield from _materials(model)
-    yield from _sections(model, frame, sections)
-    for one, two in pins.tolist():
-        for direction in (1, 2, 3):
-            yield "*EQUATION"
-            yield "2"
-            yield f"{one + 1}, {direction}, 1., {two + 1}, {direction}, -1."
-    yield from _springs(model, 1 + len(cut.elements))
+    yield from _materials(model, len(joined.frame.members))
+    yield from _sections(model, joined.frame, sections)
+    yield from joined.link_lines(model)
     yield "*BOUNDARY"
     for node in np.flatnonzero(model.supports.fixed.any(axis=1)).tolist():
         for direction in np.flatnonzero(model.supports.fixed[node]).tolist():
@@ -133,10 +172,7 @@ def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
         yield "*STEP"
         yield "*STATIC"
         yield "*CLOAD, OP=NEW"
-        loads = Loads.none(frame)
-        loads.nodal[: len(case.loads.nodal)] = case.loads.nodal
-        loads.spread[: len(case.loads.spread)] = case.loads.spread
-        force = cut.forces(frame, loads)
+        force = joined.forces(case.loads)
         for node, direction in np.argwhere(force != 0).tolist():
             yield f"{node + 1}, {direction + 1}, {force[node, direction]:.9g}"
         yield "*NODE FILE, OUTPUT=2D"
@@ -168,20 +204,27 @@ def _with_pins(model: Model) -> tuple[Frame, IntArray]:
         members=members,
         stiffness=frame.stiffness.taken(every),
         up=frame.up[every],
-        springs=frame.springs[every],
+        springs=_without_turning(frame.springs[every]),
     )
     pairs = [np.stack([own, vertex], axis=1), np.stack([tip, end], axis=1)]
     return pinned, np.concatenate(pairs)
 
 
-def _materials(model: Model) -> Iterator[str]:
+def _without_turning(springs: FloatArray) -> FloatArray:
+    """Springs of which those that pins are for are rigid."""
+    found = springs.copy()
+    found[found[:, _TURN] == 0, _TURN] = np.inf
+    return found
+
+
+def _materials(model: Model, members: int) -> Iterator[str]:
     for number, group in enumerate(model.groups, 1):
         material = group.material
         poisson = material.youngs_modulus / (2 * material.shear_modulus) - 1
         # What has fibres shears more than any Poisson's ratio says; 0.49 is the most there is.
         elastic = f"{material.youngs_modulus:g}, {min(poisson, 0.49):.6g}"
         yield from _material(f"MATERIAL{number}", elastic, f"{material.density * 1e-12:g}")
-    if len(model.frame.members) > len(model.families):
+    if members > len(model.families):
         stiff = ARM * float(model.bare.stiffness.youngs.max())
         # Arms weigh nothing.
         yield from _material("ARMS", f"{stiff:g}, 0.3", "1e-20")
@@ -211,15 +254,3 @@ def _sections(model: Model, frame: Frame, sections: Sequence[tuple[str, str]]) -
         yield f"*BEAM SECTION, ELSET={name}, MATERIAL={material}, SECTION={kind}"
         yield sizes
         yield f"{x:.9g}, {y:.9g}, {z:.9g}"
-
-
-def _springs(model: Model, first: int) -> Iterator[str]:
-    """Springs between supports and the ground, an element each, numbered from ``first`` on."""
-    held = np.argwhere(model.supports.springs > 0)
-    for number, (node, direction) in enumerate(held.tolist(), first):
-        yield f"*ELEMENT, TYPE=SPRING1, ELSET=SPRING{number}"
-        yield f"{number}, {node + 1}"
-        yield f"*SPRING, ELSET=SPRING{number}"
-        yield f"{direction + 1}"
-        # It takes a number without a point for another direction.
-        yield f"{model.supports.springs[node, direction]:.9E}"

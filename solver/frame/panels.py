@@ -54,7 +54,7 @@ class Panels:
             nodes: (N, 3) where nodes were, free of stress.
             moved: (N, 3) how far they have moved, any distance.
         """
-        slope = self._slope(nodes + moved)
+        slope = self.slopes(nodes + moved)
         return np.asarray((self.stiffness * self.sheared(nodes, moved))[:, None] * slope)
 
     def sheared(self, nodes: FloatArray, moved: FloatArray) -> FloatArray:
@@ -64,7 +64,7 @@ class Panels:
 
     def sheared_a_little(self, nodes: FloatArray, moved: FloatArray) -> FloatArray:
         """(P,) the same for movements so small that it is in proportion to them."""
-        slope = self._slope(nodes)
+        slope = self.slopes(nodes)
         return np.asarray((slope * moved[self.corners].reshape(-1, 12)).sum(axis=1))
 
     def shear_flows(self, nodes: FloatArray, moved: FloatArray) -> FloatArray:
@@ -77,7 +77,7 @@ class Panels:
 
     def elastic(self, nodes: FloatArray) -> FloatArray:
         """(P, 12, 12) stiffness at the nodes' own places."""
-        slope = self._slope(nodes)
+        slope = self.slopes(nodes)
         return np.asarray(self.stiffness[:, None, None] * slope[:, :, None] * slope[:, None, :])
 
     def geometric(self, nodes: FloatArray, longer: FloatArray) -> FloatArray:
@@ -101,8 +101,8 @@ class Panels:
         longer = self.sheared(nodes, moved)
         return self.elastic(nodes + moved) + self.geometric(nodes + moved, longer)
 
-    def _slope(self, points: FloatArray) -> FloatArray:
-        """(P, 12) derivative of the first diagonal's length less the second's."""
+    def slopes(self, points: FloatArray) -> FloatArray:
+        """(P, 12) derivative of the first diagonal's length less the second's by the corners."""
         slope = np.zeros((len(self.corners), 4, 3))
         for sign, (a, b) in zip((1.0, -1.0), _DIAGONALS, strict=True):
             unit, _ = self._unit(points, a, b)
