@@ -16,6 +16,15 @@ _NOTHING = 1e-6
 _TRIES = 20
 
 
+def _line(box: QtGui.QWidget) -> QtGui.QLineEdit | None:
+    """The part of a field that shows its text.
+
+    None where PySide takes it for something that was deleted before it and lay in the same place.
+    It is asked for anew each time: PySide forgets a child with the widgets around it.
+    """
+    return box.findChild(QtGui.QLineEdit)
+
+
 class Absent(QtCore.QObject):
     """Shows words in the place of a zero that stands for something else.
 
@@ -25,7 +34,7 @@ class Absent(QtCore.QObject):
     def __init__(self, box: QtGui.QWidget, words: str) -> None:
         super().__init__(box)
         self._box = box
-        line = box.findChild(QtGui.QLineEdit)
+        line = _line(box)
         line.setPlaceholderText(words)
         # The field writes its number anew when it loses the focus or is shown: look after that.
         self._later = QtCore.QTimer(self)
@@ -42,8 +51,9 @@ class Absent(QtCore.QObject):
 
     def show(self) -> None:
         """Make room for the words where the number is zero."""
-        # Asked for anew: PySide forgets a child that it was asked for with the widgets around it.
-        line = self._box.findChild(QtGui.QLineEdit)
+        line = _line(self._box)
+        if line is None:
+            return
         typing = self._box.hasFocus() or line.hasFocus()
         if self._box.property("rawValue") == 0.0 and not typing:
             line.clear()
@@ -52,21 +62,27 @@ class Absent(QtCore.QObject):
 def _box() -> Any:
     """A new field of FreeCAD's own.
 
-    Where it comes to lie in the place of one that was deleted PySide now and then takes it for that
-    one. Another is made then, which lies elsewhere as the first still has its place.
+    Where it or its text comes to lie in the place of what was deleted PySide now and then takes it
+    for that. Another is made then, which lies elsewhere as the first still has its place.
 
     Raises:
         RuntimeError: PySide takes each of them for deleted.
     """
+    mistaken = []
     for _ in range(_TRIES):
         widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        try:
-            widget.objectName()
-        except RuntimeError as error:
-            mistaken = error
-        else:
+        if _alive(widget):
             return widget
-    raise mistaken
+        mistaken.append(widget)
+    raise RuntimeError(f"no field for a quantity in {_TRIES} tries")
+
+
+def _alive(widget: QtGui.QWidget) -> bool:
+    """Tell whether PySide knows a new field and its text for what they are."""
+    try:
+        return _line(widget) is not None
+    except RuntimeError:
+        return False
 
 
 class QuantityField(QtCore.QObject):
@@ -147,4 +163,7 @@ class QuantityField(QtCore.QObject):
             self._absent.show()
 
     def _write(self, text: str) -> None:
-        self.widget.findChild(QtGui.QLineEdit).setText(text)
+        line = _line(self.widget)
+        # Without it FreeCAD's rounded text stays, which stands for the exact value as well.
+        if line is not None:
+            line.setText(text)

@@ -95,6 +95,7 @@ def run_suite(program, suite, folder, scratch, with_add_on=True):
         "ORTHO_SUITE": suite,
         "ORTHO_SUITE_FOLDER": str(FOLDER),
         "ORTHO_SUITE_RESULT": str(result),
+        "ORTHO_SUITE_SECONDS": str(SECONDS - 15),
         "ORTHO_SUITE_SCRATCH": str(scratch),
     }
     if with_add_on and not (ROOT / ".venv").exists():
