@@ -1,13 +1,17 @@
 """Steps of a dragged net that are made while FreeCAD's window lives on."""
 
+import gc
+import threading
 import time
 import types
+import weakref
 
 import numpy as np
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import wait
 from PySide import QtCore
 
+from freecad_ortho.panels.background import worker
 from freecad_ortho.panels.live import Live
 from solver.errors import InputError
 
@@ -49,6 +53,31 @@ class TestLive(WindowCase):
         self.assertTrue(wait(lambda: len(self.shown) >= 2, 5))
         self.assertLess(np.diff(ticks).max(), 0.2)
         self.assertEqual([places[0][0] for places in self.session.dragged[:2]], [1, 3])
+
+    def test_what_is_given_up_during_a_step_ends_in_the_thread_of_the_window(self):
+        """Its timer may not be deleted in another: FreeCAD crashes."""
+        threads = []
+        weakref.finalize(self.live, lambda: threads.append(threading.current_thread()))
+        self.live.aim({0: np.ones(3)})
+        self.assertTrue(wait(lambda: self.live.busy, 5))
+        self.live.stop()
+        self.live = None
+        self.assertTrue(wait(lambda: threads, 5))
+        self.assertEqual(threads, [threading.current_thread()])
+
+    def test_garbage_is_collected_in_the_thread_of_the_window_alone(self):
+        """Widgets and scenes of anyone's may be among it."""
+        threads = set()
+
+        def note(phase, info):
+            threads.add(threading.current_thread())
+
+        gc.callbacks.append(note)
+        self.addCleanup(gc.callbacks.remove, note)
+        made = worker.submit(lambda: [[[]] for _ in range(100_000)])
+        self.assertTrue(wait(made.done, 20))
+        self.assertTrue(wait(gc.isenabled, 5))
+        self.assertEqual(threads, {threading.current_thread()})
 
     def test_what_was_stopped_is_not_told(self):
         self.live.aim({0: np.ones(3)})
