@@ -75,7 +75,7 @@ class Isolated:
             made_from = (self._kind.__module__, self._kind.__qualname__, self._arguments)
             sent = _packed(made_from) + sent
         process = self._process or self._start()
-        answers: SimpleQueue[Any] = SimpleQueue()
+        answers: SimpleQueue[bytes | None] = SimpleQueue()
         threading.Thread(target=_exchange, args=(process, sent, answers), daemon=True).start()
         try:
             answer = _awaited(answers, time_limit, waiting or (lambda part: None))
@@ -84,7 +84,9 @@ class Isolated:
             raise
         if answer is None:
             raise LibraryError(self._last_words())
-        good, value = answer
+        # Here, not in the thread that waited for it: much that is made may have Python's collector
+        # come due, which deletes the garbage of all, widgets of a window too.
+        good, value = pickle.loads(answer)
         if not good:
             self.close()
             raise LibraryError(value)
@@ -154,8 +156,8 @@ def _interpreter() -> str:
 
 
 def _awaited(
-    answers: SimpleQueue[Any], time_limit: float, waiting: Callable[[float], object]
-) -> Any:
+    answers: SimpleQueue[bytes | None], time_limit: float, waiting: Callable[[float], object]
+) -> bytes | None:
     start = time.monotonic()
     while True:
         try:
@@ -169,7 +171,9 @@ def _awaited(
             waiting(part)
 
 
-def _exchange(process: subprocess.Popen[bytes], sent: bytes, answers: SimpleQueue[Any]) -> None:
+def _exchange(
+    process: subprocess.Popen[bytes], sent: bytes, answers: SimpleQueue[bytes | None]
+) -> None:
     """Send a question and wait for its answer; None where the other side has ended."""
     assert process.stdin is not None and process.stdout is not None
     try:
@@ -193,8 +197,8 @@ def _packed(value: Any) -> bytes:
     return _LENGTH.pack(len(data)) + data
 
 
-def _receive(stream: Any) -> Any:
-    """The next value.
+def _receive(stream: Any) -> bytes:
+    """The next value, packed.
 
     Raises:
         EOFError: there is none.
@@ -206,7 +210,7 @@ def _receive(stream: Any) -> Any:
     data = stream.read(length)
     if len(data) < length:
         raise EOFError
-    return pickle.loads(data)
+    return bytes(data)
 
 
 def serve() -> None:
@@ -214,11 +218,11 @@ def serve() -> None:
     # What a library prints must not get between the answers.
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
-    module, name, arguments = _receive(sys.stdin.buffer)
+    module, name, arguments = pickle.loads(_receive(sys.stdin.buffer))
     served = getattr(importlib.import_module(module), name)(*arguments)
     while True:
         try:
-            method, given = _receive(sys.stdin.buffer)
+            method, given = pickle.loads(_receive(sys.stdin.buffer))
         except EOFError:
             return
         answers.write(_packed(_answer(getattr(served, method), given)))
