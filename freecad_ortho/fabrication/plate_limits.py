@@ -11,7 +11,7 @@ from freecad_ortho.fabrication.pattern import FlatPattern
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # Corners where an outline turns by less, degrees, are those of a curved side.
-_TURNS = 10.0
+CORNER = 10.0
 # What a cut may be off, mm: shorter sides are none.
 _UNSEEN = 1.0
 
@@ -80,16 +80,43 @@ def complaints(
         name: of its material.
         limits: of that.
     """
-    yield from _about_corners(_cut(pattern.outline), name, limits)
+    yield from _about_corners(as_cut(pattern.outline), name, limits)
     yield from _about_size(pattern.outline, name, limits)
     if mass > limits.mass_kg:
         yield f"weighs {mass:.0f} kg, {name} at most {limits.mass_kg:g} kg"
     yield from _about_holes(pattern, thickness, name, limits)
 
 
+def wide_enough(outline: FloatArray, limits: PlateLimits) -> bool:
+    """Tell whether the box of an outline (N, 2) is neither too small nor too long for its width."""
+    longer, shorter = smallest_box(outline)
+    least = limits.smallest_mm
+    return longer >= least[0] and shorter >= least[1] and longer <= limits.aspect * shorter
+
+
+def can_be_cut(outline: FloatArray, limits: PlateLimits) -> bool:
+    """Tell whether box, corners and sides of an outline (N, 2) are not too small for a material."""
+    corners = _about_corners(as_cut(outline), "", limits)
+    return wide_enough(outline, limits) and not any(corners)
+
+
 def corners_of(outline: FloatArray) -> FloatArray:
     """(K, 2) corners of an outline (N, 2) where it turns; between them sides may be curved."""
-    return outline[np.abs(_turns(outline)) >= _TURNS]
+    return outline[np.abs(turns_of(outline)) >= CORNER]
+
+
+def as_cut(outline: FloatArray) -> FloatArray:
+    """An outline (N, 2) as a glazier cuts it, without sides that nobody sees."""
+    steps = np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1)
+    return outline[steps > _UNSEEN] if (steps > _UNSEEN).sum() > 2 else outline
+
+
+def turns_of(outline: FloatArray) -> FloatArray:
+    """(N,) by how many degrees a counter-clockwise outline turns at each point, left positive."""
+    ahead = unit_rows(np.roll(outline, -1, axis=0) - outline)
+    before = np.roll(ahead, 1, axis=0)
+    sine = before[:, 0] * ahead[:, 1] - before[:, 1] * ahead[:, 0]
+    return np.asarray(np.degrees(np.arctan2(sine, (before * ahead).sum(axis=1))))
 
 
 def smallest_box(outline: FloatArray) -> tuple[float, float]:
@@ -102,13 +129,13 @@ def smallest_box(outline: FloatArray) -> tuple[float, float]:
 
 
 def _about_corners(outline: FloatArray, name: str, limits: PlateLimits) -> Iterator[str]:
-    turns = _turns(outline)
+    turns = turns_of(outline)
     sharpest = int(turns.argmax())
     angle = 180.0 - float(turns[sharpest])
     if angle < limits.angle_deg:
         place = _words(outline[sharpest])
         yield f"its corner {place} has {angle:.1f} degrees, {name} needs {limits.angle_deg:g}"
-    numbers = np.flatnonzero(np.abs(turns) >= _TURNS)
+    numbers = np.flatnonzero(np.abs(turns) >= CORNER)
     if len(numbers) < 2:
         return
     steps = np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1)
@@ -168,20 +195,6 @@ def _about_holes(
                 f"its hole {place} is {to_corner:.1f} mm from a corner, {name} needs "
                 f"{limits.hole_to_corner * thickness:g} mm"
             )
-
-
-def _cut(outline: FloatArray) -> FloatArray:
-    """An outline (N, 2) as a glazier cuts it, without sides that nobody sees."""
-    steps = np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1)
-    return outline[steps > _UNSEEN] if (steps > _UNSEEN).sum() > 2 else outline
-
-
-def _turns(outline: FloatArray) -> FloatArray:
-    """(N,) by how many degrees a counter-clockwise outline turns at each point, left positive."""
-    ahead = unit_rows(np.roll(outline, -1, axis=0) - outline)
-    before = np.roll(ahead, 1, axis=0)
-    sine = before[:, 0] * ahead[:, 1] - before[:, 1] * ahead[:, 0]
-    return np.asarray(np.degrees(np.arctan2(sine, (before * ahead).sum(axis=1))))
 
 
 def _words(point: FloatArray) -> str:

@@ -4,11 +4,14 @@ import numpy as np
 import pytest
 import shapely
 
-from freecad_ortho.fabrication import Beams, Panels, build
+from freecad_ortho.fabrication import Beams, Panels, build, material
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.plate_bodies import triangles_in
+from freecad_ortho.fabrication.plate_limits import LIMITS, can_be_cut
 from freecad_ortho.fabrication.site import Selection, Site
-from freecad_ortho.fabrication.systems import Nodes
+from freecad_ortho.fabrication.systems import Nodes, systems_of
+from freecad_ortho.fabrication.systems.panels.blunt import blunted, cut_off
+from freecad_ortho.fabrication.systems.panels.trimmed import piece_of
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.conftest import grid_faces
@@ -382,3 +385,94 @@ def test_panels_that_too_few_beams_carry_are_counted(sheet):
     messages = build(sheet, [Beams(100, 20), Panels(12, 8)], border=[SLANTED]).report()["messages"]
     assert any("at the border have fewer than two beams under them" in words for words in messages)
     assert not any("bear on the beams by 0 mm" in words for words in messages)
+
+
+# Triangles and quads that a border leaves in the corner of a square: what is cut off of them.
+POINTED = {
+    "tip": ([(0, 0), (900, 0), (900, 220)], 1),
+    "short side": ([(0, 0), (900, 0), (900, 500), (0, 8)], 1),
+    "two tips": ([(0, 0), (900, 180), (0, 360)], 1),
+    "needle": ([(0, 0), (900, 0), (900, 80)], None),
+    "strip": ([(0, 0), (900, 0), (900, 80), (0, 80)], None),
+    "as it is": ([(0, 0), (900, 0), (900, 900), (300, 900)], 0),
+}
+
+
+@pytest.mark.parametrize("name", POINTED)
+def test_pointed_pieces_of_glass_are_cut_to_what_can_be_made(name):
+    """What is cut at a tip is square to its bisector and as long as the shortest side."""
+    outline, cuts = POINTED[name]
+    ring = np.array([(0.0, 0.0), (900, 0), (900, 900), (0, 900)])
+    piece = piece_of([ring] * 3, shapely.Polygon(outline))
+    made = blunted(piece, [ring] * 3, LIMITS["glass"])
+    assert (made is None) == (cuts is None)
+    if made is None:
+        return
+    if not cuts:
+        assert made is piece
+        return
+    assert can_be_cut(made.outline, LIMITS["glass"])
+    assert not can_be_cut(piece.outline, LIMITS["glass"])
+    assert len(made.outline) == len(piece.outline) + (name != "short side")
+    before, after = (shapely.Polygon(each.outline) for each in (piece, made))
+    assert before.buffer(1e-6).contains(after)
+    if name == "tip":
+        half = np.arctan2(220, 900) / 2
+        away = 1.001 * 20 / 2 / np.tan(half)
+        assert cut_off(piece, made) == pytest.approx(away, rel=1e-6)
+        assert before.area - after.area == pytest.approx(away**2 * np.tan(half), rel=1e-4)
+
+
+@pytest.fixture(scope="module")
+def pointed(sheet):
+    """Glass on the sheet, cut by a slanted border that leaves tips of 21 degrees."""
+    border = [flat([(900, 1300), (6100, 3300), (6400, 6900), (1200, 7300)])]
+    made_of = {name: material("steel") for name in ("edge-beam", "beams")}
+    made_of["panels"] = material("glass:6/16/44.2")
+    sizes = {"section": "tube:160x60x5", "frame": "plate"}
+    systems = systems_of("edge-beam+beams+panels", sizes, made_of)
+    return build(sheet, systems, material=made_of, border=border)
+
+
+def test_glass_at_a_slanted_border_passes(pointed):
+    report = pointed.report()["panels"]
+    assert report["blunted"] == ["P0009", "P0019"]
+    assert set(pointed.verdicts) == {"ok"}
+    assert check_clashes(pointed.parts).clashes == ()
+    said = " ".join(pointed.report()["messages"])
+    assert f"panels: {len(report['blunted'])} at the border have corners cut off" in said
+    assert "close it with sheet metal" in said
+    for part in pointed.results["panels"].parts:
+        assert part.solid().Volume() == pytest.approx(part.volume, rel=1e-9)
+
+
+def test_no_pressure_plate_is_screwed_through_a_panel_that_a_sliver_is_part_of(sheet):
+    border = [ALONG_EDGES + [[0, 0, 0], [50, 0, 0], [50, 0, 0], [0, 0, 0]]]
+    made = build(sheet, [Panels(12, 8, frame="plate", least_width=70)], border=border)
+    joined = made.report()["panels"]["joined"]
+    assert len(joined) == 6
+    pairs = {(int(panel[1:]), int(sliver[1:])) for sliver, panel in joined.items()}
+    sides = sheet.connectivity.edge_faces.tolist()
+    within = {f"F{k:04d}-plate" for k, (one, two) in enumerate(sides) if (one, two) in pairs}
+    within |= {f"F{k:04d}-plate" for k, (one, two) in enumerate(sides) if (two, one) in pairs}
+    assert len(within) == 6
+    plates = {part.name for part in made.parts if part.kind == "pressure-plate"}
+    assert not within & plates
+    # All around the panels, and between rows of them, there is one.
+    rows = {row[0]: row[2] for row in made.results["panels"].tables[0].rows}
+    across = [k for k, each in enumerate(sides) if {13, 20} == set(each)]
+    assert rows[f"F{across[0]:04d}-plate"] in ("P0012 P0019", "P0019 P0012")
+
+
+@pytest.mark.parametrize(
+    ("values", "section"),
+    [
+        ({}, "plate"),
+        ({"section": "I"}, "tube"),
+        ({"section": "HEB160"}, "HEB160"),
+        ({"section": "HEB160", "edge_section": "plate"}, "plate"),
+        ({"section": "HEB160", "edge_width": 30.0}, "plate"),
+    ],
+)
+def test_an_edge_beam_is_as_wide_as_the_beams_unless_told(values, section):
+    assert systems_of("edge-beam+beams", values)[0].section == section

@@ -9,7 +9,7 @@ from freecad_ortho.fabrication.material import MATERIALS, Material
 from freecad_ortho.fabrication.systems.arches import Arches
 from freecad_ortho.fabrication.systems.beams import Beams
 from freecad_ortho.fabrication.systems.bent_panels import BentPanels
-from freecad_ortho.fabrication.systems.edge_beam import EdgeBeam
+from freecad_ortho.fabrication.systems.edge_beam import EdgeBeam, edge_section_beside
 from freecad_ortho.fabrication.systems.feet import Feet
 from freecad_ortho.fabrication.systems.lamellas import Lamellas
 from freecad_ortho.fabrication.systems.louvres import Louvres
@@ -62,7 +62,7 @@ def systems_of(
     """Make systems by their names, joined by "+", from the values of their options.
 
     Options that are not given take their defaults. Panels of a build-up are as thick as it is
-    unless told, and beams leave room for hubs.
+    unless told, beams leave room for hubs, and an edge beam has a section like theirs.
 
     Raises:
         InputError: an unknown system or one twice, an option that none of them has, a value that
@@ -78,6 +78,9 @@ def systems_of(
     ends = ENDS_OF.get(values.get("node", "hub"))
     if "nodes" in wanted and ends is not None:
         values = {"ends": ends, **values}
+    sized = any(values.get(f"edge_{size}") is not None for size in ("height", "width"))
+    if "edge-beam" in wanted and "beams" in wanted and not sized:
+        values = {"edge_section": edge_section_beside(values.get("section", "plate")), **values}
     chosen = [system for name, system in SYSTEMS.items() if name in wanted]
     result = []
     for system in chosen:

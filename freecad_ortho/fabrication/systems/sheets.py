@@ -32,24 +32,32 @@ def trimming_report(cut: int, left_out: Mapping[str, float]) -> dict[str, Any]:
     }
 
 
+def narrower(least_width: float) -> str:
+    """What pieces are that are narrower than a width, mm."""
+    return f"narrower than {least_width:g} mm"
+
+
 def left_out_words(
-    system: str, left_out: Mapping[str, float], least_width: float, loose: str = ""
+    system: str,
+    left_out: Mapping[str, float],
+    what: str,
+    remedy: str = "a smaller least width keeps it",
 ) -> list[str]:
     """A message where a system leaves narrow pieces out.
 
     Args:
         system: its name.
         left_out: areas by names, mm2.
-        least_width: what is narrower is left out, mm.
-        loose: what else is.
+        what: pieces are left out that are this.
+        remedy: what can be done.
     """
     if not left_out:
         return []
     area = sum(left_out.values()) / 1e6
     shown = ", ".join(list(left_out)[:_SHOWN]) + (" ..." if len(left_out) > _SHOWN else "")
     return [
-        f"{system}: left out at the border what is narrower than {least_width:g} mm{loose}: "
-        f"{shown}, {area:.2g} m2 in {len(left_out)}; a smaller least width keeps it"
+        f"{system}: left out at the border what is {what}: {shown}, {area:.2g} m2 in "
+        f"{len(left_out)}; {remedy}"
     ]
 
 

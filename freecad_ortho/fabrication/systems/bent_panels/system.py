@@ -30,6 +30,7 @@ from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint,
 from freecad_ortho.fabrication.systems.sheets import (
     SHEET_OPTIONS,
     left_out_words,
+    narrower,
     room_on,
     split_words,
     trimming_report,
@@ -158,7 +159,7 @@ class BentPanels(System):
             trimmed = sum(cut.piece is not None for cut in cuts)
             areas = {name: piece.outline.area for name, piece in left_out.items()}
             report |= trimming_report(trimmed, areas)
-            words += tuple(left_out_words(self.name, areas, self.least_width))
+            words += tuple(left_out_words(self.name, areas, narrower(self.least_width)))
         return SystemParts(parts, report, words, geometry=plates)
 
     def _insets(self, bend: FloatArray) -> FloatArray:

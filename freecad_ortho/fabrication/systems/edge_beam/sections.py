@@ -13,6 +13,16 @@ from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
 SECTIONS = ("plate", "tube", "round", "strip")
+# Beside beams with a section welded from plates, which are wide enough for panels.
+_BESIDE = {"plate": "plate", "hollow": "tube", "I": "tube", "T": "tube"}
+
+
+def edge_section_beside(section: str) -> str:
+    """What an edge beam's section is unless told: as wide as the beams' for what lies on both.
+
+    The same beside one of the catalogue; beside a section that there is none of a plate.
+    """
+    return _BESIDE.get(section, "plate" if section.isalpha() else section)
 
 
 @dataclass(frozen=True)

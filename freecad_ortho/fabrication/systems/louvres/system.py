@@ -34,7 +34,7 @@ from freecad_ortho.fabrication.systems.shared_options import (
     joint,
     plate_thickness,
 )
-from freecad_ortho.fabrication.systems.sheets import left_out_words, trimming_report
+from freecad_ortho.fabrication.systems.sheets import left_out_words, narrower, trimming_report
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -136,7 +136,7 @@ class Louvres(System):
         if site.trimming is not None:
             cut = sum(part.face in site.trimming.regions for part in parts)
             report |= trimming_report(cut, left_out)
-        words = left_out_words(self.name, left_out, self.least_width)
+        words = left_out_words(self.name, left_out, narrower(self.least_width))
         return SystemParts(parts, report, tuple(words))
 
     def _parallelograms(self, site: Site) -> _Lying:

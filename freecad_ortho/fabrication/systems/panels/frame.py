@@ -36,7 +36,7 @@ from freecad_ortho.fabrication.systems.beams.options import COPED
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.system import Table
 from solver.errors import InputError
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 # Sizes that stick systems have in common, mm: the plate, and the cap that is clipped onto it.
@@ -99,6 +99,32 @@ class PressureFrame:
 
 
 @dataclass(frozen=True, eq=False)
+class Covered:
+    """Faces that panels cover.
+
+    Attributes:
+        made: (F,) true where there is one.
+        bow: (F,) how far it may be from its face's plane, mm.
+        onto: (F,) the face whose panel goes on over this one, where that is so; else -1.
+    """
+
+    made: BoolArray
+    bow: FloatArray
+    onto: IntArray
+
+    def of(self, face: int) -> int:
+        """The face whose panel covers a face."""
+        return face if self.onto[face] < 0 else int(self.onto[face])
+
+    def edges(self, sides: IntArray) -> BoolArray:
+        """(E,) edges between faces (E, 2) where a panel ends; none in the middle of one."""
+        own = np.where(self.onto >= 0, self.onto, np.arange(len(self.onto)))
+        beside = self.made[sides] & (sides >= 0)
+        within = beside.all(axis=1) & (own[sides[:, 0]] == own[sides[:, 1]])
+        return np.asarray(beside.any(axis=1) & ~within)
+
+
+@dataclass(frozen=True, eq=False)
 class Framed:
     """What frames are made of.
 
@@ -124,7 +150,7 @@ def framed(
     frame: PressureFrame,
     geometry: PanelGeometry,
     panels: Sequence[Part],
-    faces: tuple[BoolArray, FloatArray],
+    faces: Covered,
 ) -> Framed:
     """Plates and caps along every edge that has a panel beside it.
 
@@ -133,15 +159,16 @@ def framed(
         frame: their sizes.
         geometry: of the panels.
         panels: the panels.
-        faces: (F,) those that have one, and how far panels bow from their planes, mm.
+        faces: those that have one.
 
     Raises:
         InputError: a frame too wide for an edge of the net.
     """
-    members = _Members.of(site, frame.width, faces[0])
+    members = _Members.of(site, frame.width, faces)
     beside = _Beside.of(members, frame, geometry, faces)
     names = part_names("F", len(members.built))
-    panel_names = {part.face: part.name for part in reversed(panels)}
+    own = {part.face: part.name for part in reversed(panels)}
+    panel_names = {face: own.get(faces.of(face), "") for face in range(len(faces.made))}
     edges = np.flatnonzero(members.built).tolist()
     heights = np.where(members.built, beside.highest + frame.gasket, np.nan)
     parts, rows = [], []
@@ -156,7 +183,7 @@ def framed(
             plate = replace(plate, assembly=f"{words} {site.material.bearing:g} mm")
         parts += [plate, cap]
         around = site.mesh.connectivity.edge_faces[edge].tolist()
-        beside_it = [panel_names[face] for face in around if face in panel_names]
+        beside_it = [panel_names[face] for face in around if face >= 0 and panel_names[face]]
         sealed += 2 * len(beside_it) * plate.length
         screws += math.ceil(plate.length / _SCREWS) + 1
         rows.append(
@@ -202,10 +229,9 @@ class _Members:
     built: BoolArray
 
     @classmethod
-    def of(cls, site: Site, width: float, made: BoolArray) -> _Members:
-        """Members of a width along the edges of faces (F,) that have a panel."""
-        sides = site.mesh.connectivity.edge_faces
-        built: BoolArray = np.asarray((made[sides] & (sides >= 0)).any(axis=1))
+    def of(cls, site: Site, width: float, faces: Covered) -> _Members:
+        """Members of a width along the edges of faces that have a panel."""
+        built = faces.edges(site.mesh.connectivity.edge_faces)
         frames = beam_frames(site.mesh, site.axes)
         border = None
         if site.trimming is not None:
@@ -324,10 +350,10 @@ class _Beside:
         members: _Members,
         frame: PressureFrame,
         geometry: PanelGeometry,
-        faces: tuple[BoolArray, FloatArray],
+        faces: Covered,
     ) -> _Beside:
-        """Look up planes and edges of the panels (F,) that there are, which may bow (F,)."""
-        made, bow = faces
+        """Look up planes and edges of the panels that there are."""
+        made, bow = faces.made, faces.bow
         net, frames, mesh = members.site.mesh.connectivity, members.frames, members.site.mesh
         edge, half = net.face_edges, frame.width / 2
         on_left = net.edge_faces[edge, 0] == np.arange(len(edge))[:, None]

@@ -17,13 +17,17 @@ from freecad_ortho.fabrication.systems.panels.blocks import (
     block_supplies,
     setting_blocks,
 )
-from freecad_ortho.fabrication.systems.panels.frame import Framed, PressureFrame, framed
+from freecad_ortho.fabrication.systems.panels.frame import (
+    Covered,
+    Framed,
+    PressureFrame,
+    framed,
+)
 from freecad_ortho.fabrication.systems.panels.gaskets import Gaskets, Seats, beam_seats
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone_table
 from freecad_ortho.fabrication.systems.system import Table
 from freecad_ortho.words import counted
-from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray
 
 FRAMES = ("none", "plate", "silicone")
@@ -108,7 +112,7 @@ class Framing:
         geometry: PanelGeometry,
         panels: tuple[Part, ...],
         rims: Sequence[tuple[FloatArray, FloatArray]],
-        faces: tuple[BoolArray, FloatArray],
+        faces: Covered,
         beams: BeamGeometry | None = None,
     ) -> Held:
         """Make the frames of panels.
@@ -119,7 +123,7 @@ class Framing:
             panels: the panels.
             rims: (N, 2) outlines below their lowest layers and of their upper sides, in their own
                 coordinates.
-            faces: (F,) those that have one, and how far panels bow from their planes, mm.
+            faces: those that have one.
             beams: below the panels.
 
         Raises:

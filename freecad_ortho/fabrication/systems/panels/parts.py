@@ -15,6 +15,7 @@ from freecad_ortho.fabrication.part import Measures, Part, part_names, piece_nam
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
+from freecad_ortho.fabrication.systems.panels.blunt import blunted, cut_off
 from freecad_ortho.fabrication.systems.panels.cassette import Cassette, Fold
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, unbent
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
@@ -22,7 +23,7 @@ from freecad_ortho.fabrication.systems.panels.layers import Layered, layers_tabl
 from freecad_ortho.fabrication.systems.panels.slivers import Pieces, join_slivers
 from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, trimmed, trimmed_pattern
 from freecad_ortho.fabrication.systems.system import Table
-from solver.mesh.connectivity import BoolArray
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -36,12 +37,18 @@ class PanelParts:
         left_out: narrow pieces by their names.
         joined: pieces that are part of others by theirs, with the names of these and how far they
             stand above the net there, mm.
+        onto: (F,) the face of whose panel the sliver in a face is a part of; -1 for none.
+        above: (F,) how far that stands above it, mm.
+        blunt: by name, panels of which corners are cut off, and how far, mm.
     """
 
     parts: tuple[Part, ...]
     layers: tuple[Layered, ...]
     left_out: dict[str, Trimmed]
     joined: dict[str, tuple[str, float]]
+    onto: IntArray
+    above: FloatArray
+    blunt: dict[str, float]
 
     @property
     def table(self) -> Table:
@@ -72,7 +79,7 @@ def panel_parts(
             other than four corners, or whose layers stand back, are drawn flat; those too small
             for folds stay so.
         loose: (F,) faces with fewer than two beams under their panel: there pieces count as narrow
-            up to twice the width.
+            up to twice the width, of glass up to four times it.
 
     Raises:
         InputError: layers that are set back too far.
@@ -80,12 +87,14 @@ def panel_parts(
     faces = site.mesh.faces
     least = np.full(len(faces), least_width)
     if loose is not None:
-        # What little of it the border leaves would lie on nothing.
-        least[loose] *= 2
-    plates, pieces = _plates(site, geometry, thickness, least, join)
+        # What little of it the border leaves would lie on nothing, which is the worse for what
+        # has to bear all around.
+        least[loose] *= 2 if site.material.plate_limits is None else 4
+    plates, pieces, blunt = _plates(site, geometry, thickness, least, join)
     names = part_names("P", len(faces))
     left_out = {name: piece for name, (_, piece) in pieces.narrow.items()}
-    joined = {name: (names[face], above) for name, (face, above) in pieces.joined.items()}
+    joined = {name: (names[face], high) for name, (face, high) in pieces.joined.items()}
+    onto, above = pieces.covered
     made = [_formed(plate, geometry, thickness, formed) for plate in plates]
     parts = tuple(
         plate_part(
@@ -105,7 +114,8 @@ def panel_parts(
         )
         for plate, (body, pattern, origin) in zip(plates, made, strict=True)
     )
-    return PanelParts(parts, tuple(plate.layered for plate in plates), left_out, joined)
+    layers = tuple(plate.layered for plate in plates)
+    return PanelParts(parts, layers, left_out, joined, onto, above, blunt)
 
 
 class Plate(NamedTuple):
@@ -120,23 +130,30 @@ class Plate(NamedTuple):
 
 def _plates(
     site: Site, geometry: PanelGeometry, thickness: float, least_width: FloatArray, join: bool
-) -> tuple[list[Plate], Pieces]:
-    """The panels, and the pieces of panels narrower than the least of their face (F,)."""
+) -> tuple[list[Plate], Pieces, dict[str, float]]:
+    """The panels, what the border left of the faces, and by name how much corners lost, mm.
+
+    Pieces that are narrower than the least of their face (F,), or that cannot be made, are none.
+    """
     names = part_names("P", len(site.mesh.faces))
     rings = [
         geometry.corners.trimmed(ring)
         for ring in (geometry.lower, geometry.upper, geometry.outline)
     ]
     whole = np.ones(len(names), dtype=bool) if site.trimming is None else site.trimming.whole
-    pieces = Pieces(whole, {}, {})
+    pieces = Pieces(whole, {}, {}, limits=site.material.plate_limits)
     for face, some in _at_the_border(site, geometry, rings).items():
-        pieces.wide[face] = [piece for piece in some if piece.width >= least_width[face]]
-        for number in range(len(pieces.wide[face]), len(some)):
-            pieces.narrow[piece_name(names[face], number)] = face, some[number]
+        outlines = [geometry.corners.outline(face, ring[face]) for ring in rings]
+        wide = [each for each in some if each.width >= least_width[face]]
+        pieces.wide[face] = [each for each in wide if pieces.can_be(each, outlines)]
+        others = [each for each in some if each not in pieces.wide[face]]
+        for number, piece in enumerate(others, len(pieces.wide[face])):
+            pieces.narrow[piece_name(names[face], number)] = face, piece
+    pieces.slivers = {name: face for name, (face, _) in pieces.narrow.items()}
     across = neighbours(site.mesh.connectivity)
     if join:
         join_slivers(pieces, geometry, rings, across)
-    made, plates = pieces.made, []
+    made, plates, blunt = pieces.made, [], dict[str, float]()
     made_of = thickness, site.material
     for face in np.flatnonzero(made).tolist():
         beside = [names[k] if k >= 0 and made[k] else "" for k in across[face].tolist()]
@@ -144,8 +161,14 @@ def _plates(
             plates.append(plate_of(names[face], geometry, rings, face, made_of, beside))
         for number, piece in enumerate(pieces.wide.get(face, ())):
             name = piece_name(names[face], number)
+            outlines = [geometry.corners.outline(face, ring[face]) for ring in rings]
+            if pieces.limits is not None:
+                blunter = blunted(piece, outlines, pieces.limits) or piece
+                if blunter is not piece:
+                    blunt[name] = cut_off(piece, blunter)
+                piece = blunter
             plates.append(_cut_plate(name, geometry, face, piece, made_of, beside))
-    return plates, pieces
+    return plates, pieces, blunt
 
 
 def _formed(

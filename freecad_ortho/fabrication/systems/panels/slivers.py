@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from freecad_ortho.fabrication.plate_limits import CORNER, PlateLimits, as_cut, turns_of
+from freecad_ortho.fabrication.systems.panels.blunt import blunted
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, piece_of
 from solver.mesh.connectivity import BoolArray, IntArray
@@ -37,12 +39,16 @@ class Pieces:
         narrow: by name, the others and their faces.
         joined: by name of a sliver, the face whose panel it is a part of, and how far that stands
             above it, mm.
+        limits: of the panels' material, None where nothing is known of that.
+        slivers: the faces of all that were narrow, by name.
     """
 
     whole: BoolArray
     wide: dict[int, list[Trimmed]]
     narrow: dict[str, tuple[int, Trimmed]]
     joined: dict[str, tuple[int, float]] = field(default_factory=dict)
+    limits: PlateLimits | None = None
+    slivers: dict[str, int] = field(default_factory=dict)
 
     @property
     def made(self) -> BoolArray:
@@ -51,6 +57,22 @@ class Pieces:
         for face, some in self.wide.items():
             made[face] = bool(some)
         return made
+
+    @property
+    def covered(self) -> tuple[IntArray, FloatArray]:
+        """(F,) of faces without a panel of their own the one whose panel goes on there, else -1.
+
+        And how far above, mm.
+        """
+        onto, above = np.full(len(self.whole), -1), np.zeros(len(self.whole))
+        for name, (other, high) in self.joined.items():
+            if not self.made[self.slivers[name]]:
+                onto[self.slivers[name]], above[self.slivers[name]] = other, high
+        return onto, above
+
+    def can_be(self, piece: Trimmed, rings: Sequence[FloatArray]) -> bool:
+        """Tell whether a piece of a panel with these outlines (N, 2) can be made."""
+        return self.limits is None or blunted(piece, rings, self.limits) is not None
 
 
 def join_slivers(
@@ -128,8 +150,14 @@ def _fitted(
     whole = shapely.union_all([plates[number], *added])
     if shared[number] <= 0 or whole.geom_type != "Polygon":
         return None
+    larger = piece_of(outlines, whole.simplify(_SAME))
+    if pieces.limits is not None and turns_of(as_cut(larger.outline)).min() < -CORNER:
+        # Brittle plates break at corners that are cut into them.
+        return None
+    if not pieces.can_be(larger, outlines):
+        return None
     pieces.wide[other] = list(there or [])
-    pieces.wide[other][number : number + 1] = [piece_of(outlines, whole.simplify(_SAME))]
+    pieces.wide[other][number : number + 1] = [larger]
     return above
 
 

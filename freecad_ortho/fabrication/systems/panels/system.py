@@ -23,8 +23,10 @@ from freecad_ortho.fabrication.systems.panels.bearing import (
     least_bearing,
     measures_of,
 )
+from freecad_ortho.fabrication.systems.panels.border import at_border
 from freecad_ortho.fabrication.systems.panels.cassette import Fold, fold_report, refuse_brittle
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, bending_report
+from freecad_ortho.fabrication.systems.panels.frame import Covered
 from freecad_ortho.fabrication.systems.panels.framing import FRAMES, Framing
 from freecad_ortho.fabrication.systems.panels.geometry import (
     PanelGeometry,
@@ -34,12 +36,7 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
 from freecad_ortho.fabrication.systems.panels.layers import build_up_report
 from freecad_ortho.fabrication.systems.panels.mixed import mixed_panels
-from freecad_ortho.fabrication.systems.panels.parts import PanelParts, panel_parts
-from freecad_ortho.fabrication.systems.panels.trimmed import (
-    joined_words,
-    trimming_report,
-    uncarried_words,
-)
+from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.panels.way_in import closing, inward_normals, judged
 from freecad_ortho.fabrication.systems.panels.words import (
     UNDER_BEAMS,
@@ -56,9 +53,7 @@ from freecad_ortho.fabrication.systems.shared_options import (
     joint,
     plate_thickness,
 )
-from freecad_ortho.fabrication.systems.sheets import left_out_words
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
-from freecad_ortho.fabrication.trimming import Trimming
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, SameSize
@@ -284,11 +279,17 @@ class Panels(System):
             parts, doubts = self._put_in(parts, mesh, geometry, inward, made, beams is not None)
         rims = [(each.below(self.framing.depth), each.above) for each in laid.layers]
         bow = np.zeros(len(made)) if cold is None else cold.bow
-        held = self.framing.held(site, geometry, parts, rims, (made, bow), beams)
+        held = self.framing.held(
+            *(site, geometry, parts, rims),
+            Covered(made | (laid.onto >= 0), bow + laid.above, laid.onto),
+            beams,
+        )
         report = report_of(self, geometry, made, least, parts) | sums((*parts, *held.parts))
         report |= held.report or {}
         if site.trimming is not None:
-            more, words = self._at_border(laid, site.trimming, made, least, edge_beam is not None)
+            on_edge, carried = edge_beam is not None, (made, least)
+            kept = self.least_width, on_edge, site.material
+            more, words = at_border(laid, site.trimming, carried, *kept)
             report, doubts = report | more, doubts + words
         gap = 0.0 if cold is not None else float(gaps[made].max())
         messages = (*messages_of(report, gap, site.material), *self.unheeded, *doubts)
@@ -358,26 +359,6 @@ class Panels(System):
             closes = np.minimum(closes, below)
         faces = [part.face for part in parts if part.face is not None]
         return judged(parts, closes[faces], self.gap)
-
-    def _at_border(
-        self,
-        laid: PanelParts,
-        trimming: Trimming,
-        made: BoolArray,
-        least: FloatArray | None,
-        edge_beam: bool,
-    ) -> tuple[dict[str, Any], list[str]]:
-        """What a report, and what messages say of panels at the border."""
-        report = trimming_report(laid.parts, trimming, laid.left_out, laid.joined)
-        loose = ", twice that with fewer than two beams below" if edge_beam else ""
-        words = joined_words(laid.joined, self.least_width, loose)
-        areas = {name: piece.area for name, piece in laid.left_out.items()}
-        words += left_out_words(self.name, areas, self.least_width, loose)
-        if least is not None:
-            at_border = np.isin(np.arange(len(made)), list(trimming.regions))
-            words += uncarried_words(least[made & at_border], edge_beam)
-            report["bearing_min_mm"] = float(least[made & ~at_border].min(initial=np.inf))
-        return report, words
 
     def _bed(
         self, site: Site, beams: BeamGeometry | None, edge_beam: EdgeGeometry | None

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size
-from freecad_ortho.fabrication.trimming import Trimming
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
@@ -25,8 +23,6 @@ _ON_LINE = 1e-5
 _PARALLEL = 1e-3
 # How true the middle of the largest circle in a panel is, mm.
 _MIDDLE = 1.0
-# Names of pieces that a message says.
-_SHOWN = 5
 # The number of sides that are along the border.
 BORDER = -1
 
@@ -173,50 +169,3 @@ def trimmed_pattern(name: str, piece: Trimmed, beside: list[str]) -> FlatPattern
             marks.append(Mark(place[None], text, size, angle))
     size = min(1.1 * radius / float(np.hypot(len(name), 1)), 30.0)
     return FlatPattern(corner, tuple(marks), middle, size, piece.cutouts)
-
-
-def trimming_report(
-    parts: Sequence[Part],
-    trimming: Trimming,
-    left_out: Mapping[str, Trimmed],
-    joined: Mapping[str, tuple[str, float]],
-) -> dict[str, Any]:
-    """What is to be said of the border in a system's report."""
-    return {
-        "joined": {name: to for name, (to, _) in joined.items()},
-        "joined_above_max_mm": max((above for _, above in joined.values()), default=0.0),
-        "trimmed": sum(part.face in trimming.regions for part in parts),
-        "left_out": sorted(left_out),
-        "left_out_mm2": sum(piece.area for piece in left_out.values()),
-    }
-
-
-def joined_words(
-    joined: Mapping[str, tuple[str, float]], least_width: float, loose: str = ""
-) -> list[str]:
-    """A message where slivers are part of their neighbours, with how far these stand off."""
-    if not joined:
-        return []
-    pairs = [f"{name} of {to}" for name, (to, _) in joined.items()]
-    shown = ", ".join(pairs[:_SHOWN]) + (" ..." if len(pairs) > _SHOWN else "")
-    above = max(above for _, above in joined.values())
-    return [
-        f"panels: {len(pairs)} at the border narrower than {least_width:g} mm{loose} are part of "
-        f"their neighbours, which stand up to {above:.2g} mm above the net there: {shown}"
-    ]
-
-
-def uncarried_words(bearings: FloatArray, edge_beam: bool) -> list[str]:
-    """A message where panels at the border, by how wide they bear, do not lie on beams enough.
-
-    Args:
-        bearings: (N,) of panels at the border, mm.
-        edge_beam: whether they lie on one.
-    """
-    loose = int((bearings <= 0).sum())
-    if not loose:
-        return []
-    remedy = "a smaller least length of beams or a larger least width of panels helps"
-    if not edge_beam:
-        remedy = "they need something along the border that carries them: an edge beam"
-    return [f"panels: {loose} at the border have fewer than two beams under them; {remedy}"]

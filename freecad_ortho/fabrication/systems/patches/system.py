@@ -26,6 +26,7 @@ from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint,
 from freecad_ortho.fabrication.systems.sheets import (
     SHEET_OPTIONS,
     left_out_words,
+    narrower,
     room_on,
     split_words,
     trimming_report,
@@ -130,7 +131,7 @@ class Patches(System):
         words = split_words("patch", whole, pieces, self.sheet)
         if site.trimming is not None:
             report |= trimming_report(trimmed, left_out)
-            words += tuple(left_out_words(self.name, left_out, self.least_width))
+            words += tuple(left_out_words(self.name, left_out, narrower(self.least_width)))
         table = Table("distortion.csv", _COLUMNS, _rows(pieces, laid))
         return SystemParts(tuple(parts), report, words, geometry=laid, tables=(table,))
 
