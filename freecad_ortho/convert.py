@@ -12,6 +12,8 @@ from freecad_ortho import written
 from freecad_ortho.sources.source import singular
 from freecad_ortho.written import LOADS
 from solver.errors import InputError
+from solver.mesh.connectivity import Connectivity
+from solver.mesh.mixed import MixedConnectivity
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
 if TYPE_CHECKING:
@@ -33,29 +35,57 @@ def array(points: list[FreeCAD.Vector]) -> FloatArray:
 
 
 def quad_mesh(net: FreeCAD.DocumentObject) -> QuadMesh:
-    """Read the quad mesh of a net, in mm.
+    """Read the mesh of a net, in mm: of quads, or of faces with any number of corners.
 
     Raises:
-        InputError: the net's properties do not make a quad mesh.
+        InputError: the net's properties do not make a mesh.
     """
     if not net.Faces:
         raise InputError(f"{net.Label}: the net is empty; import a quad mesh first")
-    if len(net.Faces) % 4:
+    sizes = sizes_of(net)
+    if sizes and sum(sizes) != len(net.Faces):
+        raise InputError(
+            f"{net.Label}: 'Faces' holds {len(net.Faces)} numbers, 'FaceSizes' says {sum(sizes)}; "
+            "undo the change or import the mesh again"
+        )
+    if not sizes and len(net.Faces) % 4:
         raise InputError(
             f"{net.Label}: 'Faces' holds {len(net.Faces)} numbers, expected four a face; undo the "
             "change or import the mesh again"
         )
-    faces = np.array(net.Faces, dtype=np.int64).reshape(-1, 4)
-    return QuadMesh(array(net.Vertices), faces)
+    return QuadMesh(array(net.Vertices), _connectivity(net, sizes))
+
+
+def whole_mesh(net: FreeCAD.DocumentObject) -> QuadMesh | None:
+    """The mesh of a net, in mm; None while its properties are being written or read."""
+    sizes = sizes_of(net)
+    count = sum(sizes) if sizes else len(net.Faces) // 4 * 4
+    if not net.Faces or count != len(net.Faces) or max(net.Faces) >= len(net.Vertices):
+        return None
+    return QuadMesh(array(net.Vertices), _connectivity(net, sizes))
+
+
+def sizes_of(net: FreeCAD.DocumentObject) -> list[int]:
+    """How many corners each face of a net has; empty where all have four."""
+    return list(getattr(net, "FaceSizes", ()))
+
+
+def _connectivity(net: FreeCAD.DocumentObject, sizes: list[int]) -> Connectivity:
+    numbers = np.array(net.Faces, dtype=np.int64)
+    if not sizes:
+        return Connectivity(numbers.reshape(-1, 4), len(net.Vertices))
+    polygons = [part.tolist() for part in np.split(numbers, np.cumsum(sizes)[:-1])]
+    return MixedConnectivity(polygons, len(net.Vertices))
 
 
 def store_mesh(net: FreeCAD.DocumentObject, mesh: QuadMesh) -> None:
-    """Write a quad mesh in mm into a net's properties."""
+    """Write a mesh in mm into a net's properties."""
     # Faces first: a view that redraws in between sees faces whose vertices are still to come,
     # never vertices numbered beyond the end.
     net.Faces = []
+    net.FaceSizes = mesh.connectivity.face_sizes.tolist() if mesh.connectivity.mixed else []
     net.Vertices = vectors(mesh.vertices)
-    net.Faces = mesh.faces.ravel().tolist()
+    net.Faces = mesh.connectivity.half_edges[:, 0].tolist()
 
 
 def border(net: FreeCAD.DocumentObject) -> tuple[FloatArray, ...]:

@@ -86,8 +86,7 @@ def _plain_net(net: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
     corners = convert.vectors(quads.vertices)
     triangles = [
         [corners[vertex] for vertex in triangle]
-        for a, b, c, d in quads.faces.tolist()
-        for triangle in ((a, b, c), (a, c, d))
+        for triangle in quads.connectivity.triangles.tolist()
     ]
     mesh = net.Document.addObject("Mesh::Feature", "Mesh")
     mesh.Label = FreeCAD.Qt.translate("Ortho", "{} mesh").format(net.Label)

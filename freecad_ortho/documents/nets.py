@@ -50,6 +50,9 @@ def import_net(
 ) -> FreeCAD.DocumentObject:
     """Read an OBJ, PLY, OFF, JSON or VTK file with quads and add a Net to a document.
 
+    Faces may have any number of corners: such a Net is for the net ``planar``, panels and beams. A
+    mesh of triangles alone is refused: quads are made of it first.
+
     Args:
         path: the file.
         document: a document or its name; without it the active one, or a new one.
@@ -67,7 +70,10 @@ def import_net(
     """
     if origin not in ("keep", "local"):
         raise InputError(f"origin: expected keep or local, got {origin!r}")
-    loaded = read_mesh(path, unit, up)
+    loaded = read_mesh(path, unit, up, mixed=True)
+    if (loaded.mesh.connectivity.face_sizes == 3).all():
+        # Refused with what to do: hardly ever are they meant as they are.
+        loaded = read_mesh(path, unit, up)
     scale = millimetres_per(loaded.unit)
     target = document_or_new(document, Path(path).stem)
     with transaction(target, FreeCAD.Qt.translate("Ortho", "Import quad mesh")):
@@ -79,6 +85,9 @@ def import_net(
         net.Origin = convert.vectors(taken.scaled(scale).shift[None])[0]
         convert.store_border(net, [scale * taken.near(line) for line in loaded.border])
         net.Unit = loaded.unit
+        if mesh.connectivity.mixed:
+            # The only one that takes such faces.
+            net.NetType = "planar"
         net.SourceFile = os.fspath(path)
         target.recompute()
     for remark in loaded.remarks:

@@ -100,7 +100,10 @@ def fingerprint(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:
         InputError: as :func:`structure`, as far as the geometry does not matter.
     """
     plan = _plan(features)
-    word = sha256(plan.mesh.vertices.tobytes() + plan.mesh.faces.tobytes())
+    net = plan.mesh.connectivity
+    word = sha256(plan.mesh.vertices.tobytes() + net.half_edges[:, 0].tobytes())
+    if net.mixed:
+        word.update(net.face_sizes.tobytes())
     for line in plan.border:
         word.update(line.tobytes())
     # Another version of the workbench may build the same in another way.

@@ -1,4 +1,4 @@
-"""The Net: a quad mesh as a document object, its quads kept as quads."""
+"""The Net: a mesh as a document object, its quads kept as quads, larger faces as they are."""
 
 from __future__ import annotations
 
@@ -37,6 +37,16 @@ NET_PROPERTIES = (
         "Faces",
         "Net",
         QT_TRANSLATE_NOOP("App::Property", "Vertex numbers of the quads, four a face"),
+        flags=HIDDEN,
+    ),
+    Property(
+        "App::PropertyIntegerList",
+        "FaceSizes",
+        "Net",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "How many vertices each face has, where some have more or fewer than four",
+        ),
         flags=HIDDEN,
     ),
     Property(

@@ -306,7 +306,7 @@ def _weight(structure: FreeCAD.DocumentObject) -> float:
 
 def _fingerprint(feature: FreeCAD.DocumentObject) -> str:
     mesh, _ = _standing_mesh(feature)
-    word = sha256(mesh.vertices.tobytes() + mesh.faces.tobytes())
+    word = sha256(mesh.vertices.tobytes() + mesh.connectivity.half_edges[:, 0].tobytes())
     # Another version of the workbench may check in another way.
     said = (__version__, sorted(_design(feature).items()), list(feature.Combinations))
     word.update(repr(said).encode())

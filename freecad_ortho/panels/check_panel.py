@@ -95,8 +95,11 @@ class CheckPanel:
             if net is None:
                 return
             self.marks = PlaceMarks(seen[0], places.container(net))
-        ends = {"face": self._mesh.faces, "edge": self._mesh.connectivity.edges}
-        worst = ends[entry["where"]][entry["worst"]] if entry["where"] in ends else entry["worst"]
+        net, worst = self._mesh.connectivity, entry["worst"]
+        if entry["where"] == "face":
+            worst = net.half_edges[net.half_faces == worst, 0]
+        elif entry["where"] == "edge":
+            worst = net.edges[worst]
         self.marks.show(self._mesh.vertices[np.atleast_1d(worst)])
 
     def _unmark(self) -> None:
@@ -115,6 +118,10 @@ class CheckPanel:
 def _summary(label: str, result: dict[str, Any]) -> str:
     words = translate("Ortho", "{}: {} vertices, {} quads, {} irregular, edge ratio {:.2f}")
     counts = (result["vertices"], result["faces"], result["irregular_vertices"])
+    sizes = ", ".join(result["corners_of_faces"])
+    if sizes != "4":
+        words = translate("Ortho", "{}: {} vertices, {} faces of {} corners, edge ratio {:.2f}")
+        counts = (*counts[:2], sizes)
     flat = translate("Ortho", "faces flat to {}").format(length_words(result["planarity_gap"]))
     return f"{words.format(label, *counts, result['edge_ratio'])}, {flat}"
 

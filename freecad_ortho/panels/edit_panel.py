@@ -9,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from freecad_ortho import convert
 from freecad_ortho.objects.source_net import is_outdated
 from freecad_ortho.panels.buttons import close_only
 from freecad_ortho.panels.editing import Editing
@@ -164,7 +165,10 @@ class EditPanel:
         column.addWidget(_hints())
 
     def _net_box(self, net: FreeCAD.DocumentObject) -> QtGui.QGroupBox:
-        self.net_type = ChoiceField(net_words(), net.NetType)
+        words = net_words(bool(convert.sizes_of(net)))
+        if net.NetType not in words:
+            words = net_words()
+        self.net_type = ChoiceField(words, net.NetType)
         self.net_type.widget.currentIndexChanged.connect(lambda _: self._retarget())
         self.isometric = QtGui.QCheckBox(translate("Ortho", "Isometric (no stretching)"))
         self.isometric.setToolTip(

@@ -42,7 +42,8 @@ class NetChoice:
         self._advice = advise(mesh)
         # What makes no difference to this mesh is not asked.
         self._idle = () if mesh.connectivity.singular.any() else ("singular",)
-        self.net_type = ChoiceField(net_words(), stored["net"])
+        words, chosen = net_words(mesh.connectivity.mixed), stored["net"]
+        self.net_type = ChoiceField(words, chosen if chosen in words else next(iter(words)))
         self.recommendation = _wrapped()
         self.use = QtGui.QPushButton(translate("Ortho", "Use"))
         self.use.setToolTip(translate("Ortho", "Choose the recommended net"))
@@ -128,9 +129,9 @@ class NetChoice:
 
 def _twins(net: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
     """Other nets of the document with the same faces."""
-    faces = list(net.Faces)
+    faces = list(net.Faces), convert.sizes_of(net)
     others = [item for item in net.Document.Objects if is_net(item) and item is not net]
-    return [item for item in others if list(item.Faces) == faces]
+    return [item for item in others if (list(item.Faces), convert.sizes_of(item)) == faces]
 
 
 def _row(label: str, widget: QtGui.QWidget) -> QtGui.QWidget:

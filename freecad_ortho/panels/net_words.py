@@ -14,9 +14,13 @@ from solver.nets import NETS
 translate = FreeCAD.Qt.translate
 
 
-def net_words() -> dict[str, str]:
-    """What each net is called, by its name."""
-    return {name: translate("Ortho", net.title) for name, net in NETS.items()}
+def net_words(any_faces: bool = False) -> dict[str, str]:
+    """What each net is called, by its name; only those for faces of any size where that is said."""
+    return {
+        name: translate("Ortho", net.title)
+        for name, net in NETS.items()
+        if net.any_faces or not any_faces
+    }
 
 
 def short_word(net: str) -> str:

@@ -292,7 +292,7 @@ class OptimisePanel:
             label.setWordWrap(True)
         self.statistics.setText(
             translate("Ortho", "{:,} vertices, {:,} faces").format(
-                len(self._mesh.vertices), len(self._mesh.faces)
+                len(self._mesh.vertices), self._mesh.connectivity.face_count
             )
         )
         self.form = QtGui.QWidget()

@@ -111,7 +111,7 @@ class NetView(Stateless):
         """Follow a property of the net."""
         if not hasattr(self, "_mesh"):
             return
-        if name == "Faces":
+        if name in ("Faces", "FaceSizes"):
             self._read_faces()
         elif name == "Vertices" and self._mesh is not None:
             points = convert.array(feature.Vertices)
@@ -153,19 +153,29 @@ class NetView(Stateless):
             self._stand.translation = tuple(self._origin.shift.tolist())
             self._coordinates.point.deleteValues(0)
             self._coordinates.point.setValues(0, len(mesh.vertices), self._mesh.vertices)
-            nodes.set_indices(self._face_set, mesh.faces)
+            net = mesh.connectivity
+            nodes.set_polygons(self._face_set, net.half_edges[:, 0], net.face_sizes)
+            # Larger faces may have recesses.
+            kind = coin.SoShapeHints.UNKNOWN_FACE_TYPE if net.mixed else coin.SoShapeHints.CONVEX
+            self._hints.faceType = kind
             nodes.set_indices(self._line_set, mesh.connectivity.edges)
         self._colour()
         self._draw_overlays()
 
     def show_stored(self) -> None:
         """Show the mesh that the net has."""
-        if self._mesh is None or self._mesh.faces.ravel().tolist() != self.Object.Faces:
+        if self._mesh is None or not self._has_faces_of(self._mesh.connectivity):
             self._read_faces()
             return
         self.show_vertices(convert.array(self.Object.Vertices))
         self._colour()
         self._draw_overlays()
+
+    def _has_faces_of(self, net: Connectivity) -> bool:
+        """Whether the faces that the net has are these."""
+        sizes = net.face_sizes.tolist() if net.mixed else []
+        same = sizes == convert.sizes_of(self.Object)
+        return same and net.half_edges[:, 0].tolist() == self.Object.Faces
 
     def _build_nodes(self) -> None:
         # Coin's coordinates have seven digits: far from the origin they lie about a point nearby.
@@ -181,9 +191,8 @@ class NetView(Stateless):
         self._legend = Legend()
         self._overlays = Overlays()
         self._reflection = ReflectionLines()
-        hints = coin.SoShapeHints()
+        self._hints = hints = coin.SoShapeHints()
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
-        hints.faceType = coin.SoShapeHints.CONVEX
         hints.creaseAngle = 0.0
         push_back = coin.SoPolygonOffset()
         # Light from the camera would darken the colours that the scale explains.
@@ -211,13 +220,7 @@ class NetView(Stateless):
 
     def _read_faces(self) -> None:
         """Fill the nodes anew; an incomplete net (while it is being read) shows nothing."""
-        faces = np.array(self.Object.Faces, dtype=np.int64)
-        points = convert.array(self.Object.Vertices)
-        if len(faces) == 0 or len(faces) % 4 or faces.max() >= len(points):
-            self.show_mesh(None)
-            return
-        connectivity = Connectivity(faces.reshape(-1, 4), len(points))
-        self.show_mesh(QuadMesh(points, connectivity))
+        self.show_mesh(convert.whole_mesh(self.Object))
 
     def explains(self) -> bool:
         """Tell whether the net is seen in colours that need a scale."""
@@ -260,7 +263,10 @@ class NetView(Stateless):
     def _draw_overlays(self, moving: bool = False) -> None:
         view = self.ViewObject
         chosen = [name for name in OVERLAYS if getattr(view, name)] if view.Visibility else []
-        self._overlays.show(self._mesh, chosen, moving)
+        try:
+            self._overlays.show(self._mesh, chosen, moving)
+        except OrthoError as error:
+            FreeCAD.Console.PrintWarning(f"{self.Object.Label}: {error}\n")
 
     def _painting(self, mesh: QuadMesh) -> Painting:
         view = self.ViewObject

@@ -83,6 +83,12 @@ def set_indices(shape: Any, rows: IntArray) -> None:
     shape.coordIndex.setValues(0, len(indices), indices)
 
 
+def set_polygons(shape: Any, corners: IntArray, sizes: IntArray) -> None:
+    """Write polygons, the (H,) numbers of their points in turn, (F,) how many each has."""
+    indices = np.insert(corners, np.cumsum(sizes), -1).astype(np.int32)
+    shape.coordIndex.setValues(0, len(indices), indices)
+
+
 def set_points(node: coin.SoCoordinate3, points: FloatArray) -> None:
     """Give coordinates (N, 3) and no others."""
     node.point.deleteValues(len(points))

@@ -62,7 +62,9 @@ class TriangleSurface:
 
     @classmethod
     def from_quads(cls, mesh: QuadMesh) -> TriangleSurface:
-        """Split every face along its shorter diagonal."""
+        """Split every quad along its shorter diagonal, faces of any size from their first corners."""
+        if mesh.connectivity.mixed:
+            return cls(mesh.vertices, mesh.connectivity.triangles)
         quads, points = mesh.faces, mesh.vertices
         first, second = (
             np.linalg.norm(points[quads[:, k + 2]] - points[quads[:, k]], axis=1) for k in (0, 1)

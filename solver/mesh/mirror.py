@@ -12,6 +12,7 @@ from solver.mesh.grid import grid_mesh, grid_of
 from solver.mesh.intake import SAME_PLACE as SAME_PLACE
 from solver.mesh.intake import quad_mesh
 from solver.mesh.merge import merged
+from solver.mesh.mixed import MixedConnectivity
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import MEETING, meeting, seams
 
@@ -111,6 +112,10 @@ def weld_remarks(meshes: Sequence[QuadMesh], whole: QuadMesh) -> list[str]:
 
 def reversed_orientation(mesh: QuadMesh) -> QuadMesh:
     """The same net seen from its other side; vertex and face numbers and families stay."""
+    net = mesh.connectivity
+    if net.mixed:
+        turned = [face[1::-1] + face[:1:-1] for face in net.polygons]
+        return QuadMesh(mesh.vertices, MixedConnectivity(turned, net.vertex_count))
     return QuadMesh(mesh.vertices, mesh.faces[:, [1, 0, 3, 2]])
 
 

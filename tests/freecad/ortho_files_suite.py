@@ -1,6 +1,6 @@
-"""Documents that earlier versions of the workbench saved. Run by FreeCAD.
+"""Mesh files with faces of any size, and documents of earlier versions. Run by FreeCAD.
 
-They are in ``fixtures``, by version, made by ``scripts/document_fixture.py``.
+These documents are in ``fixtures``, by version, made by ``scripts/document_fixture.py``.
 """
 
 import json
@@ -12,13 +12,89 @@ from pathlib import Path
 import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
+from ortho_suite_cases import DocumentCase
 
-from freecad_ortho import api
+from examples.mixed_faces import cut_round
+from freecad_ortho import api, convert
 from freecad_ortho.objects.net import VERSION, is_net
 from freecad_ortho.objects.structure import is_structure
+from solver import write_mesh
+from solver.errors import InputError
 
 FIXTURES = Path(__file__).resolve().parent / "fixtures"
 VERSIONS = sorted(path.stem for path in FIXTURES.glob("*.FCStd"))
+
+
+class TestFacesOfAnySize(DocumentCase):
+    """A dome cut off round: triangles, quads and pentagons."""
+
+    def setUp(self):
+        super().setUp()
+        self.drawn = cut_round(3)
+        path = tools.SCRATCH / "round.obj"
+        write_mesh(path, self.drawn, "mm")
+        self.net = api.import_net(path, self.document)
+
+    def polygons(self, net):
+        return convert.quad_mesh(net).connectivity.polygons
+
+    def test_they_are_read_kept_and_written_as_they_are(self):
+        polygons = self.drawn.connectivity.polygons
+        self.assertEqual({len(face) for face in polygons}, {3, 4, 5})
+        self.assertEqual(self.polygons(self.net), polygons)
+        path = tools.SCRATCH / "again.obj"
+        api.export_net(self.net, path)
+        written = api.read_mesh(path, mixed=True).mesh
+        self.assertEqual(written.connectivity.polygons, polygons)
+        np.testing.assert_array_equal(written.vertices, self.drawn.vertices)
+        api.flip_net(self.net)
+        turned = [face[1::-1] + face[:1:-1] for face in polygons]
+        self.assertEqual(self.polygons(self.net), turned)
+        self.document.undo()
+        self.assertEqual(self.polygons(self.net), polygons)
+        (group,) = api.bake([self.net])
+        mesh, edges = group.Group
+        corners = sum(map(len, polygons))
+        self.assertEqual(mesh.Mesh.CountFacets, corners - 2 * len(polygons))
+        self.assertEqual(len(edges.Shape.Edges), len(self.drawn.connectivity.edges))
+        name = self.net.Name
+        again = self.reopened("any_size.FCStd").getObject(name)
+        self.assertEqual(self.polygons(again), polygons)
+
+    def test_flat_faces_become_panels_on_beams_that_follow(self):
+        self.assertEqual(self.net.NetType, "planar")
+        outcome = api.optimise_net(self.net)
+        self.assertEqual(outcome.report.status, "converged")
+        gaps = convert.quad_mesh(self.net).face_gaps
+        self.assertLess(gaps.max(), 1e-9 * self.drawn.mean_edge)
+        beams = api.add_beams(self.net)
+        panels = api.add_panels(self.net, beams=beams)
+        faces = len(self.drawn.connectivity.polygons)
+        self.assertEqual(len(panels.Shape.Solids), faces)
+        self.assertTrue(panels.Shape.isValid())
+        self.assertEqual(len(beams.Shape.Solids), len(self.drawn.connectivity.edges))
+        report = json.loads(panels.Report)["panels"]
+        counts = np.bincount([len(face) for face in self.drawn.connectivity.polygons])
+        self.assertEqual(report["panels_by_corners"], {str(n): counts[n] for n in (3, 4, 5)})
+        before = panels.Shape.Volume
+        convert.store_vertices(self.net, 1.1 * tools.vertices(self.net))
+        self.document.recompute()
+        self.assertGreater(panels.Shape.Volume, 1.15 * before)
+
+    def test_what_needs_quads_says_so_and_changes_nothing(self):
+        before, count = tools.vertices(self.net).tobytes(), len(self.document.Objects)
+        for what in (
+            lambda: api.optimise_net(self.net, net="principal"),
+            lambda: api.add_lamellas(self.net),
+            lambda: api.add_panels(self.net, bending="cold"),
+        ):
+            with self.assertRaisesRegex(InputError, " triangles, |several sizes"):
+                what()
+        self.assertEqual((tools.vertices(self.net).tobytes(), self.net.NetType), (before, "planar"))
+        self.assertEqual(len(self.document.Objects), count)
+        self.net.FaceSizes = self.net.FaceSizes[:-1]
+        with self.assertRaisesRegex(InputError, "'Faces' holds .*, 'FaceSizes' says"):
+            convert.quad_mesh(self.net)
 
 
 class TestEarlierVersions(unittest.TestCase):

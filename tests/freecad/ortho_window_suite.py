@@ -1,5 +1,6 @@
 """The workbench in FreeCAD's window: every command, task panels, pictures. Run by FreeCAD."""
 
+import json
 import os
 import sys
 from unittest import mock
@@ -13,10 +14,12 @@ from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, vertices, wait
 from PySide import QtCore, QtGui
 
+from examples.mixed_faces import honeycomb
 from freecad_ortho import api
 from freecad_ortho.commands import open_file
 from freecad_ortho.panels import optimise_panel
 from freecad_ortho.window import dialogs
+from solver import write_mesh
 
 NEEDS_NET = ("Ortho_Optimise", "Ortho_EditNet", "Ortho_Beams", "Ortho_Panels")
 
@@ -377,6 +380,32 @@ class TestSmallScreen(WorkbenchCase):
             self.assertLessEqual(foot, area.viewport().height())
         FreeCADGui.getMainWindow().grab().save(str(tools.SCRATCH / "small.png"))
         press("Cancel")
+
+
+class TestFacesOfAnySize(WorkbenchCase):
+    def test_a_honeycomb_is_drawn_checked_and_made_flat_in_the_panel(self):
+        path = tools.SCRATCH / "honeycomb.obj"
+        write_mesh(path, honeycomb(3), "mm")
+        net = self.imported(str(path))
+        self.assertNotBlank(self.picture("honeycomb"))
+        faces = net.ViewObject.Proxy._face_set.coordIndex.getValues()
+        self.assertEqual([len(face) for face in self.rows(faces)], [6] * 9)
+        self.optimised()
+        report = json.loads(net.LastReport)
+        self.assertEqual((report["net"], report["status"]), ("planar", "converged"))
+        # Overlays of quads have nothing to show, and say so in the report view alone.
+        net.ViewObject.MedialLines = True
+        FreeCADGui.runCommand("Ortho_Check")
+        wait()
+        labels = [label.text() for label in form().findChildren(QtGui.QLabel)]
+        self.assertTrue(any("9 faces of 6 corners" in text for text in labels), labels)
+        press("Close")
+        self.assertEqual(self.errors, [])
+
+    def rows(self, numbers):
+        """Lists of the numbers before each -1."""
+        words = " ".join(map(str, numbers)).split("-1")
+        return [list(map(int, word.split())) for word in words if word.strip()]
 
 
 class TestNetView(WorkbenchCase):

@@ -549,6 +549,11 @@
    <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>How many vertices each face has, where some have more or fewer than four</source>
+   <translation>Wie viele Punkte jede Fläche hat, wo einige mehr oder weniger als vier haben</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter: the hubs measure this across their faces</source>
    <translation>Nabendurchmesser: so viel messen die Naben über ihre Flächen</translation>
@@ -6920,6 +6925,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>{}: {:,} parts, {:,.1f} kg</source>
    <translation>{}: {:,} Teile, {:,.1f} kg</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>{}: {} vertices, {} faces of {} corners, edge ratio {:.2f}</source>
+   <translation>{}: {} Punkte, {} Flächen mit {} Ecken, Kantenverhältnis {:.2f}</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />

@@ -549,6 +549,11 @@
    <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/objects/net.py" />
+   <source>How many vertices each face has, where some have more or fewer than four</source>
+   <translation>Nombre de sommets de chaque face, là où certaines en ont plus ou moins de quatre</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Hub diameter: the hubs measure this across their faces</source>
    <translation>Diamètre du moyeu : les moyeux mesurent autant entre leurs faces</translation>
@@ -6920,6 +6925,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>{}: {:,} parts, {:,.1f} kg</source>
    <translation>{} : {:,} pièces, {:,.1f} kg</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/check_panel.py" />
+   <source>{}: {} vertices, {} faces of {} corners, edge ratio {:.2f}</source>
+   <translation>{} : {} sommets, {} faces à {} coins, rapport d’arêtes {:.2f}</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
