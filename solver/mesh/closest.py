@@ -62,7 +62,7 @@ class TriangleSurface:
 
     @classmethod
     def from_quads(cls, mesh: QuadMesh) -> TriangleSurface:
-        """Split every quad along its shorter diagonal, faces of any size from their first corners."""
+        """Split quads along their shorter diagonals, faces of any size from their first corners."""
         if mesh.connectivity.mixed:
             return cls(mesh.vertices, mesh.connectivity.triangles)
         quads, points = mesh.faces, mesh.vertices

@@ -7,6 +7,7 @@ import pytest
 
 from freecad_ortho.fabrication import Lamellas, build
 from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.site import Selection
 from solver import optimise
 from solver.errors import InputError
 from solver.mesh.diagonal_lines import diagonal_lines
@@ -127,6 +128,28 @@ def test_one_bolt_passes_three_lying_layers(lying):
     assert {name[2] for names in triple for name in names} == {"U", "V", "D"}
     # Nothing else passes there: as many bolts as crossings of both families.
     assert len(held) == report["crossings"]
+
+
+def test_of_a_web_with_one_asymptotic_family_that_alone_carries_the_diagonals_straight():
+    net = web(freeform_saddle(6, 5, 5.0), "agg")
+    whole = build(net, [Lamellas(**SIZES)])
+    (said,) = (
+        words for words in whole.results["lamellas"].messages if "alone are straight" in words
+    )
+    family = said.split("family ")[1][0]
+    settings = Lamellas(diagonals="auto", **SIZES)
+    structure = build(net, [settings], selection=Selection(family))
+    slats = of_kind(structure, "lamella")
+    assert {part.family for part in slats} == {family, "d"}
+    for part in slats:
+        assert part.measures.straightness_mm <= 1e-9 * part.length
+    report = structure.report()["lamellas"]
+    assert report["pattern"] == "straight"
+    assert report["ties"] == len({v for part in along_diagonals(structure) for v in part.vertices})
+    assert check_clashes(structure.parts).clashes == ()
+    # The other family bends within its strips when it stands.
+    other = build(net, [Lamellas(**SIZES)], selection=Selection({"u": "v", "v": "u"}[family]))
+    assert other.report()["lamellas"]["pattern"] == "free"
 
 
 def test_lines_of_diagonals_pass_each_inner_vertex_once():

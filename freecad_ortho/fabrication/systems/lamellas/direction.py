@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
-from solver.analysis.lines import common_tilt, family_bends, tilt
+from solver.analysis.lines import common_tilt, family_bends, off_tilt, tilt
 from solver.analysis.measures import asymptotic, geodesic
 from solver.analysis.spheres import cmc, common_radius
 from solver.errors import InputError
@@ -48,18 +48,23 @@ def pattern_of(site: Site, settings: LamellaSettings) -> StripPattern:
     Raises:
         InputError: the net is too far from what the wanted pattern needs.
     """
-    return pattern_on(site.mesh, settings)
+    return pattern_on(site.mesh, settings, site.selection.family)
 
 
-def pattern_on(mesh: QuadMesh, settings: LamellaSettings) -> StripPattern:
+def pattern_on(mesh: QuadMesh, settings: LamellaSettings, family: str = "both") -> StripPattern:
     """Find out, or check, what patterns a net allows.
+
+    Args:
+        mesh: the net.
+        settings: of the lamellas.
+        family: of the lines along which they are made, "u", "v" or "both".
 
     Raises:
         InputError: the net is too far from what the wanted pattern needs.
     """
     if settings.position == "tilted":
         return _tilted(mesh, settings)
-    measured = _measured(mesh, settings.standing)
+    measured = _measured(mesh, settings.standing, family)
     kind, radius = settings.pattern, math.inf
     if kind == "auto":
         fitting = [name for name in measured if measured[name] <= IS_NET]
@@ -117,10 +122,29 @@ def _tilted(mesh: QuadMesh, settings: LamellaSettings) -> StripPattern:
     return StripPattern("straight" if straight else "free", math.inf, axes, tilts)
 
 
-def _measured(mesh: QuadMesh, standing: bool) -> dict[str, float]:
+def straight_families(mesh: QuadMesh, standing: bool) -> list[str]:
+    """Families whose lines alone are asymptotic, or geodesic where strips lie, as of some webs."""
+    combed = Combed(mesh.connectivity)
+    if not combed.families or not len(combed.stars):
+        return []
+    return [name for name in FAMILIES if _miss(mesh, standing, name) <= IS_NET]
+
+
+def _miss(mesh: QuadMesh, standing: bool, family: str) -> float:
+    """Largest part of the turns of a family of lines that bends strips along it, in radians."""
+    bends = family_bends(mesh, FAMILIES.index(family))
+    return float(off_tilt(*bends, math.pi / 2 if standing else 0.0).max())
+
+
+def _measured(mesh: QuadMesh, standing: bool, family: str) -> dict[str, float]:
     """Largest measure of the net behind each pattern, best first where several fit."""
     if not len(mesh.connectivity.stars):
         return {"straight": math.inf}
-    if not standing:
-        return {"straight": float(geodesic(mesh).max())}
-    return {"straight": float(asymptotic(mesh).max()), "arc": float(cmc(mesh).max())}
+    alone = family in straight_families(mesh, standing)
+    whole = asymptotic if standing else geodesic
+    straight = _miss(mesh, standing, family) if alone else float(whole(mesh).max())
+    return (
+        {"straight": straight, "arc": float(cmc(mesh).max())}
+        if standing
+        else {"straight": straight}
+    )

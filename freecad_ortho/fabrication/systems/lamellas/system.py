@@ -28,7 +28,11 @@ from freecad_ortho.fabrication.systems.lamellas.crossings import (
     said_of_wide,
     slot_ways,
 )
-from freecad_ortho.fabrication.systems.lamellas.direction import StripPattern, pattern_of
+from freecad_ortho.fabrication.systems.lamellas.direction import (
+    StripPattern,
+    pattern_of,
+    straight_families,
+)
 from freecad_ortho.fabrication.systems.lamellas.ends import reaches
 from freecad_ortho.fabrication.systems.lamellas.layers import too_near
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
@@ -39,6 +43,7 @@ from freecad_ortho.fabrication.systems.lamellas.third import third_layer
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.lines import ParameterLine, ParameterLines
+from solver.mesh.quadmesh import QuadMesh
 
 # Names that a message shows.
 _SHOWN = 5
@@ -120,7 +125,7 @@ class Lamellas(LamellaSettings, System):
         report = self._report(lamellas, met, parts, pattern)
         report |= {"splices": len(splices), "cleats": len(cleats)} | above.report
         report["not_put_on"] = sum(bool(part.assembly) for part in parts)
-        messages = self._messages(lamellas, pattern) + self._said(whole, splices)
+        messages = self._messages(site.mesh, lamellas, pattern) + self._said(whole, splices)
         messages += self._said_of_layers(lamellas, met) + border.words() + doubts
         messages += said_of_wide(lamellas, met, self) + above.words()
         messages += self._said_of_cleats(lost, list(cleats.values()))
@@ -236,7 +241,9 @@ class Lamellas(LamellaSettings, System):
             f"clearance of {self.clearance:g} mm; take clearance {needed:.1f}"
         ]
 
-    def _messages(self, lamellas: list[Lamella], pattern: StripPattern) -> list[str]:
+    def _messages(
+        self, mesh: QuadMesh, lamellas: list[Lamella], pattern: StripPattern
+    ) -> list[str]:
         messages = []
         twisted = [each for each in lamellas if each.twisted]
         if twisted and self.strip == "auto":
@@ -247,13 +254,7 @@ class Lamellas(LamellaSettings, System):
                 f"one; their edges stretch by up to {gap:.2g} mm an edge"
             )
         if pattern.kind == "free" and self.pattern == "auto":
-            messages.append(
-                "lamellas: the net is neither asymptotic nor CMC, so the patterns are curved as "
-                "they come; optimise for an asymptotic net for straight ones, CMC for arcs"
-                if self.standing
-                else "lamellas: the net is not geodesic, so the patterns are curved as they come; "
-                "optimise for a geodesic net for straight ones"
-            )
+            messages.append(_said_of_free(straight_families(mesh, self.standing), self.standing))
         missing = [each.name for each in lamellas if not each.exact]
         if missing and pattern.kind != "free":
             exactly = "straight" if pattern.kind == "straight" else "arcs"
@@ -268,6 +269,25 @@ class Lamellas(LamellaSettings, System):
 def lamella_name(line: ParameterLine) -> str:
     """``L-U002`` is line 2 of family u; ``L-002`` where there are no families."""
     return f"L-{line.family.upper()}{line.number:03d}"
+
+
+def _said_of_free(alone: list[str], standing: bool) -> str:
+    """What would make straight patterns, of a net of which these families alone have them."""
+    if alone:
+        lines = "asymptotic" if standing else "geodesic"
+        return (
+            f"lamellas: only the lines of family {alone[0]} are {lines}, so patterns are curved "
+            f"as they come; those of family {alone[0]} alone are straight"
+        )
+    if standing:
+        return (
+            "lamellas: the net is neither asymptotic nor CMC, so the patterns are curved as they "
+            "come; optimise for an asymptotic net for straight ones, CMC for arcs"
+        )
+    return (
+        "lamellas: the net is not geodesic, so the patterns are curved as they come; optimise for "
+        "a geodesic net for straight ones"
+    )
 
 
 def _values(parts: tuple[Part, ...], measure: str) -> list[float]:
