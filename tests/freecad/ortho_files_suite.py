@@ -30,7 +30,7 @@ class TestFacesOfAnySize(DocumentCase):
 
     def setUp(self):
         super().setUp()
-        self.drawn = cut_round(3)
+        self.drawn = cut_round(4)
         path = tools.SCRATCH / "round.obj"
         write_mesh(path, self.drawn, "mm")
         self.net = api.import_net(path, self.document)

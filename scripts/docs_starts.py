@@ -1,0 +1,126 @@
+"""Writes the tables of docs/nets.md on starts that are not near: freeform surfaces, and noise.
+
+Run with the project's Python:
+    python scripts/docs_starts.py [--write] [--noise]
+
+The first table takes some minutes, the second one, with ``--noise``, more.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from bench import ROOT, write
+from docs_nearest import SURFACES, sampled
+
+from solver import NetOptions, QuadMesh, optimise
+from solver.report import CONVERGED, Report
+from tests.meshes import freeform_roof, freeform_saddle, noisy
+
+Options = Mapping[str, Any]
+# Nets after the paper, and whether they need a saddle.
+NETS: dict[str, tuple[str, Options, bool]] = {
+    "isogonal": ("isogonal", {}, False),
+    "isothermic": ("isothermic", {}, False),
+    "planar-lines": ("planar-lines", {}, False),
+    "planar-lines, both": ("planar-lines", {"plane": "both"}, False),
+    "asymptotic-angle": ("asymptotic-angle", {}, True),
+    "pseudo-geodesic": ("pseudo-geodesic", {}, False),
+    "pseudo-geodesic, 60": ("pseudo-geodesic", {"tilt_u": 60.0, "tilt_v": 60.0}, False),
+    "web aag": ("web", {"web": "aag"}, True),
+    "web agg": ("web", {"web": "agg"}, False),
+    "web gga": ("web", {"web": "gga"}, True),
+    "web ggg": ("web", {"web": "ggg"}, False),
+}
+SADDLES = ("skew saddle", "wave")
+ROWS, COLUMNS = 26, 19
+# Those with much freedom, which keep noise, and one without.
+NOISY = ("isogonal", "isothermic", "planar-lines", "pseudo-geodesic", "web aag")
+SEEDS, AMOUNT = 10, 0.1
+
+
+def reached(start: QuadMesh, net: str, options: Options, **more: float) -> Report:
+    """What came of a run."""
+    return optimise(start, net, options=NetOptions(**options), **more).report
+
+
+def worst(report: Report) -> float:
+    """Largest residual."""
+    return max(spread.max for spread in report.residuals.values())
+
+
+def freeform_table() -> str:
+    """Every net on every surface: distance, evenness and area."""
+    lines = [
+        f"| net | {' | '.join(SURFACES)} | worst |",
+        f"| --- |{' --- |' * len(SURFACES)} ---: |",
+    ]
+    for name, (net, options, saddle) in NETS.items():
+        cells, residual = [], 0.0
+        for surface in SURFACES:
+            if saddle and surface not in SADDLES:
+                cells.append("")
+                continue
+            report = reached(sampled(surface, ROWS, COLUMNS), net, options)
+            form, residual = report.form, max(residual, worst(report))
+            status = "" if report.status == CONVERGED else f"{report.status}, "
+            cells.append(
+                f"{status}{form.off_surface.percent:.2f} %, {form.zigzag:.2f}, "
+                f"{form.area_ratio:.2f}"
+            )
+        lines.append(f"| {name} | {' | '.join(cells)} | {residual:.0e} |")
+        print(lines[-1], flush=True)
+    return "\n".join(lines)
+
+
+def noise_table() -> str:
+    """Starts with noise: how many reach the net, and how evenly their lines bend."""
+    roof, dome = freeform_roof(20, 17), sampled("rectangular dome", 22, 16)
+    saddle = freeform_saddle(20, 18)
+    lines = [
+        "| net | start | `--evenness` | reached | evenness: median, least | off at most "
+        "| area at least |",
+        "| --- | --- | --- | ---: | ---: | ---: | ---: |",
+    ]
+    for name in NOISY:
+        net, options, needs_saddle = NETS[name]
+        starts = {"saddle": saddle} if needs_saddle else {"roof": roof, "dome": dome}
+        for what, start in starts.items():
+            for weight in (None, 1.0):
+                found = [
+                    reached(
+                        noisy(start, AMOUNT, seed),
+                        net,
+                        options,
+                        **({} if weight is None else {"evenness": weight}),
+                    )
+                    for seed in range(SEEDS)
+                ]
+                exact = sum(r.status == CONVERGED and worst(r) <= 1e-10 for r in found)
+                even = [r.form.zigzag for r in found]
+                off = max(r.form.off_surface.percent for r in found)
+                area = min(r.form.area_ratio for r in found)
+                lines.append(
+                    f"| {name} | {what} | {weight or ''} | {exact} of {SEEDS} "
+                    f"| {np.median(even):.2f}, {min(even):.2f} | {off:.1f} % | {area:.2f} |"
+                )
+                print(lines[-1], flush=True)
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--write", action="store_true", help="update docs/nets.md")
+    parser.add_argument("--noise", action="store_true", help="starts with noise instead")
+    chosen = parser.parse_args()
+    table = noise_table() if chosen.noise else freeform_table()
+    if chosen.write:
+        write(ROOT / "docs" / "nets.md", "noise" if chosen.noise else "starts", table)
