@@ -1,6 +1,8 @@
 """Writes the figure and prints the tables of docs/nets.md on few kinds of parts.
 
-Run with the project's Python:  python scripts/docs_kinds.py
+Run with the project's Python:
+    python scripts/docs_kinds.py            # the demo roof: figure and tables
+    python scripts/docs_kinds.py --others   # the table of two other roofs of as many panels
 """
 
 from __future__ import annotations
@@ -11,6 +13,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from docs_nearest import sampled
 
 from freecad_ortho import api
 from solver import QuadMesh, optimise
@@ -26,6 +30,9 @@ ASKED = (
     ("planar", "edges", 20, 1.0),
     ("principal", "nodes", 30, 0.1),
 )
+# Roofs of 480 panels, far from surfaces of revolution, and what is asked of them.
+OTHERS = ("wave", "twisted barrel vault")
+OF_OTHERS = (("principal", "panels", 40, 2.0), ("planar", "edges", 20, 1.0))
 CURVE = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
 
 
@@ -45,7 +52,21 @@ def curve(mesh: QuadMesh, of: str) -> list[int]:
     return [kinds_within(mesh, of, within).number for within in CURVE]
 
 
+def others() -> None:
+    """Print the rows of the other roofs, and the numbers of kinds within lengths."""
+    for name in OTHERS:
+        roof = sampled(name, 31, 17).scaled(1000.0)
+        for net, of, kinds, alike in OF_OTHERS:
+            outcome = optimise(roof, net, repeat=of, kinds=kinds, alike=alike)
+            print(f"| {name} {row(net, of, outcome.report)}", flush=True)
+            numbers = " | ".join(map(str, curve(outcome.mesh, of)))
+            print(f"| {name}, {net}, {of}, after | {numbers} |", flush=True)
+
+
 if __name__ == "__main__":
+    if "--others" in sys.argv:
+        others()
+        raise SystemExit
     roof = api.read_mesh(ROOT / "examples" / "data" / "demo_roof.obj").mesh
     plain = {net: optimise(roof, net).mesh for net in ("principal", "planar")}
     print(
