@@ -13,6 +13,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from freecad_ortho.fabrication import MATERIALS, SYSTEMS, Limits, Workshop
+from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.workshop import ON_SHEETS
 from freecad_ortho.sources import GROUPS, SOURCES
 from freecad_ortho.structural.design import Design
@@ -52,12 +53,13 @@ def words() -> Iterator[tuple[str, str]]:
     for option in Design.options:
         yield from _option(option)
         yield _PROPERTIES, option.sentence
+    yield from ((_PANELS, each.contents) for each in FORMATS.values())
     for limit in Limits.options:
         yield _PROPERTIES, limit.sentence
     for system in SYSTEMS.values():
         for entry in system.options:
             yield from _option(entry)
-            yield _PROPERTIES, f"{entry.label}: {entry.meaning}"
+            yield _PROPERTIES, f"{entry.label}: {entry.sentence}"
 
 
 def _option(option: Option) -> Iterator[tuple[str, str]]:

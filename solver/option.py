@@ -170,7 +170,7 @@ class Option:
     @property
     def sentence(self) -> str:
         """The meaning, and what stands for "let it be found" in a property."""
-        zero = f"0 is {self.absent}"
+        zero = f"0 is {self.absent or 'automatic'}"
         found = {"length": zero, "angle": zero, "weight": "-1 is automatic"}.get(self.kind)
         return f"{self.meaning}; {found}" if found and self.default is None else self.meaning
 

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import json
+import re
 from types import SimpleNamespace
 
 import pytest
 
 from freecad_ortho.cli.reporting import fabrication_line
+from freecad_ortho.fabrication import Limits
+from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.sources import SOURCES
+from freecad_ortho.structural.design import Design
 from freecad_ortho.words import counted, plural
+from solver.mesh.remesh import OPTIONS as REMESHING
+from solver.nets.options import OPTIONS
+from solver.nets.settings import WEIGHTS
+from solver.nets.supports import SUPPORTS
 from solver.option import Option
 
 
@@ -51,13 +59,63 @@ def options() -> list[Option]:
     return [*of_systems, *Workshop.options]
 
 
-@pytest.mark.parametrize("option", options(), ids=lambda option: option.name)
+def all_options() -> dict[str, Option]:
+    """Options that differ in their meaning, of nets, guides, sources and checks too."""
+    of_nets = [*OPTIONS.values(), *WEIGHTS.values(), SUPPORTS, *REMESHING]
+    of_sources = [option for source in SOURCES.values() for option in source.options]
+    found = [*options(), *of_nets, *of_sources, *Design.options, *Limits.options]
+    return {f"{option.name}: {option.meaning}": option for option in found}
+
+
+# A sentence has one of these: whoever needs another adds it.
+VERBS = {
+    *("are", "begins", "buckle", "carries", "carry", "change", "comes", "count", "covers", "cut"),
+    *(
+        "differ",
+        "end",
+        "follow",
+        "follows",
+        "get",
+        "gets",
+        "give",
+        "gives",
+        "go",
+        "goes",
+        "grows",
+        "has",
+    ),
+    *("have", "hold", "holds", "is", "join", "keep", "keeps", "leave", "lie", "lies", "lose"),
+    *("loses", "make", "may", "measure", "meet", "moves", "pack", "pass", "reach", "reaches"),
+    *("run", "runs", "says", "stand", "stands", "stay", "turn", "turns", "unroll", "weigh"),
+    *("weighs",),
+}
+
+
+@pytest.mark.parametrize("option", all_options().values(), ids=lambda option: option.name)
 def test_what_an_option_does_is_a_sentence(option):
     """Tooltips begin it with a capital and end it with a full stop."""
     first, *rest = option.meaning.split()
     assert first not in ("of", "in", "to", "at", "between", "beyond", "across")
-    assert len(rest) >= 2 and option.meaning[-1] not in ".,;"
+    assert len(rest) >= 3 and option.meaning[-1] not in ".,;"
+    assert VERBS & set(re.findall(r"\w+", option.meaning.lower())), "add its verb, if it has one"
+    assert option.meaning.lower() != option.label.lower()
+
+
+@pytest.mark.parametrize("option", options(), ids=lambda option: option.name)
+def test_on_the_command_line_it_goes_on_in_small_letters(option):
     assert option.meaning[0].islower()
+
+
+def test_what_is_zero_where_nothing_was_chosen_is_said():
+    """In the property editor, which has no words for an empty field."""
+    for option in all_options().values():
+        if option.kind == "length" and option.default is None:
+            assert option.sentence.endswith(f"; 0 is {option.absent or 'automatic'}")
+
+
+@pytest.mark.parametrize("each", FORMATS.values(), ids=lambda each: each.name)
+def test_what_is_in_a_file_is_a_sentence(each):
+    assert each.contents[-1] != "." and VERBS & set(re.findall(r"\w+", each.contents))
 
 
 def test_a_zero_that_means_something_else_says_what():

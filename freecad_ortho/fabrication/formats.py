@@ -19,7 +19,7 @@ class Format:
         package: the Python package that writes it, by the name it is imported by; empty where none
             is needed.
         installed_as: the same as pip calls it.
-        contents: what is in it, in a few words.
+        contents: what is in it, a sentence without its full stop.
     """
 
     name: str
@@ -44,43 +44,44 @@ FORMATS = {
     for each in (
         Format(
             *("ifc", "structure.ifc", "ifcopenshell", "ifcopenshell"),
-            "IFC 4: all parts, with quantities and properties",
+            "IFC 4 holds all parts, with quantities and properties",
         ),
         Format(
             *("glb", "structure.glb", "trimesh", "trimesh"),
-            "glTF: all parts, with names and colours, for viewers",
+            "glTF holds all parts, with names and colours, for viewers",
         ),
         Format(
             *("xlsx", "lists.xlsx", "xlsxwriter", "XlsxWriter"),
-            "all lists, and masses with a column for prices",
+            "one workbook holds all lists, and masses with a column for prices",
         ),
         Format(
             *("labels", "labels.pdf", "reportlab", "reportlab"),
-            "a label for each part, with a QR code of its name",
+            "each part has a label with a QR code of its name",
         ),
         Format(
             *("saw", "saw-list/*", "", ""),
-            "bars with lengths and angles of both ends, and how to read them",
+            "bars are listed with lengths and angles of both ends, and how to read them",
         ),
         Format(
             *("nc1", "nc1/*", "", ""),
-            "a file a part for machines that saw, drill and cut steel (DSTV)",
+            "each part has a file for machines that saw, drill and cut steel (DSTV)",
         ),
         Format(
             *("btlx", "structure.btlx", "", ""),
-            "BTLx: parts of timber, how they are cut, drilled and marked",
+            "BTLx says how parts of timber are cut, drilled and marked",
         ),
         Format(
             *("3dm", "structure.3dm", "rhino3dm", "rhino3dm"),
-            "Rhino: parts, the net, its lines and axes, on layers",
+            "Rhino gets parts, the net, its lines and axes, on layers",
         ),
         Format(
             *("assembly", "assembly/*", "", ""),
-            "order of assembly, weights, what meets at nodes, points to be surveyed",
+            "these lists have order of assembly, weights, what meets at nodes, points to be "
+            "surveyed",
         ),
         Format(
             *("drawings", "drawings.pdf", "reportlab", "reportlab"),
-            "plan, sheets, a typical node and typical parts with dimensions, to scale",
+            "plan, sheets, a typical node and typical parts are drawn with dimensions, to scale",
         ),
     )
 }

@@ -196,7 +196,7 @@ class Workshop:
             within=Range(0.0, _LOOSEST, above=True),
         ),
         Option(
-            *("write", "", "text", f"files for other programs too: {', '.join(FORMATS)}"),
+            *("write", "", "text", f"files are made for other programs too: {', '.join(FORMATS)}"),
             written="NAME,...",
         ),
         Option(
@@ -207,7 +207,7 @@ class Workshop:
         Option("paper", "a3", "choice", "drawings are of this size", tuple(PAPERS)),
         Option("date", "", "text", "drawings have this date in their title block"),
         Option(
-            *("prices", "", "text", "rows of item, unit and price, for the lists' costs"),
+            *("prices", "", "text", "these rows of item, unit and price give the lists' costs"),
             written="FILE",
         ),
         Option(

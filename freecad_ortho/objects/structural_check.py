@@ -66,14 +66,15 @@ _PROPERTIES = (
         TEXTS["wind"],
         _GROUP,
         QT_TRANSLATE_NOOP(
-            "App::Property", "Pressure in kN/m2 and where it blows to, as 0.6@x; a case each"
+            "App::Property",
+            "The wind has this pressure in kN/m2 and blows this way, as 0.6@x; a case each",
         ),
     ),
     Property(
         "App::PropertyStringList",
         TEXTS["load"],
         _GROUP,
-        QT_TRANSLATE_NOOP("App::Property", "Vertex and force in kN, as 12:0,0,-5"),
+        QT_TRANSLATE_NOOP("App::Property", "These vertices carry these forces in kN, as 12:0,0,-5"),
     ),
     Property(
         "App::PropertyStringList",

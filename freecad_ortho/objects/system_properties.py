@@ -28,7 +28,7 @@ def properties_of(system: str) -> list[Property]:
         item
         for option in options_of(system)
         for item in properties(
-            option, "Structure", f"{option.label}: {option.meaning}", titled=True
+            option, "Structure", f"{option.label}: {option.sentence}", titled=True
         )
     ]
 

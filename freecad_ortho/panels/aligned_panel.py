@@ -231,7 +231,7 @@ class AlignedPanel(SourcePanel):
         self.field_box.setToolTip(
             translate(
                 "Ortho",
-                "The two directions that lines follow; grey where curvature does not say much",
+                "The two directions that lines follow; grey where curvature does not say much.",
             )
         )
         self.field_box.toggled.connect(lambda on: self._show_parts())

@@ -233,7 +233,7 @@ class ConstraintBox:
         for mark in self.mirrors:
             mirror_row.addWidget(mark)
         form.addRow(translate("Ortho", "Mirror"), mirror_row)
-        tip = translate("Ortho", "The net keeps being its own mirror image in the plane through 0")
+        tip = translate("Ortho", "The net keeps being its own mirror image in the plane through 0.")
         for mark in self.mirrors:
             mark.setToolTip(tip)
 
@@ -245,19 +245,19 @@ class ConstraintBox:
             ),
             _HANDLE: (
                 translate("Ortho", "Handle"),
-                translate("Ortho", "Click vertices that are held softly, or drag them to a place"),
+                translate("Ortho", "Click vertices that are held softly, or drag them to a place."),
             ),
             _GLIDE: (
                 translate("Ortho", "Glide"),
                 translate(
                     "Ortho",
                     "Click edges, faces or planes that the boundary near them (on a curved face: "
-                    "every vertex) glides on, exactly",
+                    "every vertex) glides on, exactly.",
                 ),
             ),
             _NEAR: (
                 translate("Ortho", "Near"),
-                translate("Ortho", "Click faces that the net stays near as far as it can"),
+                translate("Ortho", "Click faces that the net stays near as far as it can."),
             ),
         }
         self._pickers = {}

@@ -39,6 +39,7 @@ class DisplayPanel:
             widget.setVisible(not net.Visibility)
         words = {name: translate("Ortho", name) for name in COLOUR_MAPS}
         self.colour_map = ChoiceField(words, net.ColourMap)
+        self.colour_map.widget.setToolTip(translate("Ortho", "This quantity colours the net."))
         self.low = NumberField(translate("Ortho", "From"))
         self.high = NumberField(translate("Ortho", "To"))
         self.legend = QtGui.QCheckBox(translate("Ortho", "Show the scale"))

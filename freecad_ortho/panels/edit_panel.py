@@ -172,7 +172,7 @@ class EditPanel:
         self.net_type.widget.currentIndexChanged.connect(lambda _: self._retarget())
         self.isometric = QtGui.QCheckBox(translate("Ortho", "Isometric (no stretching)"))
         self.isometric.setToolTip(
-            translate("Ortho", "For developable nets: the sheet bends and hardly stretches")
+            translate("Ortho", "For developable nets: the sheet bends and hardly stretches.")
         )
         self.isometric.setChecked(net.IsometryWeight > 0)
         self.isometric.toggled.connect(lambda _: self._retarget())
@@ -190,7 +190,7 @@ class EditPanel:
     def _handle_box(self) -> QtGui.QGroupBox:
         self.handles, self.vertex = QtGui.QLabel(), QtGui.QLabel()
         self.remove = QtGui.QPushButton(translate("Ortho", "Remove"))
-        self.remove.setToolTip(translate("Ortho", "The chosen vertices are no handles any more"))
+        self.remove.setToolTip(translate("Ortho", "The chosen vertices are no handles any more."))
         self.remove.clicked.connect(lambda: self.editing.remove(self.editing.chosen))
         self.mode = ChoiceField(
             {
@@ -215,7 +215,10 @@ class EditPanel:
         form.addRow(row)
         form.addRow(translate("Ortho", "Drag"), self.mode.widget)
         form.addRow(translate("Ortho", "Vertex"), self.vertex)
+        self.mode.widget.setToolTip(translate("Ortho", "The mouse draws handles this way."))
+        there = translate("Ortho", "The chosen vertex goes to this place.")
         for letter, field in zip("XYZ", self.place, strict=True):
+            field.widget.setToolTip(there)
             form.addRow(letter, field.widget)
         form.addRow(self.move)
         return box

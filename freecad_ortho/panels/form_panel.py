@@ -58,7 +58,7 @@ class FormPanel(SourcePanel):
         self.pick_button = QtGui.QPushButton(translate("Ortho", "Pick supports"))
         self.pick_button.setCheckable(True)
         self.pick_button.setToolTip(
-            translate("Ortho", "Click vertices in the 3D view to hold them; click again to free")
+            translate("Ortho", "Click vertices in the 3D view to hold them; click again to free.")
         )
         self.pick_button.clicked.connect(self._pick)
         self.form.layout().insertWidget(2, self.pick_button)

@@ -130,13 +130,13 @@ class MultiNetPanel(SourcePanel):
         super()._build_form(title, picture, group, edited)
         self.draw_button = QtGui.QPushButton(translate("Ortho", "Draw"))
         self.draw_button.setToolTip(
-            translate("Ortho", "Begin a new polyline: click its points on the quadric")
+            translate("Ortho", "Begin a new polyline: click its points on the quadric.")
         )
         self.draw_button.clicked.connect(self.draw)
         self.add_button = QtGui.QPushButton(translate("Ortho", "Add points"))
         self.add_button.setCheckable(True)
         self.add_button.setToolTip(
-            translate("Ortho", "Clicks add points at the end; Backspace takes the last one away")
+            translate("Ortho", "Clicks add points at the end; Backspace takes the last one away.")
         )
         self.add_button.clicked.connect(self.add_points)
         self.points_label = QtGui.QLabel()

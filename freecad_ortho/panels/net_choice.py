@@ -46,7 +46,7 @@ class NetChoice:
         self.net_type = ChoiceField(words, chosen if chosen in words else next(iter(words)))
         self.recommendation = _wrapped()
         self.use = QtGui.QPushButton(translate("Ortho", "Use"))
-        self.use.setToolTip(translate("Ortho", "Choose the recommended net"))
+        self.use.setToolTip(translate("Ortho", "Choose the recommended net."))
         self.use.clicked.connect(self._use_best)
         self.explanation = _wrapped()
         self.explanation.setEnabled(False)

@@ -123,6 +123,8 @@ class OptionField:
             least, most = option.range.least, option.range.most
             # 0 stands for one that is found.
             widget.setRange(0 if option.default is None else int(least), int(min(most, 100_000)))
+            if option.default is None and option.absent:
+                widget.setSpecialValueText(translate("Ortho", option.absent))
         elif kind == "choice":
             words = {word: translate("Ortho", shown) for word, shown in option.words.items()}
             words |= {word: word for word in option.examples}

@@ -52,7 +52,7 @@ class StrokeBox:
             translate(
                 "Ortho",
                 "Click edges in the 3D view, or wires and sketches in the tree, that lines of the "
-                "net run along; a second click leaves them out",
+                "net run along; a second click leaves them out.",
             )
         )
         self.pick_button.toggled.connect(self._pick)
@@ -62,7 +62,7 @@ class StrokeBox:
             translate(
                 "Ortho",
                 "Press the mouse on the surface and draw a line that the net runs along; Esc "
-                "leaves it out",
+                "leaves it out.",
             )
         )
         self.draw_button.toggled.connect(self._draw)

@@ -50,8 +50,14 @@ class StructuralPanel(WorkPanel):
         self._cladding = [None, *(item for item in around if item.System != BEAMS)]
         given = translate("Ortho", "given here")
         self.beams = self._links(translate("Ortho", "Members"), self._beams, given)
+        self.beams.setToolTip(
+            translate("Ortho", "Section and material are those of these beams or lamellas.")
+        )
         none = translate("Ortho", "none")
         self.cladding = self._links(translate("Ortho", "Weight of"), self._cladding, none)
+        self.cladding.setToolTip(
+            translate("Ortho", "The weight of this structure is a load by the surface.")
+        )
         self.fields = {
             option.name: OptionField(option, option.default) for option in Design.options
         }
@@ -131,12 +137,17 @@ class StructuralPanel(WorkPanel):
             (
                 translate("Ortho", "Wind"),
                 self.texts["wind"],
-                translate("Ortho", "Pressure in kN/m2 and where it blows to: 0.6@x; 0.6@-y"),
+                translate(
+                    "Ortho",
+                    "The wind has this pressure in kN/m2 and blows this way: 0.6@x; 0.6@-y.",
+                ),
             ),
             (
                 translate("Ortho", "Point loads"),
                 self.texts["load"],
-                translate("Ortho", "Vertex and force in kN: 12:0,0,-5; 13:0,0,-5"),
+                translate(
+                    "Ortho", "These vertices carry these forces in kN: 12:0,0,-5; 13:0,0,-5."
+                ),
             ),
         ):
             field.widget.setToolTip(tip)

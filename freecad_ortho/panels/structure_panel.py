@@ -130,6 +130,7 @@ class StructurePanel(WorkPanel):
             self.on_beams.addItems([beams.Label for beams in self._beams])
             leave_room(self.on_beams)
             self.on_beams.setCurrentIndex(min(1, len(self._beams)))
+            self.on_beams.setToolTip(translate("Ortho", "The parts lie on these beams."))
             self._rows.addRow(translate("Ortho", "Lie on"), self.on_beams)
         families = {
             "both": translate("Ortho", "both families"),
@@ -137,6 +138,9 @@ class StructurePanel(WorkPanel):
             "v": translate("Ortho", "v lines"),
         }
         self.family = ChoiceField(families, "both")
+        self.family.widget.setToolTip(
+            translate("Ortho", "Parts are made along lines of these families.")
+        )
         self.lines = TextField()
         self.lines.widget.setPlaceholderText(translate("Ortho", "all"))
         self.lines.widget.setToolTip(
@@ -145,6 +149,7 @@ class StructurePanel(WorkPanel):
         words = {name: translate("Ortho", name) for name in MATERIALS}
         words |= {name: name for name in BUILD_UPS}
         self.material = ChoiceField(words, "steel", editable=True)
+        self.material.widget.setToolTip(translate("Ortho", "All parts are made of this."))
         self._rows.addRow(translate("Ortho", "Along"), self.family.widget)
         self._rows.addRow(translate("Ortho", "Lines"), self.lines.widget)
         self._rows.addRow(translate("Ortho", "Material"), self.material.widget)

@@ -15,7 +15,14 @@ from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.workshop import ON_SHEETS, Workshop
 from freecad_ortho.objects.flat_patterns import is_flat_patterns
 from freecad_ortho.objects.option_properties import read
-from freecad_ortho.panels.fields import ChoiceField, LengthField, NumberField, form_rows, shortened
+from freecad_ortho.panels.fields import (
+    ChoiceField,
+    LengthField,
+    NumberField,
+    form_rows,
+    sentence,
+    shortened,
+)
 from freecad_ortho.panels.option_fields import OptionField, add_option
 from freecad_ortho.panels.work_panel import WorkPanel
 from freecad_ortho.resources import icon
@@ -102,6 +109,9 @@ class _WorkshopPanel(WorkPanel):
         self.on_sheets = QtGui.QCheckBox(translate("Ortho", "Nest on sheets"))
         self.rows.addRow(self.on_sheets)
         self.width, self.height = LengthField(3000.0), LengthField(1500.0)
+        self.on_sheets.setToolTip(translate("Ortho", "Parts are nested on sheets."))
+        self.width.widget.setToolTip(translate("Ortho", "The sheets are this wide."))
+        self.height.widget.setToolTip(translate("Ortho", "The sheets are this high."))
         self.rows.addRow(translate("Ortho", "Sheet width"), self.width.widget)
         self.rows.addRow(translate("Ortho", "Sheet height"), self.height.widget)
         self._ask(*_SHEETS)
@@ -178,7 +188,7 @@ class ExportPanel(_WorkshopPanel):
             translate(
                 "Ortho",
                 "A net that came from far away lies about a point nearby, where CAD kernels keep "
-                "their accuracy; its file's coordinates are put back on demand",
+                "their accuracy; its file's coordinates are put back on demand.",
             )
         )
         if any(item.Net is not None and item.Net.Origin.Length for item in structures):
@@ -193,14 +203,15 @@ class ExportPanel(_WorkshopPanel):
             "drawings": translate("Ortho", "Drawings"),
         }
         self.formats = {name: QtGui.QCheckBox(titles.get(name, name.upper())) for name in FORMATS}
-        missing = translate("Ortho", "The Python package {} is not installed")
+        missing = translate("Ortho", "The Python package {} is not installed.")
         boxes = QtGui.QWidget()
         grid = QtGui.QGridLayout(boxes)
         grid.setContentsMargins(0, 0, 0, 0)
         for number, (name, box) in enumerate(self.formats.items()):
             each = FORMATS[name]
             box.setEnabled(not each.missing)
-            box.setToolTip(missing.format(each.installed_as) if each.missing else each.contents)
+            contents = sentence(translate("Ortho", each.contents))
+            box.setToolTip(missing.format(each.installed_as) if each.missing else contents)
             grid.addWidget(box, number // 2, number % 2)
         self.rows.addRow(translate("Ortho", "Also write"), boxes)
 

@@ -32,12 +32,12 @@ _SINGULARITIES = Option(
     "singularities",
     None,
     "singular",
-    "Where other than four lines meet: auto for the fewest that the surface needs, none, or "
+    "Other than four lines meet here: auto for the fewest that the surface needs, none, or "
     "a file of rows x y z and 3, 5 or 6 lines",
     absent="auto",
 )
 _STROKES = Option(
-    "drawn_strokes", (), "polylines", "Lines drawn on the surface that the net runs along"
+    "drawn_strokes", (), "polylines", "The net runs along these lines, drawn on the surface"
 )
 OPTIONS = (
     alignment.OPTIONS["net"],

@@ -31,16 +31,21 @@ QUADRICS = {
 }
 _FORMULAS = "formulas"
 _QUADRIC = Option(
-    "quadric", "ellipsoid", "choice", "Quadric that carries the polyline", tuple(QUADRICS),
+    "quadric", "ellipsoid", "choice", "The polyline lies on this quadric", tuple(QUADRICS),
     written="ellipsoid|one-sheeted|two-sheeted",
 )  # fmt: skip
 _T_RANGE = Option(
-    "t_range", (0.0, 0.0), "area", "First and last t (0 and 0: clear of both ends)",
+    "t_range", (0.0, 0.0), "area",
+    "The net goes from the first to the second t; with 0 and 0 it keeps clear of both ends",
     written="T0,T1", former=Former("range"),
 )  # fmt: skip
 _SEMI_AXES = (9000.0, 6500.0, 4000.0)
 _REFLECT = Option(
-    "reflect", "", "text", "Axes to extend the net along by mirror images, as x,y", written="x,y,z"
+    "reflect",
+    "",
+    "text",
+    "The net goes on along these axes as its mirror image, as x,y",
+    written="x,y,z",
 )
 
 
@@ -204,15 +209,16 @@ MULTI_NET = Source(
     "Orthogonal multi-net of a polyline drawn on a quadric",
     (
         _QUADRIC,
-        Option("semi_axes", _SEMI_AXES, "length", "Semi-axes of the quadric",
+        Option("semi_axes", _SEMI_AXES, "length", "The semi-axes of the quadric are this long",
                written="A,B,C", former=Former("axes", roots)),
         sampling(24, 12),
         _T_RANGE,
         SPACING,
-        Option("closed", False, "flag", "Join the last point with the first",
+        Option("closed", False, "flag", "The last point is joined with the first",
                brief="join the ends of a given curve"),
         _REFLECT,
-        Option("points", (), "points", "Points of the polyline, in the frame of the quadric",
+        Option("points", (), "points",
+               "The polyline goes through these points, in the frame of the quadric",
                brief="points of the curve, in the frame of the quadric"),
         PLACEMENT,
     ),
@@ -223,21 +229,25 @@ ELLIPTIC_NET = Source(
     "elliptic multi-net",
     "Orthogonal multi-net in elliptic coordinates",
     (
-        Option("semi_axes", _SEMI_AXES, "length", "Semi-axes of lambda = 0, falling",
+        Option("semi_axes", _SEMI_AXES, "length",
+               "The semi-axes of lambda = 0 are this long, the largest comes first",
                written="A,B,C", former=Former("axes", roots)),
-        Option("moving", "lambda", "choice", "Elliptic coordinate in the role of t",
+        Option("moving", "lambda", "choice", "This elliptic coordinate has the role of t",
                ("lambda", "mu", "nu")),
-        Option("curve", "wave", "choice", "Curve of the two other coordinates",
+        Option("curve", "wave", "choice", "The two other coordinates follow this curve",
                (*PRESETS, _FORMULAS),
                brief="curve of the two other coordinates; also a file of points or coordinates, "
                "or 'FORMULA; FORMULA'"),
-        Option("first_formula", "-0.5*(b + c)", "text", "Formula of s for the first of them",
+        Option("first_formula", "-0.5*(b + c)", "text",
+               "The first of them follows this formula of s",
                written="FORMULA"),
-        Option("second_formula", "-b - (a - b)*s", "text", "Formula of s for the second",
+        Option("second_formula", "-b - (a - b)*s", "text",
+               "The second of them follows this formula of s",
                written="FORMULA"),
-        Option("points", (), "points", "Points of a curve in place of it, about the centre"),
-        Option("coordinates", (), "points", "Values of the two other coordinates in place of it"),
-        Option("closed", False, "flag", "Join the ends of a curve that is no preset"),
+        Option("points", (), "points",
+               "The curve goes through these points instead, about the centre"),
+        Option("coordinates", (), "points", "The two other coordinates have these values instead"),
+        Option("closed", False, "flag", "The ends of a curve that is no preset are joined"),
         sampling(24, 12),
         _T_RANGE,
         SPACING,

@@ -9,7 +9,7 @@ from solver.option import Option
 
 Placing = tuple[FloatArray, FloatArray]
 PLACEMENT = Option(
-    "placement", (np.eye(3), np.zeros(3)), "placement", "Where the net stands and how it is turned"
+    "placement", (np.eye(3), np.zeros(3)), "placement", "The net stands here, turned like this"
 )
 
 

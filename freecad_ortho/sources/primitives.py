@@ -29,15 +29,37 @@ _LINES = {
 # A vase, for a rotational net of which no profile is known yet.
 _PROFILE = ((2000.0, 0.0, 0.0), (2600.0, 1500.0, 0.0), (1500.0, 3500.0, 0.0), (1900.0, 4500.0, 0.0))
 _MEANINGS = {
-    "angles": "First and last angle around the axis",
-    "angle": "Turning angle of the spine",
-    "clear": "Part of the range that is left free at the ends",
-    "latitudes": "First and last latitude",
-    "lines": "Which lines of the surface the net follows",
-    "profile": "Points (radius, height) that are turned about z",
-    "reach": "How far the net reaches over the surface",
-    "spine": "Points whose tangents make the sheet; empty for a helix",
-    "t_range": "First and last t of the confocal family",
+    "angles": "The net goes from the first to the second of these angles about the axis",
+    "angle": "The helix turns by this angle",
+    "clear": "This part of the range is left free at each end",
+    "cross_rise": "The arch along y rises by this, or hangs where it is negative",
+    "first": "At its vertex the surface has this radius of curvature, the larger one",
+    "height": "The surface is this high",
+    "latitudes": "The net goes from the first to the second of these latitudes",
+    "length": "The net is this long along x",
+    "lines": "The net follows these lines of the surface",
+    "narrowest": "The narrowest circle has this radius",
+    "periods": "The surface has so many waves along its axis",
+    "pitch": "One turn rises by this",
+    "profile": "These points (radius, height) are turned about z",
+    "radius": "The surface has this radius",
+    "reach": "The net reaches so far over the surface, farther where this is larger",
+    "rise": "The arch along x rises by this, or hangs where it is negative",
+    "second": "At its vertex the surface has this radius of curvature, the smaller one",
+    "semi_axes": "The semi-axes are this long, the largest comes first",
+    "size": "The surface grows in proportion to this length",
+    "spine": "The tangents of these points make the sheet; empty for a helix",
+    "t_range": "The net goes from the first to the second t of the confocal family",
+    "top_radius": "The upper end has this radius",
+    "waist": "The narrowest circle has this radius",
+    "widest": "The widest circle has this radius",
+    "width": "The net is this wide across",
+}
+# Of these the same word means something else.
+_OWN_MEANINGS = {
+    ("cone", "radius"): "The lower end has this radius",
+    ("helicoid", "radius"): "The net reaches this far from the axis on both sides",
+    ("tangent-developable", "radius"): "The helix has this radius",
 }
 
 
@@ -56,7 +78,13 @@ def primitive_sources() -> dict[str, Source]:
 
 def sampling(u: int, v: int) -> Option:
     """The option for how many vertices there are along u and v."""
-    return Option("sampling", (u, v), "count", "Vertices along u and v", suffixes=("U", "V"))
+    return Option(
+        "sampling",
+        (u, v),
+        "count",
+        "So many vertices stand along u and along v",
+        suffixes=("U", "V"),
+    )
 
 
 def _source(name: str) -> Source:
@@ -75,7 +103,7 @@ def _source(name: str) -> Source:
 
 def _option(name: str, parameter: Parameter) -> Option:
     key, default = parameter.name, parameter.default
-    meaning = _MEANINGS.get(key, key.replace("_", " ").capitalize())
+    meaning = _OWN_MEANINGS.get((name, key), _MEANINGS[key])
     if parameter.kind == "points":
         return Option(key, _PROFILE if key == "profile" else (), "points", meaning)
     if parameter.kind == "word":

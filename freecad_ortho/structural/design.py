@@ -56,17 +56,20 @@ class Design:
     options: ClassVar[tuple[Option, ...]] = (
         Option(
             "section", "tube:100x60x5", "text",
-            "Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5",
+            "The members have this profile; groups another one after it, as "
+            "tube:100x60x5,border=tube:120x60x5",
         ),
-        Option("material", "", "text", "What the members are made of", absent="the profile's own"),
+        Option(
+            "material", "", "text", "The members are made of this", absent="the profile's own",
+        ),
         Option(
             "supports", "boundary", "text",
-            "What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, "
+            "These are held: boundary, corners or numbers of vertices, each with :pinned, :fixed, "
             ":sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +",
         ),
         Option(
             "joints", "rigid", "text",
-            "Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad",
+            "Ends of members are rigid, hinged, or have springs of this stiffness in kNm/rad",
         ),
         Option(
             "position", "beams", "choice",
@@ -76,64 +79,67 @@ class Design:
         ),
         Option(
             "eccentric", 0.0, "distance",
-            "How far the middle of sections lies above the net, along its axes",
+            "The middle of sections lies this far above the net, along its axes",
         ),
         Option(
             "layers", 0.0, "length",
-            "Lines u and v in two layers, u above: distance between the middles of their sections",
+            "Lines u and v lie in two layers, u above, the middles of their sections this far "
+            "apart",
             absent="one layer",
         ),
         Option(
             "crossings", "rigid", "text",
-            "How lines u and v turn about their axis where they cross, in slots of one layer or "
-            "about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad",
+            "Where lines u and v cross, in slots of one layer or about the bolts of two, they turn "
+            "like this about their axis: rigid, hinged, or the stiffness of a spring in kNm/rad",
         ),
         Option(
             "slots", 0.5, "number",
-            "What slots leave of the height of lamellas that cross in one layer, as a part; with 1 "
+            "Slots leave this part of the height of lamellas that cross in one layer; with 1 "
             "there are none",
             within=Range(0.0, 1.0, above=True),
         ),
         Option(
-            "self_weight", True, "flag", "Weight of the members is a load",
+            "self_weight", True, "flag", "The weight of the members is a load",
             brief="leave out the weight of the members",
         ),
         Option(
-            *("panels", 0.0, "pressure", "Weight of panels by their surface, kN/m2"),
+            *("panels", 0.0, "pressure", "Panels weigh this much by their surface, kN/m2"),
             within=NOT_NEGATIVE,
         ),
         Option(
             "panel_shear", 0.0, "number",
-            "Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only",
+            "Panels with what holds them have this shear stiffness G t, kN/mm; with 0 they are "
+            "load only",
             within=NOT_NEGATIVE,
         ),
         Option(
-            *("snow", 0.0, "pressure", "Snow by the plan, kN/m2"),
+            *("snow", 0.0, "pressure", "Snow weighs this much by the plan, kN/m2"),
             within=NOT_NEGATIVE,
         ),
         Option(
             "snow_side", (0.0, 0.0, 0.0), "direction",
-            "Snow on one half as a case of its own: the half towards a direction", absent="none",
+            "Snow also lies on one half, as a case of its own: the half towards this direction",
+            absent="none",
         ),
-        Option("modes", 5, "count", "Modes of buckling", within=Range(1)),
+        Option("modes", 5, "count", "So many modes of buckling are found", within=Range(1)),
         # With one piece no member bows.
         Option(
-            *("pieces", 2, "count", "Pieces of each member for buckling and second order"),
+            *("pieces", 2, "count", "For buckling and second order each member has so many pieces"),
             within=Range(2),
         ),
         Option(
-            *("buckling_length", 1.0, "number", "Buckling length of members by their length"),
+            *("buckling_length", 1.0, "number", "Members buckle in so many times their length"),
             within=POSITIVE,
         ),
         Option(
             "deflection", 200.0, "number",
-            "Largest displacement that passes, as a part of the second longest side of the net's "
-            "box: 200 for 1/200",
+            "The largest displacement that passes is this part of the second longest side of the "
+            "net's box: 200 for 1/200",
             within=POSITIVE,
         ),
-        Option("second_order", False, "flag", "Balance in the deformed, imperfect shape"),
+        Option("second_order", False, "flag", "Balance is found in the deformed, imperfect shape"),
         Option(
-            "imperfection", None, "length", "Size of the imperfection",
+            "imperfection", None, "length", "The imperfection is this large",
             absent="1/300 of the second longest side of the box",
         ),
     )  # fmt: skip

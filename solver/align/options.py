@@ -14,16 +14,16 @@ OPTIONS: dict[str, Option] = {
             "net",
             "principal",
             "choice",
-            "What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, "
-            "stress lines as a shell carries its weight",
+            "The net is to become this one; asymptotic and cmc lines run at 45 degrees to "
+            "curvature, stress lines as a shell carries its weight",
             tuple(TURNED),
         ),
-        Option("edge", None, "length", "Wanted edge length"),
+        Option("edge", None, "length", "Edges are about this long"),
         Option(
             "ratio",
             1.0,
             "number",
-            "How many times as long edges of the other family of lines are",
+            "Edges of the other family of lines are so many times as long",
             within=Range(0.05, 20.0),
         ),
         Option(
@@ -38,14 +38,14 @@ OPTIONS: dict[str, Option] = {
             "stands_on",
             "boundary",
             "choice",
-            "Stress nets: what the shell stands on whose stresses the lines follow",
+            "Stress nets: the shell whose stresses the lines follow stands on this",
             STANDS_ON,
         ),
         Option(
             "symmetry",
             "none",
             "choice",
-            "Planes in which the net is its own mirror image: auto for those that the surface has, "
+            "The net is its own mirror image in these planes: auto for those that the surface has, "
             "or those across an axis, through the middle of the surface",
             SYMMETRIES,
         ),

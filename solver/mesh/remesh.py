@@ -48,7 +48,11 @@ _OF_OPENING = 1 / 7
 
 # What may be said about the quads.
 OPTIONS = (
-    Option("faces", None, "count", "wanted number of quads", within=Range(1)),
+    Option(
+        *("faces", None, "count", "there are about so many quads"),
+        brief="wanted number of quads",
+        within=Range(1),
+    ),
     Option(
         *("edge", None, "length", "quads have edges about this long"),
         title="Edge length",
@@ -63,7 +67,7 @@ OPTIONS = (
         title="Layout",
     ),
     Option(
-        *("time_limit", 60.0, "number", "seconds that the library may take"),
+        *("time_limit", 60.0, "number", "the library may take so many seconds"),
         title="Time limit (s)",
         within=Range(0.0, _LONGEST, above=True),
     ),

@@ -22,7 +22,7 @@ SPACING = Option(
     "spacing",
     "length",
     "choice",
-    "Even lengths or equal steps of the parameters",
+    "Lines stand at even distances, or at equal steps of the parameters",
     ("length", "parameter"),
 )
 

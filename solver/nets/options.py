@@ -65,7 +65,7 @@ class NetOptions:
         default=False,
         metadata=_offered(
             "flag",
-            "Ask it of the diagonals of the faces, not of the edges",
+            "It is asked of the diagonals of the faces, not of the edges",
             title="Asked",
             brief="stars of a vertex and the opposite corners of its faces",
             shown={"yes": "on the face diagonals"},
@@ -76,7 +76,7 @@ class NetOptions:
         default=None,
         metadata=_offered(
             "length",
-            "Planar nets: largest distance between the diagonals of a face",
+            "Planar nets: the diagonals of a face are this far apart at most",
             brief="largest distance between the diagonals of a face; none where that is not given",
             absent="exactly flat",
             stored="LargestGap",
@@ -86,7 +86,7 @@ class NetOptions:
         default=None,
         metadata=_offered(
             "angle",
-            "Angle between the two directions",
+            "The two directions meet at this angle",
             title="Angle",
             brief="angle between the lines; right for orthogonal nets, any for others",
             absent="as the net has it",
@@ -98,7 +98,7 @@ class NetOptions:
         default=None,
         metadata=_offered(
             "angle",
-            "Angle between the surface and strips along u: 90 stands, 180 lies",
+            "Strips along u have this angle to the surface: 90 stands, 180 lies",
             title="Strips along u",
             brief="angle between surface and strips along u: 90 stands, 180 lies",
             absent="free",
@@ -109,7 +109,7 @@ class NetOptions:
         default=None,
         metadata=_offered(
             "angle",
-            "Angle between the surface and strips along v: 90 stands, 180 lies",
+            "Strips along v have this angle to the surface: 90 stands, 180 lies",
             title="Strips along v",
             brief="angle between surface and strips along v: 90 stands, 180 lies",
             absent="free",
@@ -120,7 +120,7 @@ class NetOptions:
         default="one",
         metadata=_offered(
             "choice",
-            "Lines that lie in planes of their own",
+            "These lines lie in planes of their own",
             title="Plane lines",
             choices=tuple(_PLANE),
             shown=_PLANE,
@@ -130,7 +130,7 @@ class NetOptions:
         default="aag",
         metadata=_offered(
             "choice",
-            "Lines, lines and diagonals of a web: a asymptotic, g geodesic",
+            "Lines u, lines v and diagonals of a web are these: a asymptotic, g geodesic",
             title="Web",
             choices=("aag", "agg", "gga", "ggg"),
         ),
@@ -139,7 +139,7 @@ class NetOptions:
         default=None,
         metadata=_offered(
             "length",
-            "CMC nets: radius of the vertex spheres",
+            "CMC nets: the vertex spheres have this radius",
             brief="radius of the spheres",
             absent="free",
             stored="TargetRadius",
@@ -149,7 +149,7 @@ class NetOptions:
         default=None,
         metadata=_offered(
             "length",
-            "Chebyshev nets: length of the edges",
+            "Chebyshev nets: the edges are this long",
             title="Edge length",
             brief="edge length",
             absent="free",
@@ -170,7 +170,7 @@ class NetOptions:
         default=None,
         metadata=_offered(
             "mesh",
-            "Isometric nets: net whose faces give the shape; empty: as it starts",
+            "Isometric nets: faces keep the shape that this net has; empty: as it starts",
             title="Own shape",
             brief="the same mesh in the shape whose faces are kept",
             shown={"none": "as it starts"},
@@ -181,7 +181,7 @@ class NetOptions:
         default=0.0,
         metadata=_offered(
             "force",
-            "Stress nets: downward load at every vertex",
+            "Stress nets: every vertex carries this load, downwards",
             title="Load at a vertex",
             brief="downward load of a vertex; 1 where no load is given",
             stored="VertexWeight",
@@ -191,7 +191,7 @@ class NetOptions:
         default=0.0,
         metadata=_offered(
             "per_area",
-            "Stress nets: downward load of a square millimetre",
+            "Stress nets: a square millimetre carries this load, downwards",
             title="Load of 1 mm2",
             brief="downward load of a square of the mesh's unit, or as 1.5kN/m2",
             stored="AreaWeight",
@@ -201,7 +201,7 @@ class NetOptions:
         default=0.0,
         metadata=_offered(
             "per_length",
-            "Stress nets: weight of a millimetre of edge",
+            "Stress nets: a millimetre of edge has this weight",
             title="Weight of 1 mm edge",
             brief="weight of edges by the mesh's unit, or as 0.2kN/m",
             stored="EdgeWeight",
@@ -211,7 +211,7 @@ class NetOptions:
         default="free",
         metadata=_offered(
             "choice",
-            "Stress nets: forces that edges may carry",
+            "Stress nets: edges may carry these forces",
             brief="only forces of this kind",
             choices=tuple(_FORCES),
             shown=_FORCES,
@@ -222,7 +222,8 @@ class NetOptions:
         default="exempt",
         metadata=_offered(
             "choice",
-            "Right angles of faces at inner irregular vertices, which no smooth surface has there",
+            "Faces at inner irregular vertices are left out, or asked for right angles too, which "
+            "no smooth surface has there",
             title="Irregular",
             brief="right angles at inner irregular vertices, which no smooth surface has there",
             choices=tuple(_SINGULAR),

@@ -29,7 +29,7 @@ SUPPORTS = Option(
     "supports",
     "",
     "text",
-    "Stress nets: what carries the loads: boundary, which slides along its own curve but for its "
+    "Stress nets: this carries the loads: boundary, which slides along its own curve but for its "
     "corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs",
     written="boundary|corners|I,J",
     brief="what carries the loads; boundary slides along its own curve, but for its corners",

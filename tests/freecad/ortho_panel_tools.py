@@ -74,6 +74,22 @@ def open_panel(document, command):
     return form()
 
 
+def untold(panel):
+    """Labels of what numbers, lengths and angles are typed into without a sentence beside it."""
+    found = []
+    boxes = panel.findChildren(QtGui.QWidget)
+    _alive.append(boxes)
+    for box in boxes:
+        if not isinstance(box, QtGui.QAbstractSpinBox):
+            continue
+        # Of several in a row the row has the sentence.
+        words = box.toolTip() or box.parentWidget().toolTip()
+        told = words.rpartition(" (")[0] if words.endswith(")") else words
+        if not told.endswith(".") or len(told.split()) < 4 or not told[0].isupper():
+            found.append(f"{box.text()} '{words}'")
+    return found
+
+
 def form():
     """The task panel that is open, with its title."""
     return scroll_area().widget()

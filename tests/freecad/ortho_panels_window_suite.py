@@ -6,7 +6,16 @@ from unittest import mock
 import FreeCAD
 import FreeCADGui
 import ortho_suite_tools as tools
-from ortho_panel_tools import PANELS, broad, cut_off, document_for_panels, form, open_panel, width
+from ortho_panel_tools import (
+    PANELS,
+    broad,
+    cut_off,
+    document_for_panels,
+    form,
+    open_panel,
+    untold,
+    width,
+)
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
 from PySide import QtCore, QtGui
@@ -43,7 +52,7 @@ class TestWidths(WindowCase):
                 self.close()
         self.assertFalse(found, "\n".join(found))
 
-    def test_long_names_widen_nothing(self):
+    def test_long_names_widen_nothing_and_numbers_say_what_they_are(self):
         found, document = [], document_for_panels()
         for item in document.Objects:
             item.Label = f"{item.Label} whose name is far longer than a task panel is wide at first"
@@ -51,6 +60,7 @@ class TestWidths(WindowCase):
             panel = open_panel(document, command)
             if panel.width() > width():
                 found.append(f"{command} ({panel.width()} > {width()}): {broad(panel)}")
+            found += [f"{command}: no sentence on {words}" for words in untold(panel)]
             self.close()
         self.assertFalse(found, "\n".join(found))
 

@@ -31,7 +31,11 @@ OVERHANG = Option(
     *("overhang", None, "length"),
     "the strips go this far beyond their last vertex, by default half their width",
 )
-STOCK = Option("stock", None, "length", "strips are cut from this length; longer ones are spliced")
+STOCK = Option(
+    *("stock", None, "length"),
+    "strips are cut from this length; longer ones are spliced",
+    absent="as long as it takes",
+)
 ROUNDED = Option(
     *("rounded", False, "flag"),
     "solids have the rounded corners and roots of a section of the catalogue",

@@ -4,11 +4,6 @@
  <context>
   <name>App::Property</name>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>A point of the plane</source>
-   <translation>Ein Punkt der Ebene</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>All combinations, any of which can be drawn</source>
    <translation>Alle Kombinationen, von denen jede gezeichnet werden kann</translation>
@@ -19,34 +14,9 @@
    <translation>Anker: vier Anker halten eine Fußplatte</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along u: 90 stands, 180 lies; 0 is free</source>
-   <translation>Winkel zwischen Fläche und Streifen entlang u: 90 steht, 180 liegt; 0 ist frei</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along v: 90 stands, 180 lies; 0 is free</source>
-   <translation>Winkel zwischen Fläche und Streifen entlang v: 90 steht, 180 liegt; 0 ist frei</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the two directions; 0 is as the net has it</source>
-   <translation>Winkel zwischen den beiden Richtungen; 0 ist wie das Netz ihn hat</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles of turns about x, then y, then z</source>
-   <translation>Winkel der Drehungen um x, dann y, dann z</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>As ForcesAlong, of all combinations, one by one</source>
    <translation>Wie ForcesAlong, aller Kombinationen, eine nach der anderen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ask it of the diagonals of the faces, not of the edges</source>
-   <translation>Von den Diagonalen der Maschen verlangen, nicht von den Kanten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -55,13 +25,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
-   <translation>Am Rand ragt das Netz über die Fläche hinaus, um beschnitten zu werden, oder biegt sich ihm entlang</translation>
+   <source>At its vertex the surface has this radius of curvature, the larger one</source>
+   <translation>In ihrem Scheitel hat die Fläche diesen Krümmungsradius, den größeren</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Axes to extend the net along by mirror images, as x,y</source>
-   <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
+   <source>At its vertex the surface has this radius of curvature, the smaller one</source>
+   <translation>In ihrem Scheitel hat die Fläche diesen Krümmungsradius, den kleineren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
+   <translation>Am Rand ragt das Netz über die Fläche hinaus, um beschnitten zu werden, oder biegt sich ihm entlang</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -70,13 +45,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Balance in the deformed, imperfect shape</source>
-   <translation>Gleichgewicht in der verformten, imperfekten Form</translation>
+   <source>Balance is found in the deformed, imperfect shape</source>
+   <translation>Das Gleichgewicht wird in der verformten, unvollkommenen Form gefunden</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structural_check.py" />
    <source>Beams or lamellas whose section and material count; empty: those given here</source>
    <translation>Träger oder Lamellen, deren Querschnitt und Material zählen; leer: die hier angegebenen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Beams pass that twist by this at most; 0: any</source>
+   <translation>Träger bestehen, die sich höchstens so verwinden; 0: beliebig</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -85,8 +65,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bend radius: folds have this radius inside, by default that of the thickness</source>
-   <translation>Biegeradius: Kantungen haben innen diesen Radius, sonst den der Dicke</translation>
+   <source>Bend radius: folds have this radius inside, by default that of the thickness; 0 is automatic</source>
+   <translation>Biegeradius: Kantungen haben innen diesen Radius, sonst den der Dicke; 0 heißt automatisch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -115,6 +95,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cables have this force density; 0 is the same</source>
+   <translation>Randseile haben diese Kraftdichte; 0 heißt dieselbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border cut: the strips end square before the border, or along it</source>
    <translation>Randschnitt: die Streifen enden rechtwinklig vor dem Rand oder an ihm entlang</translation>
   </message>
@@ -124,34 +109,14 @@
    <translation>Bohrung: die Naben haben ein Loch dieses Durchmessers längs ihrer Achse</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Buckling length of members by their length</source>
-   <translation>Knicklänge der Stäbe, bezogen auf ihre Länge</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Buckling shape that is drawn; 1 is the first</source>
    <translation>Gezeichnete Knickform; 1 ist die erste</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>CMC nets: radius of the vertex spheres; 0 is free</source>
-   <translation>CMC-Netze: Radius der Eckenkugeln; 0 ist frei</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cables of given force density, or constant stress</source>
-   <translation>Seile gegebener Kraftdichte, oder konstante Spannung</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the inversion</source>
-   <translation>Zentrum der Inversion</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the sphere</source>
-   <translation>Mittelpunkt der Kugel</translation>
+   <source>CMC nets: the vertex spheres have this radius; 0 is free</source>
+   <translation>CMC-Netze: Die Eckenkugeln haben diesen Radius; 0 heißt frei</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -160,8 +125,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Chebyshev nets: length of the edges; 0 is free</source>
-   <translation>Tschebyschow-Netze: Länge der Kanten; 0 ist frei</translation>
+   <source>Chebyshev nets: the edges are this long; 0 is free</source>
+   <translation>Tschebyschow-Netze: Die Kanten sind so lang; 0 heißt frei</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -170,8 +135,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: slots and hubs leave this much air</source>
-   <translation>Spiel: Schlitze und Naben lassen so viel Luft</translation>
+   <source>Clearance: slots and hubs leave this much air; 0 is 1 mm, slots by material</source>
+   <translation>Spiel: Schlitze und Naben lassen so viel Luft; 0 heißt 1 mm, Schlitze je Material</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -204,24 +169,14 @@
    <translation>Anzahlen, Genauigkeit und Massen, als JSON</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cross rise</source>
-   <translation>Querstich</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Curve of the two other coordinates</source>
-   <translation>Kurve der beiden anderen Koordinaten</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Cut parts along the border of the surface, where the net has one</source>
    <translation>Teile entlang des Randes der Fläche schneiden, wo das Netz einen hat</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cutter: slots have round corners for a milling cutter of this diameter</source>
-   <translation>Fräser: Schlitze haben runde Ecken für einen Fräser dieses Durchmessers</translation>
+   <source>Cutter: slots have round corners for a milling cutter of this diameter; 0 is sharp corners</source>
+   <translation>Fräser: Schlitze haben runde Ecken für einen Fräser dieses Durchmessers; 0 heißt scharfe Ecken</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -240,18 +195,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Distance along the normals, negative for below</source>
-   <translation>Abstand längs der Normalen, negativ für darunter</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Distortion: a patch is built up to this distortion of an edge</source>
    <translation>Verzerrung: ein Flächenstück wird bis zu dieser Verzerrung einer Kante gebaut</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Each time four faces are made of one</source>
-   <translation>Jedes Mal werden aus einer Masche vier</translation>
+   <source>Each vertex carries this load, a force along x, y and z</source>
+   <translation>Jede Ecke trägt diese Last, eine Kraft längs x, y und z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -265,8 +215,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge height: the edge beam is this high, by default as high as the beams</source>
-   <translation>Randhöhe: so hoch ist der Randträger, sonst so hoch wie die Träger</translation>
+   <source>Edge height: the edge beam is this high, by default as high as the beams; 0 is automatic</source>
+   <translation>Randhöhe: so hoch ist der Randträger, sonst so hoch wie die Träger; 0 heißt automatisch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -280,13 +230,33 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge width: the edge beam is this wide, by default as thick as the plates or 60 mm</source>
-   <translation>Randbreite: so breit ist der Randträger, sonst so dick wie die Bleche oder 60 mm</translation>
+   <source>Edge width: the edge beam is this wide, by default as thick as the plates or 60 mm; 0 is automatic</source>
+   <translation>Randbreite: so breit ist der Randträger, sonst so dick wie die Bleche oder 60 mm; 0 heißt automatisch</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Kanten und Flächen, auf denen Ecken exakt gleiten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long</source>
+   <translation>Kanten sind etwa so lang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long, whatever the sampling</source>
+   <translation>Kanten sind etwa so lang, gleich welche Abtastung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of nodes may be turned this far from the shape of their kind</source>
+   <translation>Kanten von Knoten dürfen so weit von der Form ihrer Art verdreht sein</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of the other family of lines are so many times as long</source>
+   <translation>Kanten der anderen Linienschar sind so viele Male so lang</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -295,13 +265,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Elliptic coordinate in the role of t</source>
-   <translation>Elliptische Koordinate in der Rolle von t</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
-   <translation>Stabenden: rigid (starr), hinged (gelenkig) oder die Steifigkeit ihrer Federn in kNm/rad</translation>
+   <source>Ends of members are rigid, hinged, or have springs of this stiffness in kNm/rad</source>
+   <translation>Stabenden sind starr, gelenkig oder haben Federn dieser Steifigkeit in kNm/rad (rigid, hinged oder die Zahl)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -310,23 +275,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Even lengths or equal steps of the parameters</source>
-   <translation>Gleiche Längen oder gleiche Schritte der Parameter</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Every so many lines of u and v stay</source>
    <translation>Jede so vielte Linie von u und v bleibt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Exchange u and v</source>
-   <translation>u und v vertauschen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
-   <translation>Flächen längs und quer in den Feldern, die die Multinetz-Führung rechtwinklig hält</translation>
+   <source>Faces at inner irregular vertices are left out, or asked for right angles too, which no smooth surface has there</source>
+   <translation>Flächen an inneren irregulären Ecken bleiben aus, oder auch von ihnen werden rechte Winkel verlangt, die dort keine glatte Fläche hat</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -344,39 +299,19 @@
    <translation>Flächen, denen das Netz so nahe bleibt, wie es kann</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Few kinds are wanted of these parts, once the net is reached</source>
+   <translation>Von diesen Teilen sind wenige Arten gewünscht, sobald das Netz erreicht ist</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>File that the net came from</source>
    <translation>Datei, aus der das Netz kam</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>First</source>
-   <translation>Erster</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last angle around the axis</source>
-   <translation>Erster und letzter Winkel um die Achse</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last latitude</source>
-   <translation>Erste und letzte Breite</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t (0 and 0: clear of both ends)</source>
-   <translation>Erstes und letztes t (0 und 0: frei von beiden Enden)</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t of the confocal family</source>
-   <translation>Erstes und letztes t der konfokalen Schar</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Flange thickness: the flanges are this thick, by default as thick as the plates</source>
-   <translation>Flanschdicke: die Flansche sind so dick, ohne Angabe so dick wie die Bleche</translation>
+   <source>Flange thickness: the flanges are this thick, by default as thick as the plates; 0 is automatic</source>
+   <translation>Flanschdicke: die Flansche sind so dick, ohne Angabe so dick wie die Bleche; 0 heißt automatisch</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -410,18 +345,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of border cables; 0: the same</source>
-   <translation>Kraftdichte der Randseile; 0: dieselbe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of the cables, force / length</source>
-   <translation>Kraftdichte der Seile, Kraft / Länge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in the membrane's border cable</source>
-   <translation>Kraft im Randseil der Membran</translation>
+   <source>For buckling and second order each member has so many pieces</source>
+   <translation>Für Knicken und zweite Ordnung hat jeder Stab so viele Stücke</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
@@ -432,16 +357,6 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Force that is drawn across the members, red where positive</source>
    <translation>Schnittgröße, die quer zu den Stäben gezeichnet wird, rot wo positiv</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the first of them</source>
-   <translation>Formel in s für die erste davon</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the second</source>
-   <translation>Formel in s für die zweite</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -479,11 +394,6 @@
    <translation>Faserrichtung: Teile drehen sich auf der Tafel, wie ihre Faserrichtung es erlaubt</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Height</source>
-   <translation>Höhe</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Height of a sheet</source>
    <translation>Höhe einer Tafel</translation>
@@ -495,58 +405,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Held: boundary, corners or vertices as 0,5,12</source>
-   <translation>Gehalten: boundary, corners oder Ecken wie 0,5,12</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hole: the bolt holes have this diameter</source>
    <translation>Loch: die Schraubenlöcher haben diesen Durchmesser</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far edges of nodes may be turned from the shape of their kind</source>
-   <translation>Wie weit Kanten von Knoten gegen die Form ihrer Art verdreht sein dürfen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far panels and lengths of edges may be from the shape of their kind; 0 is 1/1000 of an edge</source>
-   <translation>Wie weit Paneele und Kantenlängen von der Form ihrer Art abweichen dürfen; 0 heißt 1/1000 einer Kante</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the middle of sections lies above the net, along its axes</source>
-   <translation>Wie weit die Mitte der Querschnitte über dem Netz liegt, entlang seiner Achsen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the net reaches over the surface</source>
-   <translation>Wie weit das Netz über die Fläche reicht</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the result may be off the surface, or the start where none is given; 0 is not limited</source>
-   <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist; 0 ist unbegrenzt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Wie sich Linien u und v um ihre Achse drehen, wo sie sich kreuzen, in Schlitzen einer Lage oder um die Bolzen von zweien: rigid, hinged oder die Steifigkeit einer Feder in kNm/rad</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many kinds there may be; 0 is as few as can be found</source>
-   <translation>Wie viele Arten es geben darf; 0 heißt so wenige, wie zu finden sind</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>How many of these points each of the curves has</source>
    <translation>Wie viele dieser Punkte jede der Kurven hat</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times as long edges of the other family of lines are</source>
-   <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -555,28 +420,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: the hubs measure this across their faces</source>
-   <translation>Nabendurchmesser: so viel messen die Naben über ihre Flächen</translation>
+   <source>Hub diameter: the hubs measure this across their faces; 0 is 100 mm, of bolted ones what each needs</source>
+   <translation>Nabendurchmesser: so viel messen die Naben über ihre Flächen; 0 heißt 100 mm, geschraubte so groß wie nötig</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub wall: bolted hubs have walls of this thickness</source>
-   <translation>Nabenwand: geschraubte Naben haben Wände dieser Dicke</translation>
+   <source>Hub wall: bolted hubs have walls of this thickness; 0 is as thick as the bolts</source>
+   <translation>Nabenwand: geschraubte Naben haben Wände dieser Dicke; 0 heißt so dick wie die Schrauben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
-   <translation>Isometrische Netze: Netz, dessen Maschen die Form geben; leer: wie es beginnt</translation>
+   <source>Isometric nets: faces keep the shape that this net has; empty: as it starts</source>
+   <translation>Isometrische Netze: Flächen behalten die Form, die dieses Netz hat; leer: wie es beginnt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the ends of a curve that is no preset</source>
-   <translation>Die Enden einer Kurve verbinden, die keine Vorgabe ist</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the last point with the first</source>
-   <translation>Den letzten Punkt mit dem ersten verbinden</translation>
+   <source>It is asked of the diagonals of the faces, not of the edges</source>
+   <translation>Verlangt wird es von den Diagonalen der Flächen, nicht von den Kanten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -594,49 +454,14 @@
    <translation>Schnittfuge: Umrisse wachsen um die halbe Breite der Schnittfuge</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest angle from the surface normal that passes; 0: any</source>
-   <translation>Größter zulässiger Winkel zur Flächennormalen; 0: jeder</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Largest displacement that passes</source>
    <translation>Größte zulässige Verschiebung</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
-   <translation>Größte zulässige Verschiebung als Teil der zweitlängsten Seite der Hülle des Netzes: 200 für 1/200</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest distance from plane or developable that passes; 0: any</source>
-   <translation>Größter zulässiger Abstand von eben oder abwickelbar; 0: jeder</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest distance of an unrolled axis from its arc that passes; 0: any</source>
-   <translation>Größter zulässiger Abstand einer abgewickelten Achse von ihrem Bogen; 0: jeder</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest distance of an unrolled axis from straight that passes; 0: any</source>
-   <translation>Größter zulässiger Abstand einer abgewickelten Achse von der Geraden; 0: jeder</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest residual that counts as zero</source>
-   <translation>Größtes Residuum, das als null gilt</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Largest share of the strain energy that is not of axial forces, %</source>
    <translation>Größter Anteil der Formänderungsarbeit, der nicht von Normalkräften kommt, %</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest twist of a beam that passes; 0: any</source>
-   <translation>Größte zulässige Verwindung eines Trägers; 0: jede</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -659,11 +484,6 @@
    <translation>Mindestbreite: Stücke von Platten am Rand, die schmaler sind, sind Splitter</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Length</source>
-   <translation>Länge</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
    <source>Length on the page of a length of one</source>
    <translation>Länge auf dem Blatt für eine Länge von eins</translation>
@@ -675,8 +495,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less than 1 moves the centre away</source>
-   <translation>Weniger als 1 rückt das Zentrum weg</translation>
+   <source>Less than 1 moves the centre farther away</source>
+   <translation>Weniger als 1 rückt das Zentrum weiter weg</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structural_check.py" />
@@ -685,43 +505,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines drawn on the surface that the net runs along</source>
-   <translation>Auf die Fläche gezeichnete Linien, an denen das Netz entlangläuft</translation>
+   <source>Lines stand at even distances, or at equal steps of the parameters</source>
+   <translation>Linien stehen in gleichen Abständen oder gleichen Schritten der Parameter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines that lie in planes of their own</source>
-   <translation>Linien, die in eigenen Ebenen liegen</translation>
+   <source>Lines u and v lie in two layers, u above, the middles of their sections this far apart</source>
+   <translation>Linien u und v liegen in zwei Lagen, u oben, die Mitten ihrer Querschnitte so weit auseinander</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
-   <translation>Linien u und v in zwei Lagen, u oben: Abstand der Mitten ihrer Querschnitte</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
-   <translation>Linien, Linien und Diagonalen eines Gewebes: a asymptotisch, g geodätisch</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load at each vertex, force</source>
-   <translation>Last an jeder Ecke, Kraft</translation>
+   <source>Lines u, lines v and diagonals of a web are these: a asymptotic, g geodesic</source>
+   <translation>Linien u, Linien v und Diagonalen eines Gewebes sind dies: a asymptotisch, g geodätisch</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
    <source>Load case of the structural check</source>
    <translation>Lastfall der statischen Prüfung</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the edges, force / mm</source>
-   <translation>Last der Kanten, Kraft / mm</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the faces, force / mm2</source>
-   <translation>Last der Maschen, Kraft / mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -755,18 +555,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Merge vertices nearer than this</source>
-   <translation>Ecken näher als dies verschmelzen</translation>
+   <source>Members buckle in so many times their length</source>
+   <translation>Stäbe knicken auf so viele Male ihre Länge</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Spiegelebenen durch den Ursprung: Buchstaben aus x, y, z</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Modes of buckling</source>
-   <translation>Knickformen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -824,11 +619,6 @@
    <translation>Namen der Teile, in der Reihenfolge der Körper</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Narrowest</source>
-   <translation>Engste</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Net that the structure is built on</source>
    <translation>Netz, auf dem das Tragwerk steht</translation>
@@ -845,8 +635,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>New vertices in the middle, or smoothed</source>
-   <translation>Neue Ecken in der Mitte, oder geglättet</translation>
+   <source>New vertices lie in the middle, or all are smoothed</source>
+   <translation>Neue Ecken liegen in der Mitte, oder alle werden geglättet</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -872,11 +662,6 @@
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Nodes whose hubs the panels stay clear of</source>
    <translation>Knoten, von deren Naben die Platten Abstand halten</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Normal of the plane</source>
-   <translation>Normale der Ebene</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -944,14 +729,24 @@
    <translation>Eine Farbe für alle Teile, oder Grün und Rot nach ihrem Befund</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>One turn rises by this</source>
+   <translation>Eine Umdrehung steigt um dies</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Optimise again at once, as before, when the source of a net that was moved changes</source>
    <translation>Gleich noch einmal optimieren, wie zuvor, wenn sich die Quelle eines bewegten Netzes ändert</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Overhang: the strips go this far beyond their last vertex, by default half their width</source>
-   <translation>Überstand: so weit gehen die Streifen über ihre letzte Ecke hinaus, ohne Angabe um ihre halbe Breite</translation>
+   <source>Other than four lines meet here: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Hier treffen sich andere als vier Linien: auto für die wenigsten, die die Fläche braucht, none für keine, oder eine Datei mit Zeilen x y z und 3, 5 oder 6 Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Overhang: the strips go this far beyond their last vertex, by default half their width; 0 is automatic</source>
+   <translation>Überstand: so weit gehen die Streifen über ihre letzte Ecke hinaus, ohne Angabe um ihre halbe Breite; 0 heißt automatisch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -960,28 +755,28 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Panel thickness: the panels are this thick, by default as thick as the plates</source>
-   <translation>Plattendicke: die Platten sind so dick, ohne Angabe so dick wie die Bleche</translation>
+   <source>Panel thickness: the panels are this thick, by default as thick as the plates; 0 is automatic</source>
+   <translation>Plattendicke: die Platten sind so dick, ohne Angabe so dick wie die Bleche; 0 heißt automatisch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels and lengths of edges may be this far from the shape of their kind; 0 is 1/1000 of an edge</source>
+   <translation>Paneele und Kantenlängen dürfen so weit von der Form ihrer Art abweichen; 0 heißt 1/1000 der Kante</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels weigh this much by their surface, kN/m2</source>
+   <translation>Paneele wiegen so viel, bezogen auf ihre Fläche, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels with what holds them have this shear stiffness G t, kN/mm; with 0 they are load only</source>
+   <translation>Paneele mit dem, was sie hält, haben diese Schubsteifigkeit G t, kN/mm; mit 0 sind sie nur Last</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Parameter lines that are built on: u, v or both</source>
    <translation>Parameterlinien, auf denen gebaut wird: u, v oder beide</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled</source>
-   <translation>Teil des Bereichs von u, der abgetastet wird</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled</source>
-   <translation>Teil des Bereichs von v, der abgetastet wird</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range that is left free at the ends</source>
-   <translation>Teil des Bereichs, der an den Enden frei bleibt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -990,8 +785,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Parts of which few kinds are wanted, once the net is reached</source>
-   <translation>Teile, von denen es wenige Arten geben soll, sobald das Netz erreicht ist</translation>
+   <source>Parts pass that are off a plane or developable by this at most; 0: any</source>
+   <translation>Teile bestehen, die höchstens so weit von einer Ebene oder abwickelbaren Fläche abweichen; 0: beliebig</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts pass that lean from the surface normal by this at most; 0: any</source>
+   <translation>Teile bestehen, die höchstens so weit von der Flächennormalen neigen; 0: beliebig</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1000,23 +800,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Periods</source>
-   <translation>Perioden</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Piece length: rows are cut along lines of the net into pieces of at most this length</source>
-   <translation>Stücklänge: Reihen werden an Linien des Netzes in Stücke von höchstens dieser Länge geschnitten</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pieces of each member for buckling and second order</source>
-   <translation>Teile jedes Stabes für Knicken und zweite Ordnung</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pitch</source>
-   <translation>Ganghöhe</translation>
+   <source>Piece length: rows are cut along lines of the net into pieces of at most this length; 0 is whole rows</source>
+   <translation>Stücklänge: Reihen werden an Linien des Netzes in Stücke von höchstens dieser Länge geschnitten; 0 heißt ganze Reihen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -1025,38 +810,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planar nets: largest distance between the diagonals of a face; 0 is exactly flat</source>
-   <translation>Planare Netze: größter Abstand zwischen den Diagonalen einer Fläche; 0 ist genau eben</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
-   <translation>Ebenen, in denen das Netz sein eigenes Spiegelbild ist: auto für die der Fläche, oder die quer zu einer Achse durch die Mitte der Fläche</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points (radius, height) that are turned about z</source>
-   <translation>Punkte (Radius, Höhe), die um z gedreht werden</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of a curve in place of it, about the centre</source>
-   <translation>Stattdessen Punkte einer Kurve, um die Mitte</translation>
+   <source>Planar nets: the diagonals of a face are this far apart at most; 0 is exactly flat</source>
+   <translation>Ebene Netze: Die Diagonalen einer Fläche sind höchstens so weit auseinander; 0 heißt genau eben</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Points of closed curves along which parts are trimmed, in mm</source>
    <translation>Punkte geschlossener Kurven, an denen Teile beschnitten werden, in mm</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of the polyline, in the frame of the quadric</source>
-   <translation>Punkte des Linienzugs, im System der Quadrik</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points whose tangents make the sheet; empty for a helix</source>
-   <translation>Punkte, deren Tangenten das Blech bilden; leer für eine Helix</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1080,43 +840,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pressure along the normals, force / mm2</source>
-   <translation>Druck längs der Normalen, Kraft / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/structural_check.py" />
-   <source>Pressure in kN/m2 and where it blows to, as 0.6@x; a case each</source>
-   <translation>Druck in kN/m2 und wohin er weht, wie 0.6@x; je ein Lastfall</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
-   <translation>Profil der Stäbe; das von Gruppen dahinter, wie tube:100x60x5,border=tube:120x60x5</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quadric that carries the polyline</source>
-   <translation>Quadrik, die den Linienzug trägt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quads that the border cuts: set onto it, or left out</source>
-   <translation>Vierecke, die der Rand schneidet: auf ihn gesetzt, oder weggelassen</translation>
+   <source>Quads that the border cuts are set onto it, or left out</source>
+   <translation>Vierecke, die der Rand schneidet, werden auf ihn gesetzt oder weggelassen</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Quantity that colours the net, explained by the scale in the view</source>
    <translation>Größe, die das Netz färbt, erklärt durch die Skala in der Ansicht</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Radius</source>
-   <translation>Radius</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Radius of the sphere</source>
-   <translation>Radius der Kugel</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -1127,6 +857,11 @@
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Report of the last optimisation, as JSON</source>
    <translation>Bericht der letzten Optimierung, als JSON</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Residuals up to this count as zero</source>
+   <translation>Residuen bis hierher zählen als null</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -1140,38 +875,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
-   <translation>Rechte Winkel von Flächen an inneren irregulären Ecken, die keine glatte Fläche dort hat</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rings of faces at the border</source>
-   <translation>Ringe von Maschen am Rand</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rise</source>
-   <translation>Stich</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rounded: solids have the rounded corners and roots of a section of the catalogue</source>
    <translation>Gerundet: Körper haben die runden Ecken und Ausrundungen eines Querschnitts des Katalogs</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rows at the starts and ends of u and v</source>
-   <translation>Reihen an Anfang und Ende von u und v</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Saw: a saw cut behind a piece is this wide</source>
    <translation>Sägeschnitt: ein Sägeschnitt hinter einem Stück ist so breit</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Second</source>
-   <translation>Zweiter</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1194,29 +904,9 @@
    <translation>Querschnitte stehen wie die von Trägern oder als Lamellen plate:DICKExBREITE: stehend, liegend oder geneigt, wie das Netz es verlangt</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi axes</source>
-   <translation>Halbachsen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of lambda = 0, falling</source>
-   <translation>Halbachsen von lambda = 0, fallend</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of the quadric</source>
-   <translation>Halbachsen der Quadrik</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Shape that is drawn: the frame, or how it moves</source>
    <translation>Gezeichnete Form: das Stabwerk oder wie es sich bewegt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
-   <translation>Schubsteifigkeit G t der Platten mit dem, was sie hält, kN/mm; bei 0 sind sie nur Last</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1295,18 +985,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Size</source>
-   <translation>Größe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Size of the imperfection; 0 is 1/300 of the second longest side of the box</source>
-   <translation>Größe der Imperfektion; 0 ist 1/300 der zweitlängsten Seite der Hülle</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers: slivers at the border become part of their neighbours where they can, or are left out</source>
    <translation>Splitter: Splitter am Rand werden, wo es geht, Teil ihrer Nachbarn oder weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slots leave this part of the height of lamellas that cross in one layer; with 1 there are none</source>
+   <translation>Schlitze lassen diesen Teil der Höhe von Lamellen, die sich in einer Lage kreuzen; mit 1 gibt es keine</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1315,18 +1000,43 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow by the plan, kN/m2</source>
-   <translation>Schnee auf den Grundriss, kN/m2</translation>
+   <source>Snow also lies on one half, as a case of its own: the half towards this direction</source>
+   <translation>Schnee liegt als eigener Fall auch auf einer Hälfte: der in dieser Richtung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow on one half as a case of its own: the half towards a direction</source>
-   <translation>Schnee auf einer Hälfte als eigener Lastfall: die Hälfte in einer Richtung</translation>
+   <source>Snow weighs this much by the plan, kN/m2</source>
+   <translation>Schnee wiegt so viel, bezogen auf den Grundriss, kN/m2</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>So many mm are drawn for a kN or kNm of the diagram; 0: as it fits</source>
    <translation>So viele mm werden für ein kN oder kNm gezeichnet; 0: wie es passt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many modes of buckling are found</source>
+   <translation>So viele Knickformen werden gesucht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rings of faces are cut off at the border</source>
+   <translation>So viele Ringe von Flächen werden am Rand abgeschnitten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rows are cut off at the starts and ends of u and v</source>
+   <translation>So viele Reihen werden an Anfang und Ende von u und v abgeschnitten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many times four faces are made of one</source>
+   <translation>So oft werden aus einer Fläche vier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many vertices stand along u and along v</source>
+   <translation>So viele Ecken stehen längs u und längs v</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1350,48 +1060,53 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stock: strips are cut from this length; longer ones are spliced</source>
-   <translation>Lagerlänge: Streifen werden aus dieser Länge geschnitten; längere werden gestoßen</translation>
+   <source>Stock: strips are cut from this length; longer ones are spliced; 0 is as long as it takes</source>
+   <translation>Lagerlänge: Streifen werden aus dieser Länge geschnitten; längere werden gestoßen; 0 heißt so lang wie nötig</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load at every vertex</source>
-   <translation>Spannungsnetze: Last nach unten an jeder Ecke</translation>
+   <source>Stress nets: a millimetre of edge has this weight</source>
+   <translation>Spannungsnetze: Ein Millimeter Kante hat dieses Gewicht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load of a square millimetre</source>
-   <translation>Spannungsnetze: Last nach unten je Quadratmillimeter</translation>
+   <source>Stress nets: a square millimetre carries this load, downwards</source>
+   <translation>Spannungsnetze: Ein Quadratmillimeter trägt diese Last, nach unten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: forces that edges may carry</source>
-   <translation>Spannungsnetze: Kräfte, die Kanten tragen dürfen</translation>
+   <source>Stress nets: edges may carry these forces</source>
+   <translation>Spannungsnetze: Kanten dürfen diese Kräfte tragen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: weight of a millimetre of edge</source>
-   <translation>Spannungsnetze: Gewicht eines Millimeters Kante</translation>
+   <source>Stress nets: every vertex carries this load, downwards</source>
+   <translation>Spannungsnetze: Jede Ecke trägt diese Last, nach unten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
-   <translation>Spannungsnetze: was die Lasten trägt: der Rand (boundary), der außer an seinen Ecken entlang seiner eigenen Kurve gleitet; Ecken (corners) oder Ecken wie 0,5,12, die bleiben; leer: wie das Netz es braucht</translation>
+   <source>Stress nets: the shell whose stresses the lines follow stands on this</source>
+   <translation>Spannungsnetze: Die Schale, deren Spannungen die Linien folgen, steht hierauf</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
-   <translation>Spannungsnetze: worauf die Schale steht, deren Spannungen die Linien folgen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress of the membrane, force / length</source>
-   <translation>Spannung der Membran, Kraft / Länge</translation>
+   <source>Stress nets: this carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Spannungsnetze: Dies trägt die Lasten: boundary für den Rand, der bis auf seine Ecken längs seiner eigenen Kurve gleitet; corners oder Ecken wie 0,5,12, die bleiben; leer: wie das Netz es braucht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Strip: the strips are made of plane faces or twisted</source>
    <translation>Streifen: die Streifen sind aus ebenen Flächen oder verwunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along u have this angle to the surface: 90 stands, 180 lies; 0 is free</source>
+   <translation>Streifen längs u haben diesen Winkel zur Fläche: 90 steht, 180 liegt; 0 heißt frei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along v have this angle to the surface: 90 stands, 180 lies; 0 is free</source>
+   <translation>Streifen längs v haben diesen Winkel zur Fläche: 90 steht, 180 liegt; 0 heißt frei</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structural_check.py" />
@@ -1405,8 +1120,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
-   <translation>Auflager, die zuerst gehoben werden, ECKE:HÖHE in mm, etwa 0:1500; 20:900</translation>
+   <source>The arch along x rises by this, or hangs where it is negative</source>
+   <translation>Der Bogen längs x steigt um dies, oder hängt, wo es negativ ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The arch along y rises by this, or hangs where it is negative</source>
+   <translation>Der Bogen längs y steigt um dies, oder hängt, wo es negativ ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The border is left a zigzag, or closed by narrow quads</source>
+   <translation>Der Rand bleibt ein Zickzack oder wird mit schmalen Vierecken geschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The cables have this force density, force / length</source>
+   <translation>Die Seile haben diese Kraftdichte, Kraft / Länge</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1415,8 +1145,73 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The first holds the first vertex</source>
-   <translation>Das erste enthält die erste Ecke</translation>
+   <source>The curve goes through these points instead, about the centre</source>
+   <translation>Die Kurve geht stattdessen durch diese Punkte, um die Mitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The edges carry this load, force / mm</source>
+   <translation>Die Kanten tragen diese Last, Kraft / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The ends of a curve that is no preset are joined</source>
+   <translation>Die Enden einer Kurve, die keine Vorgabe ist, werden verbunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this load, force / mm2</source>
+   <translation>Die Flächen tragen diese Last, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this pressure along their normals, force / mm2</source>
+   <translation>Die Flächen tragen diesen Druck längs ihrer Normalen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The families u and v change places</source>
+   <translation>Die Scharen u und v tauschen ihre Plätze</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of the two holds the first vertex</source>
+   <translation>Das erste der beiden enthält die erste Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of them follows this formula of s</source>
+   <translation>Die erste davon folgt dieser Formel von s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix has this radius</source>
+   <translation>Die Schraubenlinie hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix turns by this angle</source>
+   <translation>Die Schraubenlinie dreht sich um diesen Winkel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The imperfection is this large; 0 is 1/300 of the second longest side of the box</source>
+   <translation>Die Imperfektion ist so groß; 0 heißt 1/300 der zweitlängsten Seite der Hülle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The inversion has its centre here</source>
+   <translation>Die Inversion hat hier ihr Zentrum</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The largest displacement that passes is this part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Die größte Verschiebung, die besteht, ist dieser Teil der zweitlängsten Seite der Box des Netzes: 200 für 1/200</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The last point is joined with the first</source>
+   <translation>Der letzte Punkt wird mit dem ersten verbunden</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
@@ -1425,8 +1220,108 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The lower end has this radius</source>
+   <translation>Das untere Ende hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members are made of this</source>
+   <translation>Die Stäbe sind hieraus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members have this profile; groups another one after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Die Stäbe haben dieses Profil; Gruppen dahinter ein anderes, wie tube:100x60x5,border=tube:120x60x5</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane has this stress, force / length</source>
+   <translation>Die Membran hat diese Spannung, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane's border cable has this force</source>
+   <translation>Das Randseil der Membran hat diese Kraft</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The middle of sections lies this far above the net, along its axes</source>
+   <translation>Die Mitte der Querschnitte liegt so weit über dem Netz, längs seiner Achsen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>The mirror image comes alone</source>
    <translation>Das Spiegelbild kommt allein</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane goes through this point</source>
+   <translation>Die Spiegelebene geht durch diesen Punkt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane has this normal</source>
+   <translation>Die Spiegelebene hat diese Normale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The multi-net guide keeps patches of so many faces along and across orthogonal</source>
+   <translation>Die Multinetz-Führung hält Stücke von so vielen Flächen längs und quer orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The narrowest circle has this radius</source>
+   <translation>Der engste Kreis hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of u</source>
+   <translation>Das Netz bedeckt diesen Teil des Bereichs von u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of v</source>
+   <translation>Das Netz bedeckt diesen Teil des Bereichs von v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net follows these lines of the surface</source>
+   <translation>Das Netz folgt diesen Linien der Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these angles about the axis</source>
+   <translation>Das Netz geht vom ersten zum zweiten dieser Winkel um die Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these latitudes</source>
+   <translation>Das Netz geht vom ersten zum zweiten dieser Breitengrade</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t of the confocal family</source>
+   <translation>Das Netz geht vom ersten zum zweiten t der konfokalen Schar</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t; with 0 and 0 it keeps clear of both ends</source>
+   <translation>Das Netz geht vom ersten zum zweiten t; mit 0 und 0 hält es Abstand von beiden Enden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes on along these axes as its mirror image, as x,y</source>
+   <translation>Das Netz geht längs dieser Achsen als sein Spiegelbild weiter, wie x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is its own mirror image in these planes: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Das Netz ist sein eigenes Spiegelbild in diesen Ebenen: auto für die der Fläche, oder die quer zu einer Achse, durch die Mitte der Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is made of cables, or is a membrane of one stress</source>
+   <translation>Das Netz ist aus Seilen oder eine Membran gleicher Spannung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1439,14 +1334,99 @@
    <translation>Das Netz wird mit diesem Faktor skaliert</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this long along x</source>
+   <translation>Das Netz ist längs x so lang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this wide across</source>
+   <translation>Das Netz ist quer so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Das Netz soll dieses werden; asymptotische und cmc-Linien laufen 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is turned by these angles about x, then y, then z</source>
+   <translation>Das Netz wird um diese Winkel um x, dann y, dann z gedreht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches so far over the surface, farther where this is larger</source>
+   <translation>Das Netz reicht so weit über die Fläche, weiter, wo dies größer ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches this far from the axis on both sides</source>
+   <translation>Das Netz reicht auf beiden Seiten so weit von der Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net runs along these lines, drawn on the surface</source>
+   <translation>Das Netz läuft längs dieser auf die Fläche gezeichneten Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net stands here, turned like this</source>
+   <translation>Das Netz steht hier, so gedreht</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>The net that optimising and editing aim at</source>
    <translation>Das Netz, auf das Optimieren und Bearbeiten zielen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The offset lies this far along the normals, below where it is negative</source>
+   <translation>Der Versatz liegt so weit längs der Normalen, darunter, wo es negativ ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The other side is turned up</source>
+   <translation>Die andere Seite wird nach oben gedreht</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>The other side is up than where the net came from</source>
    <translation>Die andere Seite ist oben als dort, woher das Netz kam</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline goes through these points, in the frame of the quadric</source>
+   <translation>Der Streckenzug geht durch diese Punkte, im System der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline lies on this quadric</source>
+   <translation>Der Streckenzug liegt auf dieser Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The result may be this far off the surface, or the start where none is given; 0 is not limited</source>
+   <translation>Das Ergebnis darf so weit von der Fläche entfernt sein, oder vom Start, wo keine angegeben ist; 0 heißt unbegrenzt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The second of them follows this formula of s</source>
+   <translation>Die zweite davon folgt dieser Formel von s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes are this long, the largest comes first</source>
+   <translation>Die Halbachsen sind so lang, die größte kommt zuerst</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of lambda = 0 are this long, the largest comes first</source>
+   <translation>Die Halbachsen von lambda = 0 sind so lang, die größte kommt zuerst</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of the quadric are this long</source>
+   <translation>Die Halbachsen der Quadrik sind so lang</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
@@ -1460,8 +1440,123 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has its centre here</source>
+   <translation>Die Kugel hat hier ihre Mitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has this radius</source>
+   <translation>Die Kugel hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface grows in proportion to this length</source>
+   <translation>Die Fläche wächst im Verhältnis zu dieser Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has so many waves along its axis</source>
+   <translation>Die Fläche hat längs ihrer Achse so viele Wellen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has this radius</source>
+   <translation>Die Fläche hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface is this high</source>
+   <translation>Die Fläche ist so hoch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The tangents of these points make the sheet; empty for a helix</source>
+   <translation>Die Tangenten an diesen Punkten bilden die Fläche; leer für eine Schraubenlinie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two directions meet at this angle; 0 is as the net has it</source>
+   <translation>Die beiden Richtungen treffen sich in diesem Winkel; 0 heißt wie das Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates follow this curve</source>
+   <translation>Die beiden anderen Koordinaten folgen dieser Kurve</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates have these values instead</source>
+   <translation>Die beiden anderen Koordinaten haben stattdessen diese Werte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The upper end has this radius</source>
+   <translation>Das obere Ende hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The weight of the members is a load</source>
+   <translation>Das Gewicht der Stäbe ist eine Last</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The widest circle has this radius</source>
+   <translation>Der weiteste Kreis hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>The wind has this pressure in kN/m2 and blows this way, as 0.6@x; a case each</source>
+   <translation>Der Wind hat diesen Druck in kN/m2 und weht dorthin, wie 0.6@x; je ein Lastfall</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>There may be so many kinds; 0 is as few as can be found</source>
+   <translation>So viele Arten darf es geben; 0 heißt so wenige wie möglich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Dies wird gehalten: boundary, corners oder Nummern von Ecken, jeweils mit :pinned, :fixed, :sliding (nur auf und ab) oder :springs=X/Y/Z (kN/mm), mit + verbunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Dies wird gehalten: boundary, corners oder Ecken wie 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These lines lie in planes of their own</source>
+   <translation>Diese Linien liegen in eigenen Ebenen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These points (radius, height) are turned about z</source>
+   <translation>Diese Punkte (Radius, Höhe) werden um z gedreht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These supports are raised first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Diese Auflager werden zuerst angehoben, ECKE:HÖHE in mm wie 0:1500; 20:900</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>These vertices carry these forces in kN, as 12:0,0,-5</source>
+   <translation>Diese Ecken tragen diese Kräfte in kN, wie 12:0,0,-5</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness: the plates are this thick</source>
    <translation>Dicke: die Bleche sind so dick</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This elliptic coordinate has the role of t</source>
+   <translation>Diese elliptische Koordinate hat die Rolle von t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This part of the range is left free at each end</source>
+   <translation>Dieser Teil des Bereichs bleibt an jedem Ende frei</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1480,23 +1575,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Top radius</source>
-   <translation>Oberer Radius</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Trim: the stock loses this much at each end</source>
    <translation>Anschnitt: die Lagerlänge verliert so viel an jedem Ende</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turn the other side up</source>
-   <translation>Die andere Seite nach oben wenden</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turning angle of the spine</source>
-   <translation>Drehwinkel der Leitkurve</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1504,24 +1584,24 @@
    <translation>Einheit der Datei, aus der das Netz kam</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Unrolled axes pass that are off straight by this at most; 0: any</source>
+   <translation>Abgewickelte Achsen bestehen, die höchstens so weit von gerade abweichen; 0: beliebig</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Unrolled axes pass that are off their arc by this at most; 0: any</source>
+   <translation>Abgewickelte Achsen bestehen, die höchstens so weit von ihrem Bogen abweichen; 0: beliebig</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Utilisation of each member, 1 is all</source>
    <translation>Ausnutzung jedes Stabs, 1 ist alles</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Values of the two other coordinates in place of it</source>
-   <translation>Stattdessen Werte der beiden anderen Koordinaten</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
    <source>Version of this object's properties</source>
    <translation>Version der Eigenschaften dieses Objekts</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/structural_check.py" />
-   <source>Vertex and force in kN, as 12:0,0,-5</source>
-   <translation>Ecke und Kraft in kN, wie 12:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1530,8 +1610,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Vertices along u and v</source>
-   <translation>Ecken längs u und v</translation>
+   <source>Vertices that are nearer than this are merged</source>
+   <translation>Ecken, die näher als dies sind, werden vereinigt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -1540,38 +1620,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Waist</source>
-   <translation>Taille</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length</source>
-   <translation>Gewünschte Kantenlänge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length, instead of the sampling</source>
-   <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of panels by their surface, kN/m2</source>
-   <translation>Gewicht der Platten nach ihrer Fläche, kN/m2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of the members is a load</source>
-   <translation>Das Gewicht der Stäbe ist eine Last</translation>
+   <source>Vertices, edges or faces keep the distance, or edges stay parallel</source>
+   <translation>Ecken, Kanten oder Flächen halten den Abstand, oder Kanten bleiben parallel</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What each part exceeds, 'ok' if nothing</source>
    <translation>Was jedes Teil überschreitet, 'ok' wenn nichts</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
-   <translation>Was gehalten ist: boundary (Rand), corners (Netzecken) oder Nummern von Ecken, jeweils mit :pinned (gelenkig), :fixed (eingespannt), :sliding (nur senkrecht gehalten) oder :springs=X/Y/Z (kN/mm), verbunden durch +</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -1589,16 +1644,6 @@
    <translation>Was vom Modell zu wissen ist</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What keeps the distance</source>
-   <translation>Was den Abstand hält</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
-   <translation>Was Schlitze von der Höhe von Lamellen lassen, die sich in einer Lage kreuzen, als Anteil; mit 1 gibt es keine</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>What the check comes to, in one line</source>
    <translation>Was die Prüfung ergibt, in einer Zeile</translation>
@@ -1609,11 +1654,6 @@
    <translation>Was die Farben der Stäbe sagen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the members are made of</source>
-   <translation>Woraus die Stäbe sind</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What the net is built with</source>
    <translation>Womit das Netz gebaut wird</translation>
@@ -1622,11 +1662,6 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What the net is made by</source>
    <translation>Wodurch das Netz gemacht ist</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Was das Netz werden soll; asymptotische und CMC-Linien laufen unter 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -1640,8 +1675,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
-   <translation>Wo sich nicht vier Linien treffen: auto für die wenigsten, die die Fläche braucht, none, oder eine Datei mit Zeilen x y z und 3, 5 oder 6 Linien</translation>
+   <source>Where lines u and v cross, in slots of one layer or about the bolts of two, they turn like this about their axis: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Wo Linien u und v sich kreuzen, in Schlitzen einer Lage oder um die Schrauben von zweien, drehen sie sich so um ihre Achse: rigid, hinged oder die Steifigkeit einer Feder in kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1654,11 +1689,6 @@
    <translation>Wo die Namen stehen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where the net stands and how it is turned</source>
-   <translation>Wo das Netz steht und wie es gedreht ist</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Where the shape stands while nobody has moved it</source>
    <translation>Wo die Form steht, solange niemand sie bewegt hat</translation>
@@ -1669,24 +1699,9 @@
    <translation>Ob alles hält, was geprüft wurde</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Which lines of the surface the net follows</source>
-   <translation>Welchen Linien der Fläche das Netz folgt</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Which vertices glide on each: their numbers, empty for those near it</source>
    <translation>Welche Ecken auf jeder gleiten: ihre Nummern, leer für die nahen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Widest</source>
-   <translation>Weiteste</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Width</source>
-   <translation>Breite</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1707,11 +1722,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Width: the strips are this wide</source>
    <translation>Breite: die Streifen sind so breit</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Zigzag border, or closed by narrow quads</source>
-   <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1813,18 +1823,13 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>A net that came from far away lies about a point nearby, where CAD kernels keep their accuracy; its file's coordinates are put back on demand</source>
-   <translation>Ein Netz, das von weit her kam, liegt um einen nahen Punkt, wo CAD-Kerne genau bleiben; die Koordinaten seiner Datei kommen auf Verlangen zurück</translation>
+   <source>A net that came from far away lies about a point nearby, where CAD kernels keep their accuracy; its file's coordinates are put back on demand.</source>
+   <translation>Ein Netz, das von weit her kam, liegt um einen nahen Punkt, wo CAD-Kerne genau bleiben; die Koordinaten seiner Datei kommen auf Verlangen zurück.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A parallel net at a distance that is constant where the net allows it</source>
    <translation>Ein paralleles Netz in einem Abstand, der konstant ist, wo das Netz es zulässt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>A point of the plane</source>
-   <translation>Ein Punkt der Ebene</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -1850,6 +1855,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Alike within</source>
    <translation>Gleich auf</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>All parts are made of this.</source>
+   <translation>Alle Teile sind hieraus.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -1883,28 +1893,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along u: 90 stands, 180 lies</source>
-   <translation>Winkel zwischen Fläche und Streifen entlang u: 90 steht, 180 liegt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along v: 90 stands, 180 lies</source>
-   <translation>Winkel zwischen Fläche und Streifen entlang v: 90 steht, 180 liegt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the two directions</source>
-   <translation>Winkel zwischen den beiden Richtungen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles</source>
    <translation>Winkel</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles of turns about x, then y, then z</source>
-   <translation>Winkel der Drehungen um x, dann y, dann z</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1925,11 +1915,6 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Arrow on the upper side</source>
    <translation>Pfeil auf der Oberseite</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ask it of the diagonals of the faces, not of the edges</source>
-   <translation>Von den Diagonalen der Flächen verlangen, nicht von den Kanten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1968,6 +1953,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At its vertex the surface has this radius of curvature, the larger one</source>
+   <translation>In ihrem Scheitel hat die Fläche diesen Krümmungsradius, den größeren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At its vertex the surface has this radius of curvature, the smaller one</source>
+   <translation>In ihrem Scheitel hat die Fläche diesen Krümmungsradius, den kleineren</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>At the border</source>
    <translation>Am Rand</translation>
   </message>
@@ -1975,11 +1970,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
    <translation>Am Rand ragt das Netz über die Fläche hinaus, um beschnitten zu werden, oder biegt sich ihm entlang</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Axes to extend the net along by mirror images, as x,y</source>
-   <translation>Achsen, längs derer Spiegelbilder das Netz fortsetzen, etwa x,y</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
@@ -1992,19 +1982,24 @@
    <translation>Normalkräfte</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>BTLx says how parts of timber are cut, drilled and marked</source>
+   <translation>BTLx sagt, wie Teile aus Holz geschnitten, gebohrt und angerissen werden</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Festschreiben</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Balance in the deformed, imperfect shape</source>
-   <translation>Gleichgewicht in der verformten, imperfekten Form</translation>
+   <source>Balance is found in the deformed, imperfect shape</source>
+   <translation>Das Gleichgewicht wird in der verformten, unvollkommenen Form gefunden</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
-   <source>Begin a new polyline: click its points on the quadric</source>
-   <translation>Einen neuen Linienzug beginnen: seine Punkte auf der Quadrik anklicken</translation>
+   <source>Begin a new polyline: click its points on the quadric.</source>
+   <translation>Einen neuen Linienzug beginnen: seine Punkte auf der Quadrik anklicken.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2053,6 +2048,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cables have this force density; 0 is the same</source>
+   <translation>Randseile haben diese Kraftdichte; 0 heißt dieselbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border cut</source>
    <translation>Randschnitt</translation>
   </message>
@@ -2075,11 +2075,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Buckling length</source>
    <translation>Knicklänge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Buckling length of members by their length</source>
-   <translation>Knicklänge der Stäbe, bezogen auf ihre Länge</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
@@ -2113,13 +2108,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>CMC nets: radius of the vertex spheres</source>
-   <translation>CMC-Netze: Radius der Eckenkugeln</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cables of given force density, or constant stress</source>
-   <translation>Seile gegebener Kraftdichte, oder konstante Spannung</translation>
+   <source>CMC nets: the vertex spheres have this radius</source>
+   <translation>CMC-Netze: Die Eckenkugeln haben diesen Radius</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2130,16 +2120,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Centre</source>
    <translation>Mitte</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the inversion</source>
-   <translation>Zentrum der Inversion</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the sphere</source>
-   <translation>Mittelpunkt der Kugel</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/sources.py" />
@@ -2168,8 +2148,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Chebyshev nets: length of the edges</source>
-   <translation>Tschebyschow-Netze: Länge der Kanten</translation>
+   <source>Chebyshev nets: the edges are this long</source>
+   <translation>Tschebyschow-Netze: Die Kanten sind so lang</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2183,8 +2163,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>Choose the recommended net</source>
-   <translation>Das empfohlene Netz wählen</translation>
+   <source>Choose the recommended net.</source>
+   <translation>Das empfohlene Netz wählen.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2233,18 +2213,18 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
-   <source>Click edges in the 3D view, or wires and sketches in the tree, that lines of the net run along; a second click leaves them out</source>
-   <translation>Klicken Sie Kanten in der 3D-Ansicht oder Kantenzüge und Skizzen im Baum an, an denen Linien des Netzes entlanglaufen; ein zweiter Klick lässt sie weg</translation>
+   <source>Click edges in the 3D view, or wires and sketches in the tree, that lines of the net run along; a second click leaves them out.</source>
+   <translation>Klicken Sie Kanten in der 3D-Ansicht oder Kantenzüge und Skizzen im Baum an, an denen Linien des Netzes entlanglaufen; ein zweiter Klick lässt sie weg.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click edges, faces or planes that the boundary near them (on a curved face: every vertex) glides on, exactly</source>
-   <translation>Kanten, Flächen oder Ebenen anklicken, auf denen der Rand in ihrer Nähe (auf gekrümmter Fläche: jede Ecke) exakt gleitet</translation>
+   <source>Click edges, faces or planes that the boundary near them (on a curved face: every vertex) glides on, exactly.</source>
+   <translation>Kanten, Flächen oder Ebenen anklicken, auf denen der Rand in ihrer Nähe (auf gekrümmter Fläche: jede Ecke) exakt gleitet.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click faces that the net stays near as far as it can</source>
-   <translation>Flächen anklicken, denen das Netz so nahe bleibt, wie es kann</translation>
+   <source>Click faces that the net stays near as far as it can.</source>
+   <translation>Flächen anklicken, denen das Netz so nahe bleibt, wie es kann.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -2253,13 +2233,13 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/form_panel.py" />
-   <source>Click vertices in the 3D view to hold them; click again to free</source>
-   <translation>Ecken in der 3D-Ansicht anklicken, um sie zu halten; noch einmal, um sie zu lösen</translation>
+   <source>Click vertices in the 3D view to hold them; click again to free.</source>
+   <translation>Ecken in der 3D-Ansicht anklicken, um sie zu halten; noch einmal, um sie zu lösen.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click vertices that are held softly, or drag them to a place</source>
-   <translation>Ecken anklicken, die weich gehalten werden, oder an einen Ort ziehen</translation>
+   <source>Click vertices that are held softly, or drag them to a place.</source>
+   <translation>Ecken anklicken, die weich gehalten werden, oder an einen Ort ziehen.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -2268,8 +2248,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
-   <source>Clicks add points at the end; Backspace takes the last one away</source>
-   <translation>Klicks fügen am Ende Punkte an; die Rücktaste nimmt den letzten weg</translation>
+   <source>Clicks add points at the end; Backspace takes the last one away.</source>
+   <translation>Klicks fügen am Ende Punkte an; die Rücktaste nimmt den letzten weg.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -2353,11 +2333,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Curve of the two other coordinates</source>
-   <translation>Kurve der beiden anderen Koordinaten</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cutter</source>
    <translation>Fräser</translation>
   </message>
@@ -2410,11 +2385,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Distance</source>
    <translation>Abstand</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Distance along the normals, negative for below</source>
-   <translation>Abstand längs der Normalen, negativ für darunter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2473,8 +2443,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Each time four faces are made of one</source>
-   <translation>Jedes Mal werden aus einer Masche vier</translation>
+   <source>Each vertex carries this load, a force along x, y and z</source>
+   <translation>Jede Ecke trägt diese Last, eine Kraft längs x, y und z</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2542,6 +2512,26 @@
    <translation>Kanten längs der Hauptspannungen, im Gleichgewicht.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long</source>
+   <translation>Kanten sind etwa so lang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long, whatever the sampling</source>
+   <translation>Kanten sind etwa so lang, gleich welche Abtastung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of nodes may be turned this far from the shape of their kind</source>
+   <translation>Kanten von Knoten dürfen so weit von der Form ihrer Art verdreht sein</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of the other family of lines are so many times as long</source>
+   <translation>Kanten der anderen Linienschar sind so viele Male so lang</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Edit net</source>
    <translation>Netz bearbeiten</translation>
@@ -2558,18 +2548,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Elliptic coordinate in the role of t</source>
-   <translation>Elliptische Koordinate in der Rolle von t</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Ends</source>
    <translation>Enden</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
-   <translation>Stabenden: rigid (starr), hinged (gelenkig) oder die Steifigkeit ihrer Federn in kNm/rad</translation>
+   <source>Ends of members are rigid, hinged, or have springs of this stiffness in kNm/rad</source>
+   <translation>Stabenden sind starr, gelenkig oder haben Federn dieser Steifigkeit in kNm/rad (rigid, hinged oder die Zahl)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2608,11 +2593,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Even lengths or equal steps of the parameters</source>
-   <translation>Gleiche Längen oder gleiche Schritte der Parameter</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Evenness</source>
    <translation>Gleichmaß</translation>
   </message>
@@ -2632,11 +2612,6 @@
    <translation>Jede so vielte Linie von u und v bleibt</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Exchange u and v</source>
-   <translation>u und v vertauschen</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Export fabrication files</source>
    <translation>Fertigungsdateien</translation>
@@ -2653,8 +2628,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
-   <translation>Flächen längs und quer in den Feldern, die die Multinetz-Führung rechtwinklig hält</translation>
+   <source>Faces at inner irregular vertices are left out, or asked for right angles too, which no smooth surface has there</source>
+   <translation>Flächen an inneren irregulären Ecken bleiben aus, oder auch von ihnen werden rechte Winkel verlangt, die dort keine glatte Fläche hat</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2675,6 +2650,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Few kinds</source>
    <translation>Wenige Arten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Few kinds are wanted of these parts, once the net is reached</source>
+   <translation>Von diesen Teilen sind wenige Arten gewünscht, sobald das Netz erreicht ist</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structural_check.py" />
@@ -2700,26 +2680,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>First</source>
    <translation>Erster</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last angle around the axis</source>
-   <translation>Erster und letzter Winkel um die Achse</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last latitude</source>
-   <translation>Erste und letzte Breite</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t (0 and 0: clear of both ends)</source>
-   <translation>Erstes und letztes t (0 und 0: frei von beiden Enden)</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t of the confocal family</source>
-   <translation>Erstes und letztes t der konfokalen Schar</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2812,29 +2772,19 @@
    <translation>Fußplatte</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>For buckling and second order each member has so many pieces</source>
+   <translation>Für Knicken und zweite Ordnung hat jeder Stab so viele Stücke</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>For developable nets: the sheet bends and hardly stretches</source>
-   <translation>Für abwickelbare Netze: das Blech biegt sich und dehnt sich kaum</translation>
+   <source>For developable nets: the sheet bends and hardly stretches.</source>
+   <translation>Für abwickelbare Netze: das Blech biegt sich und dehnt sich kaum.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force</source>
    <translation>Kraft</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of border cables; 0: the same</source>
-   <translation>Kraftdichte der Randseile; 0: dieselbe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of the cables, force / length</source>
-   <translation>Kraftdichte der Seile, Kraft / Länge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in the membrane's border cable</source>
-   <translation>Kraft im Randseil der Membran</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2845,16 +2795,6 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Forces under equal loads</source>
    <translation>Kräfte unter gleichen Lasten</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the first of them</source>
-   <translation>Formel in s für die erste davon</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the second</source>
-   <translation>Formel in s für die zweite</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2973,18 +2913,13 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
-   <source>Have them found: the fewest that the surface needs</source>
-   <translation>Sie finden lassen: die wenigsten, die die Fläche braucht</translation>
+   <source>Have them found: the fewest that the surface needs.</source>
+   <translation>Sie finden lassen: die wenigsten, die die Fläche braucht.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Height</source>
    <translation>Höhe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Held: boundary, corners or vertices as 0,5,12</source>
-   <translation>Gehalten: boundary, corners oder Ecken wie 0,5,12</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3002,49 +2937,9 @@
    <translation>Loch</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far edges of nodes may be turned from the shape of their kind</source>
-   <translation>Wie weit Kanten von Knoten gegen die Form ihrer Art verdreht sein dürfen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far panels and lengths of edges may be from the shape of their kind</source>
-   <translation>Wie weit Paneele und Kantenlängen von der Form ihrer Art abweichen dürfen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the middle of sections lies above the net, along its axes</source>
-   <translation>Wie weit die Mitte der Querschnitte über dem Netz liegt, entlang seiner Achsen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the net reaches over the surface</source>
-   <translation>Wie weit das Netz über die Fläche reicht</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the result may be off the surface, or the start where none is given</source>
-   <translation>Wie weit das Ergebnis von der Fläche entfernt sein darf, oder vom Start, wo keine angegeben ist</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Wie sich Linien u und v um ihre Achse drehen, wo sie sich kreuzen, in Schlitzen einer Lage oder um die Bolzen von zweien: rigid, hinged oder die Steifigkeit einer Feder in kNm/rad</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many kinds there may be; 0 is as few as can be found</source>
-   <translation>Wie viele Arten es geben darf; 0 heißt so wenige, wie zu finden sind</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
-   <source>How many lines meet in the one to be added</source>
-   <translation>Wie viele Linien sich in der treffen, die dazukommt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times as long edges of the other family of lines are</source>
-   <translation>Wievielmal so lang Kanten der anderen Linienschar sind</translation>
+   <source>How many lines meet in the one to be added.</source>
+   <translation>Wie viele Linien sich in der treffen, die dazukommt.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3060,6 +2955,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>I</source>
    <translation>I</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>IFC 4 holds all parts, with quantities and properties</source>
+   <translation>IFC 4 enthält alle Teile, mit Mengen und Eigenschaften</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3118,8 +3018,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
-   <translation>Isometrische Netze: Netz, dessen Flächen die Form geben; leer: wie am Start</translation>
+   <source>Isometric nets: faces keep the shape that this net has; empty: as it starts</source>
+   <translation>Isometrische Netze: Flächen behalten die Form, die dieses Netz hat; leer: wie es beginnt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3128,13 +3028,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the ends of a curve that is no preset</source>
-   <translation>Die Enden einer Kurve verbinden, die keine Vorgabe ist</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the last point with the first</source>
-   <translation>Den letzten Punkt mit dem ersten verbinden</translation>
+   <source>It is asked of the diagonals of the faces, not of the edges</source>
+   <translation>Verlangt wird es von den Diagonalen der Flächen, nicht von den Kanten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3198,16 +3093,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
-   <translation>Größte zulässige Verschiebung als Teil der zweitlängsten Seite der Hülle des Netzes: 200 für 1/200</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest residual that counts as zero</source>
-   <translation>Größter Rest, der als null gilt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Latitudes</source>
    <translation>Breiten</translation>
   </message>
@@ -3248,8 +3133,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less than 1 moves the centre away</source>
-   <translation>Weniger als 1 rückt das Zentrum weg</translation>
+   <source>Less than 1 moves the centre farther away</source>
+   <translation>Weniger als 1 rückt das Zentrum weiter weg</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -3287,14 +3172,14 @@
    <translation>Linien</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines drawn on the surface that the net runs along</source>
-   <translation>Auf die Fläche gezeichnete Linien, an denen das Netz entlangläuft</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
    <source>Lines of the members</source>
    <translation>Linien der Stäbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines stand at even distances, or at equal steps of the parameters</source>
+   <translation>Linien stehen in gleichen Abständen oder gleichen Schritten der Parameter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3308,18 +3193,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines that lie in planes of their own</source>
-   <translation>Linien, die in eigenen Ebenen liegen</translation>
+   <source>Lines u and v lie in two layers, u above, the middles of their sections this far apart</source>
+   <translation>Linien u und v liegen in zwei Lagen, u oben, die Mitten ihrer Querschnitte so weit auseinander</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
-   <translation>Linien u und v in zwei Lagen, u oben: Abstand der Mitten ihrer Querschnitte</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
-   <translation>Linien, Linien und Diagonalen eines Gewebes: a asymptotisch, g geodätisch</translation>
+   <source>Lines u, lines v and diagonals of a web are these: a asymptotic, g geodesic</source>
+   <translation>Linien u, Linien v und Diagonalen eines Gewebes sind dies: a asymptotisch, g geodätisch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3328,23 +3208,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load at each vertex, force</source>
-   <translation>Last an jeder Ecke, Kraft</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load of 1 mm2</source>
    <translation>Last je 1 mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the edges, force / mm</source>
-   <translation>Last der Kanten, Kraft / mm</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the faces, force / mm2</source>
-   <translation>Last der Maschen, Kraft / mm2</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -3418,8 +3283,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Merge vertices nearer than this</source>
-   <translation>Ecken näher als dies verschmelzen</translation>
+   <source>Members buckle in so many times their length</source>
+   <translation>Stäbe knicken auf so viele Male ihre Länge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3434,11 +3299,6 @@
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Modes</source>
-   <translation>Knickformen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Modes of buckling</source>
    <translation>Knickformen</translation>
   </message>
   <message>
@@ -3553,8 +3413,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>New vertices in the middle, or smoothed</source>
-   <translation>Neue Ecken in der Mitte, oder geglättet</translation>
+   <source>New vertices lie in the middle, or all are smoothed</source>
+   <translation>Neue Ecken liegen in der Mitte, oder alle werden geglättet</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -3602,11 +3462,6 @@
    <translation>Normale</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Normal of the plane</source>
-   <translation>Normale der Ebene</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>Not now</source>
    <translation>Jetzt nicht</translation>
@@ -3630,6 +3485,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>One of the two meshes of face diagonals</source>
    <translation>Eines der beiden Netze der Maschendiagonalen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>One turn rises by this</source>
+   <translation>Eine Umdrehung steigt um dies</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
@@ -3683,6 +3543,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Other than four lines meet here: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Hier treffen sich andere als vier Linien: auto für die wenigsten, die die Fläche braucht, none für keine, oder eine Datei mit Zeilen x y z und 3, 5 oder 6 Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Outside</source>
    <translation>Außen</translation>
   </message>
@@ -3733,6 +3598,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels and lengths of edges may be this far from the shape of their kind</source>
+   <translation>Paneele und Kantenlängen dürfen so weit von der Form ihrer Art abweichen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels weigh this much by their surface, kN/m2</source>
+   <translation>Paneele wiegen so viel, bezogen auf ihre Fläche, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels with what holds them have this shear stiffness G t, kN/mm; with 0 they are load only</source>
+   <translation>Paneele mit dem, was sie hält, haben diese Schubsteifigkeit G t, kN/mm; mit 0 sind sie nur Last</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Paper</source>
    <translation>Papier</translation>
   </message>
@@ -3747,19 +3627,9 @@
    <translation>Parameterlinien u und v</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled</source>
-   <translation>Teil des Bereichs von u, der abgetastet wird</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled</source>
-   <translation>Teil des Bereichs von v, der abgetastet wird</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range that is left free at the ends</source>
-   <translation>Teil des Bereichs, der an den Enden frei bleibt</translation>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Parts are made along lines of these families.</source>
+   <translation>Teile entstehen längs der Linien dieser Scharen.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -3767,14 +3637,14 @@
    <translation>Teile entstehen nur längs dieser Linien, mit Nummern wie 0, 3.</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Parts in 3DM</source>
-   <translation>Teile in 3DM</translation>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Parts are nested on sheets.</source>
+   <translation>Teile werden auf Tafeln verschachtelt.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Parts of which few kinds are wanted, once the net is reached</source>
-   <translation>Teile, von denen es wenige Arten geben soll, sobald das Netz erreicht ist</translation>
+   <source>Parts in 3DM</source>
+   <translation>Teile in 3DM</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3823,11 +3693,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pieces of each member for buckling and second order</source>
-   <translation>Teile jedes Stabes für Knicken und zweite Ordnung</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pitch</source>
    <translation>Ganghöhe</translation>
   </message>
@@ -3838,8 +3703,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planar nets: largest distance between the diagonals of a face</source>
-   <translation>Planare Netze: größter Abstand zwischen den Diagonalen einer Fläche</translation>
+   <source>Planar nets: the diagonals of a face are this far apart at most</source>
+   <translation>Ebene Netze: Die Diagonalen einer Fläche sind höchstens so weit auseinander</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3850,11 +3715,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Plane lines</source>
    <translation>Ebene Linien</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
-   <translation>Ebenen, in denen das Netz sein eigenes Spiegelbild ist: auto für die der Fläche, oder die quer zu einer Achse durch die Mitte der Fläche</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3873,28 +3733,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points (radius, height) that are turned about z</source>
-   <translation>Punkte (Radius, Höhe), die um z gedreht werden</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of a curve in place of it, about the centre</source>
-   <translation>Stattdessen Punkte einer Kurve, um die Mitte</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of the polyline, in the frame of the quadric</source>
-   <translation>Punkte des Linienzugs, im System der Quadrik</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points where the medial lines of the faces cross</source>
    <translation>Punkte, in denen die Mittellinien der Maschen sich kreuzen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points whose tangents make the sheet; empty for a helix</source>
-   <translation>Punkte, deren Tangenten das Blech bilden; leer für eine Helix</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3913,28 +3753,18 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
-   <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
-   <translation>Drücken Sie die Maus auf der Fläche und zeichnen Sie eine Linie, an der das Netz entlangläuft; Esc verwirft sie</translation>
+   <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out.</source>
+   <translation>Drücken Sie die Maus auf der Fläche und zeichnen Sie eine Linie, an der das Netz entlangläuft; Esc verwirft sie.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
-   <source>Press the mouse on the surface where there is to be one more</source>
-   <translation>Die Maus auf der Fläche drücken, wo noch eine sein soll</translation>
+   <source>Press the mouse on the surface where there is to be one more.</source>
+   <translation>Die Maus auf der Fläche drücken, wo noch eine sein soll.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Druck</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pressure along the normals, force / mm2</source>
-   <translation>Druck längs der Normalen, Kraft / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
-   <source>Pressure in kN/m2 and where it blows to: 0.6@x; 0.6@-y</source>
-   <translation>Druck in kN/m2 und wohin er weht: 0.6@x; 0.6@-y</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3952,11 +3782,6 @@
    <translation>Profil aus Punkten (Radius, Höhe), um z gedreht, n Punkte längs durch Interpolation.</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
-   <translation>Profil der Stäbe; das von Gruppen dahinter, wie tube:100x60x5,border=tube:120x60x5</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
    <source>Put back.</source>
    <translation>Zurückgestellt.</translation>
@@ -3972,19 +3797,14 @@
    <translation>Quadrik</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quadric that carries the polyline</source>
-   <translation>Quadrik, die den Linienzug trägt</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Quads from triangles</source>
    <translation>Vierecke aus Dreiecken</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quads that the border cuts: set onto it, or left out</source>
-   <translation>Vierecke, die der Rand schneidet: auf ihn gesetzt, oder weggelassen</translation>
+   <source>Quads that the border cuts are set onto it, or left out</source>
+   <translation>Vierecke, die der Rand schneidet, werden auf ihn gesetzt oder weggelassen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4000,11 +3820,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Radius</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Radius of the sphere</source>
-   <translation>Radius der Kugel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4053,23 +3868,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Residuals up to this count as zero</source>
+   <translation>Residuen bis hierher zählen als null</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Reverse</source>
    <translation>Umkehren</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
-   <translation>Rechte Winkel von Flächen an inneren irregulären Ecken, die keine glatte Fläche dort hat</translation>
+   <source>Rhino gets parts, the net, its lines and axes, on layers</source>
+   <translation>Rhino bekommt Teile, das Netz, seine Linien und Achsen, auf Layern</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Rings</source>
    <translation>Ringe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rings of faces at the border</source>
-   <translation>Ringe von Maschen am Rand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4090,11 +3905,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Rows</source>
    <translation>Reihen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rows at the starts and ends of u and v</source>
-   <translation>Reihen an Anfang und Ende von u und v</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4187,6 +3997,11 @@
    <translation>Querschnitt</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Section and material are those of these beams or lamellas.</source>
+   <translation>Querschnitt und Werkstoff sind die dieser Träger oder Lamellen.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section tolerance</source>
    <translation>Toleranz</translation>
@@ -4217,24 +4032,9 @@
    <translation>Halbachsen</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of lambda = 0, falling</source>
-   <translation>Halbachsen von lambda = 0, fallend</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of the quadric</source>
-   <translation>Halbachsen der Quadrik</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Settings of the net</source>
    <translation>Einstellungen des Netzes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
-   <translation>Schubsteifigkeit G t der Platten mit dem, was sie hält, kN/mm; bei 0 sind sie nur Last</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4308,11 +4108,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Size of the imperfection</source>
-   <translation>Größe der Imperfektion</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers</source>
    <translation>Splitter</translation>
   </message>
@@ -4320,6 +4115,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Slots</source>
    <translation>Schlitze</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slots leave this part of the height of lamellas that cross in one layer; with 1 there are none</source>
+   <translation>Schlitze lassen diesen Teil der Höhe von Lamellen, die sich in einer Lage kreuzen; mit 1 gibt es keine</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4338,13 +4138,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow by the plan, kN/m2</source>
-   <translation>Schnee auf den Grundriss, kN/m2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow on one half as a case of its own: the half towards a direction</source>
-   <translation>Schnee auf einer Hälfte als eigener Lastfall: die Hälfte in einer Richtung</translation>
+   <source>Snow also lies on one half, as a case of its own: the half towards this direction</source>
+   <translation>Schnee liegt als eigener Fall auch auf einer Hälfte: der in dieser Richtung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4352,9 +4147,39 @@
    <translation>Schneeseite</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow weighs this much by the plan, kN/m2</source>
+   <translation>Schnee wiegt so viel, bezogen auf den Grundriss, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many modes of buckling are found</source>
+   <translation>So viele Knickformen werden gesucht</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>So many processes share the work.</source>
    <translation>So viele Prozesse teilen sich die Arbeit.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rings of faces are cut off at the border</source>
+   <translation>So viele Ringe von Flächen werden am Rand abgeschnitten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rows are cut off at the starts and ends of u and v</source>
+   <translation>So viele Reihen werden an Anfang und Ende von u und v abgeschnitten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many times four faces are made of one</source>
+   <translation>So oft werden aus einer Fläche vier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many vertices stand along u and along v</source>
+   <translation>So viele Ecken stehen längs u und längs v</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4478,38 +4303,33 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load at every vertex</source>
-   <translation>Spannungsnetze: Last nach unten an jeder Ecke</translation>
+   <source>Stress nets: a millimetre of edge has this weight</source>
+   <translation>Spannungsnetze: Ein Millimeter Kante hat dieses Gewicht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load of a square millimetre</source>
-   <translation>Spannungsnetze: Last nach unten je Quadratmillimeter</translation>
+   <source>Stress nets: a square millimetre carries this load, downwards</source>
+   <translation>Spannungsnetze: Ein Quadratmillimeter trägt diese Last, nach unten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: forces that edges may carry</source>
-   <translation>Spannungsnetze: Kräfte, die Kanten tragen dürfen</translation>
+   <source>Stress nets: edges may carry these forces</source>
+   <translation>Spannungsnetze: Kanten dürfen diese Kräfte tragen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: weight of a millimetre of edge</source>
-   <translation>Spannungsnetze: Gewicht eines Millimeters Kante</translation>
+   <source>Stress nets: every vertex carries this load, downwards</source>
+   <translation>Spannungsnetze: Jede Ecke trägt diese Last, nach unten</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
-   <translation>Spannungsnetze: was die Lasten trägt: der Rand (boundary), der außer an seinen Ecken entlang seiner eigenen Kurve gleitet; Ecken (corners) oder Ecken wie 0,5,12, die bleiben; leer: wie das Netz es braucht</translation>
+   <source>Stress nets: the shell whose stresses the lines follow stands on this</source>
+   <translation>Spannungsnetze: Die Schale, deren Spannungen die Linien folgen, steht hierauf</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
-   <translation>Spannungsnetze: worauf die Schale steht, deren Spannungen die Linien folgen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress of the membrane, force / length</source>
-   <translation>Spannung der Membran, Kraft / Länge</translation>
+   <source>Stress nets: this carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Spannungsnetze: Dies trägt die Lasten: boundary für den Rand, der bis auf seine Ecken längs seiner eigenen Kurve gleitet; corners oder Ecken wie 0,5,12, die bleiben; leer: wie das Netz es braucht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4523,8 +4343,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along u have this angle to the surface: 90 stands, 180 lies</source>
+   <translation>Streifen längs u haben diesen Winkel zur Fläche: 90 steht, 180 liegt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Strips along v</source>
    <translation>Streifen entlang v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along v have this angle to the surface: 90 stands, 180 lies</source>
+   <translation>Streifen längs v haben diesen Winkel zur Fläche: 90 steht, 180 liegt</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -4545,11 +4375,6 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Supports</source>
    <translation>Lager</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
-   <translation>Auflager, die zuerst gehoben werden, ECKE:HÖHE in mm, etwa 0:1500; 20:900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4596,18 +4421,103 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>The Python package {} is not installed</source>
-   <translation>Das Python-Paket {} ist nicht installiert</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>The chosen vertices are no handles any more</source>
-   <translation>Die gewählten Ecken sind keine Griffe mehr</translation>
+   <source>The Python package {} is not installed.</source>
+   <translation>Das Python-Paket {} ist nicht installiert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The first holds the first vertex</source>
-   <translation>Das erste enthält die erste Ecke</translation>
+   <source>The arch along x rises by this, or hangs where it is negative</source>
+   <translation>Der Bogen längs x steigt um dies, oder hängt, wo es negativ ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The arch along y rises by this, or hangs where it is negative</source>
+   <translation>Der Bogen längs y steigt um dies, oder hängt, wo es negativ ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The border is left a zigzag, or closed by narrow quads</source>
+   <translation>Der Rand bleibt ein Zickzack oder wird mit schmalen Vierecken geschlossen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The cables have this force density, force / length</source>
+   <translation>Die Seile haben diese Kraftdichte, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The chosen vertex goes to this place.</source>
+   <translation>Die gewählte Ecke kommt an diesen Ort.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The chosen vertices are no handles any more.</source>
+   <translation>Die gewählten Ecken sind keine Griffe mehr.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The curve goes through these points instead, about the centre</source>
+   <translation>Die Kurve geht stattdessen durch diese Punkte, um die Mitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The edges carry this load, force / mm</source>
+   <translation>Die Kanten tragen diese Last, Kraft / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The ends of a curve that is no preset are joined</source>
+   <translation>Die Enden einer Kurve, die keine Vorgabe ist, werden verbunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this load, force / mm2</source>
+   <translation>Die Flächen tragen diese Last, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this pressure along their normals, force / mm2</source>
+   <translation>Die Flächen tragen diesen Druck längs ihrer Normalen, Kraft / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The families u and v change places</source>
+   <translation>Die Scharen u und v tauschen ihre Plätze</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of the two holds the first vertex</source>
+   <translation>Das erste der beiden enthält die erste Ecke</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of them follows this formula of s</source>
+   <translation>Die erste davon folgt dieser Formel von s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix has this radius</source>
+   <translation>Die Schraubenlinie hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix turns by this angle</source>
+   <translation>Die Schraubenlinie dreht sich um diesen Winkel</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The imperfection is this large</source>
+   <translation>Die Imperfektion ist so groß</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The inversion has its centre here</source>
+   <translation>Die Inversion hat hier ihr Zentrum</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The largest displacement that passes is this part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Die größte Verschiebung, die besteht, ist dieser Teil der zweitlängsten Seite der Box des Netzes: 200 für 1/200</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -4625,9 +4535,44 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Die größten Residuen nach Schritten. Unter der gestrichelten Linie gelten sie als null.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The last point is joined with the first</source>
+   <translation>Der letzte Punkt wird mit dem ersten verbunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The lower end has this radius</source>
+   <translation>Das untere Ende hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members are made of this</source>
+   <translation>Die Stäbe sind hieraus</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members have this profile; groups another one after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Die Stäbe haben dieses Profil; Gruppen dahinter ein anderes, wie tube:100x60x5,border=tube:120x60x5</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane has this stress, force / length</source>
+   <translation>Die Membran hat diese Spannung, Kraft / Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane's border cable has this force</source>
+   <translation>Das Randseil der Membran hat diese Kraft</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>The mesh is {:.1e} from it on average</source>
    <translation>Das Netz ist im Mittel {:.1e} davon entfernt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The middle of sections lies this far above the net, along its axes</source>
+   <translation>Die Mitte der Querschnitte liegt so weit über dem Netz, längs seiner Achsen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4636,13 +4581,78 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane goes through this point</source>
+   <translation>Die Spiegelebene geht durch diesen Punkt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane has this normal</source>
+   <translation>Die Spiegelebene hat diese Normale</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The mouse draws handles this way.</source>
+   <translation>Die Maus zieht Griffe auf diese Weise.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The multi-net guide keeps patches of so many faces along and across orthogonal</source>
+   <translation>Die Multinetz-Führung hält Stücke von so vielen Flächen längs und quer orthogonal</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The narrowest circle has this radius</source>
+   <translation>Der engste Kreis hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>The net and its mirror image, the seam merged</source>
    <translation>Das Netz und sein Spiegelbild, die Naht verschmolzen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of u</source>
+   <translation>Das Netz bedeckt diesen Teil des Bereichs von u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of v</source>
+   <translation>Das Netz bedeckt diesen Teil des Bereichs von v</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>The net follows in a moment.</source>
    <translation>Das Netz folgt gleich.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net follows these lines of the surface</source>
+   <translation>Das Netz folgt diesen Linien der Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these angles about the axis</source>
+   <translation>Das Netz geht vom ersten zum zweiten dieser Winkel um die Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these latitudes</source>
+   <translation>Das Netz geht vom ersten zum zweiten dieser Breitengrade</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t of the confocal family</source>
+   <translation>Das Netz geht vom ersten zum zweiten t der konfokalen Schar</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t; with 0 and 0 it keeps clear of both ends</source>
+   <translation>Das Netz geht vom ersten zum zweiten t; mit 0 und 0 hält es Abstand von beiden Enden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes on along these axes as its mirror image, as x,y</source>
+   <translation>Das Netz geht längs dieser Achsen als sein Spiegelbild weiter, wie x,y</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -4661,6 +4671,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is its own mirror image in these planes: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Das Netz ist sein eigenes Spiegelbild in diesen Ebenen: auto für die der Fläche, oder die quer zu einer Achse, durch die Mitte der Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is made of cables, or is a membrane of one stress</source>
+   <translation>Das Netz ist aus Seilen oder eine Membran gleicher Spannung</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>The net is moved by this</source>
    <translation>Das Netz wird um dies verschoben</translation>
   </message>
@@ -4675,9 +4695,49 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Das Netz ist dies schon: {}</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this long along x</source>
+   <translation>Das Netz ist längs x so lang</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this wide across</source>
+   <translation>Das Netz ist quer so breit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Das Netz soll dieses werden; asymptotische und cmc-Linien laufen 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is turned by these angles about x, then y, then z</source>
+   <translation>Das Netz wird um diese Winkel um x, dann y, dann z gedreht</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>The net keeps being its own mirror image in the plane through 0</source>
-   <translation>Das Netz bleibt sein eigenes Spiegelbild in der Ebene durch 0</translation>
+   <source>The net keeps being its own mirror image in the plane through 0.</source>
+   <translation>Das Netz bleibt sein eigenes Spiegelbild in der Ebene durch 0.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches so far over the surface, farther where this is larger</source>
+   <translation>Das Netz reicht so weit über die Fläche, weiter, wo dies größer ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches this far from the axis on both sides</source>
+   <translation>Das Netz reicht auf beiden Seiten so weit von der Achse</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net runs along these lines, drawn on the surface</source>
+   <translation>Das Netz läuft längs dieser auf die Fläche gezeichneten Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net stands here, turned like this</source>
+   <translation>Das Netz steht hier, so gedreht</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
@@ -4685,9 +4745,34 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Das Netz wurde geändert.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The offset lies this far along the normals, below where it is negative</source>
+   <translation>Der Versatz liegt so weit längs der Normalen, darunter, wo es negativ ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The other side is turned up</source>
+   <translation>Die andere Seite wird nach oben gedreht</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>The packages could not be installed:</source>
    <translation>Die Pakete konnten nicht installiert werden:</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>The parts lie on these beams.</source>
+   <translation>Die Teile liegen auf diesen Trägern.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline goes through these points, in the frame of the quadric</source>
+   <translation>Der Streckenzug geht durch diese Punkte, im System der Quadrik</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline lies on this quadric</source>
+   <translation>Der Streckenzug liegt auf dieser Quadrik</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -4695,9 +4780,44 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Der Bereich geht nach Zehnerpotenzen, etwa -6.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The result may be this far off the surface, or the start where none is given</source>
+   <translation>Das Ergebnis darf so weit von der Fläche entfernt sein, oder vom Start, wo keine angegeben ist</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The second of them follows this formula of s</source>
+   <translation>Die zweite davon folgt dieser Formel von s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes are this long, the largest comes first</source>
+   <translation>Die Halbachsen sind so lang, die größte kommt zuerst</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of lambda = 0 are this long, the largest comes first</source>
+   <translation>Die Halbachsen von lambda = 0 sind so lang, die größte kommt zuerst</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of the quadric are this long</source>
+   <translation>Die Halbachsen der Quadrik sind so lang</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}.</source>
    <translation>Die Form hat sich um bis zu {} bewegt ({:.1f} mittlere Kanten). Ihre Größe war {} und ist {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>The sheets are this high.</source>
+   <translation>Die Tafeln sind so hoch.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>The sheets are this wide.</source>
+   <translation>Die Tafeln sind so breit.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -4710,9 +4830,119 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Die Quelle dieses Netzes hat sich geändert. Start beginnt neu mit dem, was sie jetzt macht.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has its centre here</source>
+   <translation>Die Kugel hat hier ihre Mitte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has this radius</source>
+   <translation>Die Kugel hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface grows in proportion to this length</source>
+   <translation>Die Fläche wächst im Verhältnis zu dieser Länge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has so many waves along its axis</source>
+   <translation>Die Fläche hat längs ihrer Achse so viele Wellen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has this radius</source>
+   <translation>Die Fläche hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface is this high</source>
+   <translation>Die Fläche ist so hoch</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The tangents of these points make the sheet; empty for a helix</source>
+   <translation>Die Tangenten an diesen Punkten bilden die Fläche; leer für eine Schraubenlinie</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two directions meet at this angle</source>
+   <translation>Die beiden Richtungen treffen sich in diesem Winkel</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
-   <source>The two directions that lines follow; grey where curvature does not say much</source>
-   <translation>Die beiden Richtungen, denen Linien folgen; grau, wo die Krümmung wenig aussagt</translation>
+   <source>The two directions that lines follow; grey where curvature does not say much.</source>
+   <translation>Die beiden Richtungen, denen Linien folgen; grau, wo die Krümmung wenig aussagt.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates follow this curve</source>
+   <translation>Die beiden anderen Koordinaten folgen dieser Kurve</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates have these values instead</source>
+   <translation>Die beiden anderen Koordinaten haben stattdessen diese Werte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The upper end has this radius</source>
+   <translation>Das obere Ende hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The weight of the members is a load</source>
+   <translation>Das Gewicht der Stäbe ist eine Last</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>The weight of this structure is a load by the surface.</source>
+   <translation>Das Gewicht dieses Tragwerks ist eine Last auf die Fläche.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The widest circle has this radius</source>
+   <translation>Der weiteste Kreis hat diesen Radius</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>The wind has this pressure in kN/m2 and blows this way: 0.6@x; 0.6@-y.</source>
+   <translation>Der Wind hat diesen Druck in kN/m2 und weht dorthin: 0.6@x; 0.6@-y.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>There may be so many kinds; 0 is as few as can be found</source>
+   <translation>So viele Arten darf es geben; 0 heißt so wenige wie möglich</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Dies wird gehalten: boundary, corners oder Nummern von Ecken, jeweils mit :pinned, :fixed, :sliding (nur auf und ab) oder :springs=X/Y/Z (kN/mm), mit + verbunden</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Dies wird gehalten: boundary, corners oder Ecken wie 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These lines lie in planes of their own</source>
+   <translation>Diese Linien liegen in eigenen Ebenen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These points (radius, height) are turned about z</source>
+   <translation>Diese Punkte (Radius, Höhe) werden um z gedreht</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These supports are raised first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Diese Auflager werden zuerst angehoben, ECKE:HÖHE in mm wie 0:1500; 20:900</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>These vertices carry these forces in kN: 12:0,0,-5; 13:0,0,-5.</source>
+   <translation>Diese Ecken tragen diese Kräfte in kN: 12:0,0,-5; 13:0,0,-5.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -4726,8 +4956,23 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>This elliptic coordinate has the role of t</source>
+   <translation>Diese elliptische Koordinate hat die Rolle von t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This part of the range is left free at each end</source>
+   <translation>Dieser Teil des Bereichs bleibt an jedem Ende frei</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>This point stays where it is</source>
    <translation>Dieser Punkt bleibt, wo er ist</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>This quantity colours the net.</source>
+   <translation>Diese Größe färbt das Netz.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4796,16 +5041,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turn the other side up</source>
-   <translation>Die andere Seite nach oben wenden</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turning angle of the spine</source>
-   <translation>Drehwinkel der Leitkurve</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Twist</source>
    <translation>Verwindung</translation>
   </message>
@@ -4845,19 +5080,9 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Teil von v</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Values of the two other coordinates in place of it</source>
-   <translation>Stattdessen Werte der beiden anderen Koordinaten</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Vertex</source>
    <translation>Ecke</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
-   <source>Vertex and force in kN: 12:0,0,-5; 13:0,0,-5</source>
-   <translation>Ecke und Kraft in kN: 12:0,0,-5; 13:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4871,23 +5096,18 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Vertices along u and v</source>
-   <translation>Ecken längs u und v</translation>
+   <source>Vertices that are nearer than this are merged</source>
+   <translation>Ecken, die näher als dies sind, werden vereinigt</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertices, edges or faces keep the distance, or edges stay parallel</source>
+   <translation>Ecken, Kanten oder Flächen halten den Abstand, oder Kanten bleiben parallel</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Waist</source>
    <translation>Taille</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length</source>
-   <translation>Gewünschte Kantenlänge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length, instead of the sampling</source>
-   <translation>Gewünschte Kantenlänge, statt der Abtastung</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4906,58 +5126,13 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of panels by their surface, kN/m2</source>
-   <translation>Gewicht der Platten nach ihrer Fläche, kN/m2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of the members is a load</source>
-   <translation>Das Gewicht der Stäbe ist eine Last</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
-   <translation>Was gehalten ist: boundary (Rand), corners (Netzecken) oder Nummern von Ecken, jeweils mit :pinned (gelenkig), :fixed (eingespannt), :sliding (nur senkrecht gehalten) oder :springs=X/Y/Z (kN/mm), verbunden durch +</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What keeps the distance</source>
-   <translation>Was den Abstand hält</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
-   <translation>Was Schlitze von der Höhe von Lamellen lassen, die sich in einer Lage kreuzen, als Anteil; mit 1 gibt es keine</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the members are made of</source>
-   <translation>Woraus die Stäbe sind</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Was das Netz werden soll; asymptotische und CMC-Linien laufen unter 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
-   <translation>Wo sich nicht vier Linien treffen: auto für die wenigsten, die die Fläche braucht, none, oder eine Datei mit Zeilen x y z und 3, 5 oder 6 Linien</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where the net stands and how it is turned</source>
-   <translation>Wo das Netz steht und wie es gedreht ist</translation>
+   <source>Where lines u and v cross, in slots of one layer or about the bolts of two, they turn like this about their axis: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Wo Linien u und v sich kreuzen, in Schlitzen einer Lage oder um die Schrauben von zweien, drehen sie sich so um ihre Achse: rigid, hinged oder die Steifigkeit einer Feder in kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Which</source>
    <translation>Welches</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Which lines of the surface the net follows</source>
-   <translation>Welchen Linien der Fläche das Netz folgt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5008,11 +5183,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/documents/structural_checks.py" />
    <source>Writing files of the check</source>
    <translation>Dateien der Prüfung werden geschrieben</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Zigzag border, or closed by narrow quads</source>
-   <translation>Zickzackrand, oder durch schmale Vierecke geschlossen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5253,6 +5423,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bars and strips are this long; longer lamellas are spliced</source>
    <translation>Stäbe und Streifen sind so lang; längere Lamellen werden gestoßen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars are listed with lengths and angles of both ends, and how to read them</source>
+   <translation>Stangen werden aufgelistet, mit Längen und Winkeln beider Enden und wie man sie liest</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5525,6 +5700,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>weglassen</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>each part has a file for machines that saw, drill and cut steel (DSTV)</source>
+   <translation>jedes Teil hat eine Datei für Maschinen, die Stahl sägen, bohren und schneiden (DSTV)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>each part has a label with a QR code of its name</source>
+   <translation>jedes Teil hat ein Etikett mit einem QR-Code seines Namens</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>edge</source>
    <translation>Kante</translation>
@@ -5688,6 +5873,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>given: {}</source>
    <translation>vorgegeben: {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>glTF holds all parts, with names and colours, for viewers</source>
+   <translation>glTF enthält alle Teile, mit Namen und Farben, für Betrachter</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5986,6 +6176,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>one workbook holds all lists, and masses with a column for prices</source>
+   <translation>eine Arbeitsmappe enthält alle Listen und Massen mit einer Spalte für Preise</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>one, in place</source>
    <translation>eine, am Ort</translation>
   </message>
@@ -6083,6 +6278,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plain lines</source>
    <translation>nur Linien</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plan, sheets, a typical node and typical parts are drawn with dimensions, to scale</source>
+   <translation>Grundriss, Tafeln, ein typischer Knoten und typische Teile werden mit Maßen gezeichnet, im Maßstab</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6206,11 +6406,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>rows of item, unit and price, for the lists' costs</source>
-   <translation>Zeilen mit Ware, Einheit und Preis, für die Kosten der Listen</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>scherk</source>
    <translation>Scherk</translation>
   </message>
@@ -6218,11 +6413,6 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>zweites</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>seconds that the library may take</source>
-   <translation>Sekunden, die die Bibliothek brauchen darf</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6480,6 +6670,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>die Höhe seiner tiefsten Ecke</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the library may take so many seconds</source>
+   <translation>die Bibliothek darf so viele Sekunden brauchen</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the lines do not follow the curvature of the surface, as this net has to, but those of its diagonal mesh do: make a diagonal mesh first</source>
    <translation>die Linien folgen nicht der Krümmung der Fläche, wie dieses Netz es muss, aber die seines Diagonalnetzes tun es: zuerst ein Diagonalnetz machen</translation>
@@ -6613,6 +6808,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the walls of the posts are this thick</source>
    <translation>so dick sind die Wände der Pfosten</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>these lists have order of assembly, weights, what meets at nodes, points to be surveyed</source>
+   <translation>diese Listen haben Montagefolge, Gewichte, was sich an Knoten trifft, einzumessende Punkte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>these rows of item, unit and price give the lists' costs</source>
+   <translation>aus diesen Zeilen von Posten, Einheit und Preis folgen die Kosten der Listen</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

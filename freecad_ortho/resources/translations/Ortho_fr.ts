@@ -4,11 +4,6 @@
  <context>
   <name>App::Property</name>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>A point of the plane</source>
-   <translation>Un point du plan</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>All combinations, any of which can be drawn</source>
    <translation>Toutes les combinaisons, chacune peut être dessinée</translation>
@@ -19,34 +14,9 @@
    <translation>Ancrage : quatre ancrages tiennent une platine</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along u: 90 stands, 180 lies; 0 is free</source>
-   <translation>Angle entre la surface et les bandes le long de u : 90 debout, 180 couchées ; 0 est libre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along v: 90 stands, 180 lies; 0 is free</source>
-   <translation>Angle entre la surface et les bandes le long de v : 90 debout, 180 couchées ; 0 est libre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the two directions; 0 is as the net has it</source>
-   <translation>Angle entre les deux directions ; 0 est celui du réseau</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles of turns about x, then y, then z</source>
-   <translation>Angles des rotations autour de x, puis y, puis z</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>As ForcesAlong, of all combinations, one by one</source>
    <translation>Comme ForcesAlong, de toutes les combinaisons, l'une après l'autre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ask it of the diagonals of the faces, not of the edges</source>
-   <translation>Le demander aux diagonales des faces, pas aux arêtes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -55,13 +25,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
-   <translation>Au bord, le réseau dépasse la surface, pour être coupé, ou se plie pour le suivre</translation>
+   <source>At its vertex the surface has this radius of curvature, the larger one</source>
+   <translation>En son sommet la surface a ce rayon de courbure, le plus grand</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Axes to extend the net along by mirror images, as x,y</source>
-   <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
+   <source>At its vertex the surface has this radius of curvature, the smaller one</source>
+   <translation>En son sommet la surface a ce rayon de courbure, le plus petit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
+   <translation>Au bord, le réseau dépasse la surface, pour être coupé, ou se plie pour le suivre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -70,13 +45,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Balance in the deformed, imperfect shape</source>
-   <translation>Équilibre dans la forme déformée et imparfaite</translation>
+   <source>Balance is found in the deformed, imperfect shape</source>
+   <translation>L'équilibre est trouvé dans la forme déformée et imparfaite</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structural_check.py" />
    <source>Beams or lamellas whose section and material count; empty: those given here</source>
    <translation>Poutres ou lamelles dont la section et le matériau comptent ; vide : ceux donnés ici</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Beams pass that twist by this at most; 0: any</source>
+   <translation>Les poutres qui se vrillent d'autant au plus passent ; 0 : toutes</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -85,8 +65,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Bend radius: folds have this radius inside, by default that of the thickness</source>
-   <translation>Rayon de pliage : rayon intérieur des plis, sinon celui de l'épaisseur</translation>
+   <source>Bend radius: folds have this radius inside, by default that of the thickness; 0 is automatic</source>
+   <translation>Rayon de pliage : rayon intérieur des plis, sinon celui de l'épaisseur ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -115,6 +95,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cables have this force density; 0 is the same</source>
+   <translation>Les câbles de bord ont cette densité de force ; 0 : la même</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border cut: the strips end square before the border, or along it</source>
    <translation>Coupe au bord : les bandes finissent d'équerre avant le bord, ou le long de lui</translation>
   </message>
@@ -124,34 +109,14 @@
    <translation>Alésage : les moyeux ont un trou de ce diamètre le long de leur axe</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Buckling length of members by their length</source>
-   <translation>Longueur de flambement des barres, rapportée à leur longueur</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Buckling shape that is drawn; 1 is the first</source>
    <translation>Mode de flambement dessiné ; 1 est le premier</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>CMC nets: radius of the vertex spheres; 0 is free</source>
-   <translation>Réseaux CMC : rayon des sphères de sommets ; 0 est libre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cables of given force density, or constant stress</source>
-   <translation>Câbles de densité de force donnée, ou contrainte constante</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the inversion</source>
-   <translation>Centre de l'inversion</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the sphere</source>
-   <translation>Centre de la sphère</translation>
+   <source>CMC nets: the vertex spheres have this radius; 0 is free</source>
+   <translation>Réseaux CMC : les sphères des sommets ont ce rayon ; 0 : libre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -160,8 +125,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Chebyshev nets: length of the edges; 0 is free</source>
-   <translation>Réseaux de Tchebychev : longueur des arêtes ; 0 est libre</translation>
+   <source>Chebyshev nets: the edges are this long; 0 is free</source>
+   <translation>Réseaux de Tchebychev : les arêtes ont cette longueur ; 0 : libre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -170,8 +135,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Clearance: slots and hubs leave this much air</source>
-   <translation>Jeu : les encoches et les moyeux laissent ce jeu</translation>
+   <source>Clearance: slots and hubs leave this much air; 0 is 1 mm, slots by material</source>
+   <translation>Jeu : les encoches et les moyeux laissent ce jeu ; 0 : 1 mm, entailles selon le matériau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -204,24 +169,14 @@
    <translation>Nombres, précision et masses, en JSON</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cross rise</source>
-   <translation>Flèche transversale</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Curve of the two other coordinates</source>
-   <translation>Courbe des deux autres coordonnées</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Cut parts along the border of the surface, where the net has one</source>
    <translation>Couper les pièces le long du bord de la surface, si le réseau en a un</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cutter: slots have round corners for a milling cutter of this diameter</source>
-   <translation>Fraise : les fentes ont des coins ronds pour une fraise de ce diamètre</translation>
+   <source>Cutter: slots have round corners for a milling cutter of this diameter; 0 is sharp corners</source>
+   <translation>Fraise : les fentes ont des coins ronds pour une fraise de ce diamètre ; 0 : coins vifs</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -240,18 +195,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Distance along the normals, negative for below</source>
-   <translation>Distance le long des normales, négative pour dessous</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Distortion: a patch is built up to this distortion of an edge</source>
    <translation>Distorsion : une surface est réalisée jusqu'à cette distorsion d'une arête</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Each time four faces are made of one</source>
-   <translation>Chaque fois, quatre faces sont faites d'une</translation>
+   <source>Each vertex carries this load, a force along x, y and z</source>
+   <translation>Chaque sommet porte cette charge, une force selon x, y et z</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
@@ -265,8 +215,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge height: the edge beam is this high, by default as high as the beams</source>
-   <translation>Hauteur de rive : hauteur de la poutre de rive, sinon celle des poutres</translation>
+   <source>Edge height: the edge beam is this high, by default as high as the beams; 0 is automatic</source>
+   <translation>Hauteur de rive : hauteur de la poutre de rive, sinon celle des poutres ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -280,13 +230,33 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge width: the edge beam is this wide, by default as thick as the plates or 60 mm</source>
-   <translation>Largeur de rive : largeur de la poutre de rive, sinon l'épaisseur des plaques ou 60 mm</translation>
+   <source>Edge width: the edge beam is this wide, by default as thick as the plates or 60 mm; 0 is automatic</source>
+   <translation>Largeur de rive : largeur de la poutre de rive, sinon l'épaisseur des plaques ou 60 mm ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Edges and faces that vertices glide on, exactly</source>
    <translation>Arêtes et faces sur lesquelles les sommets glissent exactement</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long</source>
+   <translation>Les arêtes ont à peu près cette longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long, whatever the sampling</source>
+   <translation>Les arêtes ont à peu près cette longueur, quel que soit l'échantillonnage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of nodes may be turned this far from the shape of their kind</source>
+   <translation>Les arêtes des nœuds peuvent être tournées d'autant par rapport à la forme de leur type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of the other family of lines are so many times as long</source>
+   <translation>Les arêtes de l'autre famille de lignes sont autant de fois plus longues</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -295,13 +265,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Elliptic coordinate in the role of t</source>
-   <translation>Coordonnée elliptique dans le rôle de t</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
-   <translation>Extrémités des barres : rigid (rigides), hinged (articulées) ou la raideur de leurs ressorts en kNm/rad</translation>
+   <source>Ends of members are rigid, hinged, or have springs of this stiffness in kNm/rad</source>
+   <translation>Les extrémités des barres sont rigides, articulées, ou ont des ressorts de cette raideur en kNm/rad (rigid, hinged ou le nombre)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -310,23 +275,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Even lengths or equal steps of the parameters</source>
-   <translation>Longueurs égales ou pas égaux des paramètres</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Every so many lines of u and v stay</source>
    <translation>Une ligne de u et de v reste sur ce nombre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Exchange u and v</source>
-   <translation>Échanger u et v</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
-   <translation>Faces en long et en travers des carreaux que le guide multi-réseau garde orthogonaux</translation>
+   <source>Faces at inner irregular vertices are left out, or asked for right angles too, which no smooth surface has there</source>
+   <translation>Les faces aux sommets irréguliers intérieurs sont laissées de côté, ou on leur demande aussi des angles droits, qu'aucune surface lisse n'a là</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -344,39 +299,19 @@
    <translation>Faces dont le réseau reste proche autant que possible</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Few kinds are wanted of these parts, once the net is reached</source>
+   <translation>On veut peu de types de ces pièces, une fois le réseau atteint</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>File that the net came from</source>
    <translation>Fichier d'où vient le réseau</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>First</source>
-   <translation>Premier</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last angle around the axis</source>
-   <translation>Premier et dernier angle autour de l'axe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last latitude</source>
-   <translation>Première et dernière latitude</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t (0 and 0: clear of both ends)</source>
-   <translation>Premier et dernier t (0 et 0 : à distance des deux bouts)</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t of the confocal family</source>
-   <translation>Premier et dernier t de la famille homofocale</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Flange thickness: the flanges are this thick, by default as thick as the plates</source>
-   <translation>Épaisseur des semelles : les semelles ont cette épaisseur, par défaut celle des plats</translation>
+   <source>Flange thickness: the flanges are this thick, by default as thick as the plates; 0 is automatic</source>
+   <translation>Épaisseur des semelles : les semelles ont cette épaisseur, par défaut celle des plats ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -410,18 +345,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of border cables; 0: the same</source>
-   <translation>Densité de force des câbles de bord ; 0 : la même</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of the cables, force / length</source>
-   <translation>Densité de force des câbles, force / longueur</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in the membrane's border cable</source>
-   <translation>Force dans le câble de bord de la membrane</translation>
+   <source>For buckling and second order each member has so many pieces</source>
+   <translation>Pour le flambement et le second ordre chaque barre a tant de morceaux</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
@@ -432,16 +357,6 @@
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Force that is drawn across the members, red where positive</source>
    <translation>Effort tracé perpendiculairement aux barres, rouge là où il est positif</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the first of them</source>
-   <translation>Formule en s pour la première</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the second</source>
-   <translation>Formule en s pour la seconde</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -479,11 +394,6 @@
    <translation>Sens du fil : les pièces tournent sur la plaque selon le sens du fil</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Height</source>
-   <translation>Hauteur</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
    <source>Height of a sheet</source>
    <translation>Hauteur d'une tôle</translation>
@@ -495,58 +405,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Held: boundary, corners or vertices as 0,5,12</source>
-   <translation>Tenus : boundary, corners ou sommets comme 0,5,12</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Hole: the bolt holes have this diameter</source>
    <translation>Trou : les trous de boulons ont ce diamètre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far edges of nodes may be turned from the shape of their kind</source>
-   <translation>De combien les arêtes d'un nœud peuvent être tournées par rapport à son type</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far panels and lengths of edges may be from the shape of their kind; 0 is 1/1000 of an edge</source>
-   <translation>De combien panneaux et longueurs d'arêtes peuvent s'écarter de la forme de leur type ; 0 : 1/1000 d'une arête</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the middle of sections lies above the net, along its axes</source>
-   <translation>De combien le milieu des sections est au-dessus du réseau, le long de ses axes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the net reaches over the surface</source>
-   <translation>Jusqu'où le réseau s'étend sur la surface</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the result may be off the surface, or the start where none is given; 0 is not limited</source>
-   <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée ; 0 : sans limite</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Comment les lignes u et v tournent autour de leur axe à leur croisement, dans les encoches d'une couche ou autour des boulons de deux : rigid, hinged, ou la raideur d'un ressort en kNm/rad</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many kinds there may be; 0 is as few as can be found</source>
-   <translation>Combien de types il peut y avoir ; 0 : aussi peu que possible</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>How many of these points each of the curves has</source>
    <translation>Combien de ces points a chacune des courbes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times as long edges of the other family of lines are</source>
-   <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -555,28 +420,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub diameter: the hubs measure this across their faces</source>
-   <translation>Diamètre du moyeu : les moyeux mesurent autant entre leurs faces</translation>
+   <source>Hub diameter: the hubs measure this across their faces; 0 is 100 mm, of bolted ones what each needs</source>
+   <translation>Diamètre du moyeu : les moyeux mesurent autant entre leurs faces ; 0 : 100 mm, boulonnés : selon le besoin</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Hub wall: bolted hubs have walls of this thickness</source>
-   <translation>Paroi du moyeu : épaisseur de paroi des moyeux boulonnés</translation>
+   <source>Hub wall: bolted hubs have walls of this thickness; 0 is as thick as the bolts</source>
+   <translation>Paroi du moyeu : épaisseur de paroi des moyeux boulonnés ; 0 : épaisse comme les boulons</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
-   <translation>Réseaux isométriques : réseau dont les faces donnent la forme ; vide : comme il commence</translation>
+   <source>Isometric nets: faces keep the shape that this net has; empty: as it starts</source>
+   <translation>Réseaux isométriques : les faces gardent la forme qu'a ce réseau ; vide : comme il commence</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the ends of a curve that is no preset</source>
-   <translation>Joindre les extrémités d'une courbe qui n'est pas prédéfinie</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the last point with the first</source>
-   <translation>Relier le dernier point au premier</translation>
+   <source>It is asked of the diagonals of the faces, not of the edges</source>
+   <translation>On le demande aux diagonales des faces, pas aux arêtes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -594,49 +454,14 @@
    <translation>Trait de coupe : les contours croissent de la moitié du trait de coupe</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest angle from the surface normal that passes; 0: any</source>
-   <translation>Plus grand angle admis à la normale de la surface ; 0 : tous</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Largest displacement that passes</source>
    <translation>Plus grand déplacement admis</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
-   <translation>Plus grand déplacement admis, en part du deuxième plus long côté de la boîte du réseau : 200 pour 1/200</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest distance from plane or developable that passes; 0: any</source>
-   <translation>Plus grande distance admise au plan ou au développable ; 0 : toutes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest distance of an unrolled axis from its arc that passes; 0: any</source>
-   <translation>Plus grande distance admise d'un axe déroulé à son arc ; 0 : toutes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest distance of an unrolled axis from straight that passes; 0: any</source>
-   <translation>Plus grande distance admise d'un axe déroulé à la droite ; 0 : toutes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest residual that counts as zero</source>
-   <translation>Plus grand résidu qui compte pour zéro</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Largest share of the strain energy that is not of axial forces, %</source>
    <translation>Plus grande part de l'énergie de déformation non due aux efforts normaux, %</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest twist of a beam that passes; 0: any</source>
-   <translation>Plus grande torsion admise d'une poutre ; 0 : toutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -659,11 +484,6 @@
    <translation>Largeur minimale : les morceaux de panneaux plus étroits au bord sont des chutes</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Length</source>
-   <translation>Longueur</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
    <source>Length on the page of a length of one</source>
    <translation>Longueur sur la page d'une longueur de un</translation>
@@ -675,7 +495,7 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less than 1 moves the centre away</source>
+   <source>Less than 1 moves the centre farther away</source>
    <translation>Moins de 1 éloigne le centre</translation>
   </message>
   <message>
@@ -685,43 +505,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines drawn on the surface that the net runs along</source>
-   <translation>Lignes dessinées sur la surface, que le réseau suit</translation>
+   <source>Lines stand at even distances, or at equal steps of the parameters</source>
+   <translation>Les lignes sont à distances égales ou à pas égaux des paramètres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines that lie in planes of their own</source>
-   <translation>Lignes qui sont chacune dans un plan</translation>
+   <source>Lines u and v lie in two layers, u above, the middles of their sections this far apart</source>
+   <translation>Les lignes u et v sont en deux couches, u au-dessus, les milieux de leurs sections à cette distance</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
-   <translation>Lignes u et v en deux couches, u au-dessus : distance entre les milieux de leurs sections</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
-   <translation>Lignes, lignes et diagonales d'une toile : a asymptotiques, g géodésiques</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load at each vertex, force</source>
-   <translation>Charge à chaque sommet, force</translation>
+   <source>Lines u, lines v and diagonals of a web are these: a asymptotic, g geodesic</source>
+   <translation>Lignes u, lignes v et diagonales d'un tissu sont : a asymptotiques, g géodésiques</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
    <source>Load case of the structural check</source>
    <translation>Cas de charge de la vérification statique</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the edges, force / mm</source>
-   <translation>Charge des arêtes, force / mm</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the faces, force / mm2</source>
-   <translation>Charge des faces, force / mm2</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -755,18 +555,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Merge vertices nearer than this</source>
-   <translation>Fusionner les sommets plus proches que cela</translation>
+   <source>Members buckle in so many times their length</source>
+   <translation>Les barres flambent sur tant de fois leur longueur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Mirror planes through the origin: letters of x, y, z</source>
    <translation>Plans de symétrie par l'origine : lettres parmi x, y, z</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Modes of buckling</source>
-   <translation>Modes de flambement</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -824,11 +619,6 @@
    <translation>Noms des pièces, dans l'ordre des solides</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Narrowest</source>
-   <translation>Le plus étroit</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Net that the structure is built on</source>
    <translation>Réseau sur lequel la structure est construite</translation>
@@ -845,8 +635,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>New vertices in the middle, or smoothed</source>
-   <translation>Nouveaux sommets au milieu, ou lissés</translation>
+   <source>New vertices lie in the middle, or all are smoothed</source>
+   <translation>Les nouveaux sommets sont au milieu, ou tous sont lissés</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -872,11 +662,6 @@
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Nodes whose hubs the panels stay clear of</source>
    <translation>Nœuds dont les panneaux évitent les moyeux</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Normal of the plane</source>
-   <translation>Normale du plan</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -944,14 +729,24 @@
    <translation>Une couleur pour toutes les pièces, ou vert et rouge selon leur verdict</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>One turn rises by this</source>
+   <translation>Un tour monte d'autant</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>Optimise again at once, as before, when the source of a net that was moved changes</source>
    <translation>Optimiser aussitôt de nouveau, comme avant, quand la source d'un réseau déplacé change</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Overhang: the strips go this far beyond their last vertex, by default half their width</source>
-   <translation>Débord : les bandes dépassent d'autant leur dernier sommet, par défaut de la moitié de leur largeur</translation>
+   <source>Other than four lines meet here: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Ici se rencontrent plus ou moins de quatre lignes : auto pour le moins que la surface demande, none pour aucune, ou un fichier de lignes x y z et 3, 5 ou 6</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Overhang: the strips go this far beyond their last vertex, by default half their width; 0 is automatic</source>
+   <translation>Débord : les bandes dépassent d'autant leur dernier sommet, par défaut de la moitié de leur largeur ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -960,28 +755,28 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Panel thickness: the panels are this thick, by default as thick as the plates</source>
-   <translation>Épaisseur des panneaux : les panneaux ont cette épaisseur, par défaut celle des plats</translation>
+   <source>Panel thickness: the panels are this thick, by default as thick as the plates; 0 is automatic</source>
+   <translation>Épaisseur des panneaux : les panneaux ont cette épaisseur, par défaut celle des plats ; 0 : automatique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels and lengths of edges may be this far from the shape of their kind; 0 is 1/1000 of an edge</source>
+   <translation>Panneaux et longueurs d'arêtes peuvent s'écarter d'autant de la forme de leur type ; 0 : 1/1000 d'arête</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels weigh this much by their surface, kN/m2</source>
+   <translation>Les panneaux pèsent autant par surface, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels with what holds them have this shear stiffness G t, kN/mm; with 0 they are load only</source>
+   <translation>Les panneaux avec ce qui les tient ont cette rigidité de cisaillement G t, kN/mm ; avec 0 ils ne sont que charge</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Parameter lines that are built on: u, v or both</source>
    <translation>Lignes paramétriques sur lesquelles on construit : u, v ou les deux</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled</source>
-   <translation>Part de la plage de u échantillonnée</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled</source>
-   <translation>Part de la plage de v échantillonnée</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range that is left free at the ends</source>
-   <translation>Part de la plage laissée libre aux bouts</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -990,8 +785,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Parts of which few kinds are wanted, once the net is reached</source>
-   <translation>Pièces dont peu de types sont voulus, une fois le réseau atteint</translation>
+   <source>Parts pass that are off a plane or developable by this at most; 0: any</source>
+   <translation>Les pièces qui s'écartent d'autant au plus d'un plan ou d'une développable passent ; 0 : toutes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts pass that lean from the surface normal by this at most; 0: any</source>
+   <translation>Les pièces qui s'inclinent d'autant au plus de la normale passent ; 0 : toutes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1000,23 +800,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Periods</source>
-   <translation>Périodes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Piece length: rows are cut along lines of the net into pieces of at most this length</source>
-   <translation>Longueur des pièces: les rangées sont coupées aux lignes du réseau en pièces de cette longueur au plus</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pieces of each member for buckling and second order</source>
-   <translation>Morceaux de chaque barre pour le flambement et le second ordre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pitch</source>
-   <translation>Pas</translation>
+   <source>Piece length: rows are cut along lines of the net into pieces of at most this length; 0 is whole rows</source>
+   <translation>Longueur des pièces: les rangées sont coupées aux lignes du réseau en pièces de cette longueur au plus ; 0 : rangées entières</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -1025,38 +810,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planar nets: largest distance between the diagonals of a face; 0 is exactly flat</source>
-   <translation>Réseaux plans : plus grande distance entre les diagonales d'une face ; 0 : exactement plan</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
-   <translation>Plans dans lesquels le réseau est sa propre image : auto pour ceux de la surface, ou ceux en travers d'un axe, par le milieu de la surface</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points (radius, height) that are turned about z</source>
-   <translation>Points (rayon, hauteur) tournés autour de z</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of a curve in place of it, about the centre</source>
-   <translation>Points d'une courbe à sa place, autour du centre</translation>
+   <source>Planar nets: the diagonals of a face are this far apart at most; 0 is exactly flat</source>
+   <translation>Réseaux plans : les diagonales d'une face sont distantes d'autant au plus ; 0 : exactement plan</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Points of closed curves along which parts are trimmed, in mm</source>
    <translation>Points de courbes fermées le long desquelles les pièces sont coupées, en mm</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of the polyline, in the frame of the quadric</source>
-   <translation>Points de la polyligne, dans le repère de la quadrique</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points whose tangents make the sheet; empty for a helix</source>
-   <translation>Points dont les tangentes forment la feuille ; vide pour une hélice</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1080,43 +840,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pressure along the normals, force / mm2</source>
-   <translation>Pression le long des normales, force / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/structural_check.py" />
-   <source>Pressure in kN/m2 and where it blows to, as 0.6@x; a case each</source>
-   <translation>Pression en kN/m2 et où il souffle, comme 0.6@x ; un cas chacun</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
-   <translation>Profil des barres ; celui de groupes ensuite, comme tube:100x60x5,border=tube:120x60x5</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quadric that carries the polyline</source>
-   <translation>Quadrique qui porte la polyligne</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quads that the border cuts: set onto it, or left out</source>
-   <translation>Quadrilatères coupés par le bord : posés dessus, ou omis</translation>
+   <source>Quads that the border cuts are set onto it, or left out</source>
+   <translation>Les quads que le bord coupe sont mis dessus ou laissés de côté</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Quantity that colours the net, explained by the scale in the view</source>
    <translation>Grandeur qui colore le réseau, expliquée par l'échelle dans la vue</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Radius</source>
-   <translation>Rayon</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Radius of the sphere</source>
-   <translation>Rayon de la sphère</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -1127,6 +857,11 @@
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>Report of the last optimisation, as JSON</source>
    <translation>Rapport de la dernière optimisation, en JSON</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Residuals up to this count as zero</source>
+   <translation>Les résidus jusqu'à cette valeur comptent pour zéro</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/net_properties.py" />
@@ -1140,38 +875,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
-   <translation>Angles droits des faces aux sommets irréguliers intérieurs, qu'aucune surface lisse n'a là</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rings of faces at the border</source>
-   <translation>Anneaux de faces au bord</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rise</source>
-   <translation>Flèche</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Rounded: solids have the rounded corners and roots of a section of the catalogue</source>
    <translation>Arrondi : les solides ont les coins et congés arrondis d'une section du catalogue</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rows at the starts and ends of u and v</source>
-   <translation>Rangées au début et à la fin de u et v</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Saw: a saw cut behind a piece is this wide</source>
    <translation>Trait de scie : un trait de scie après une pièce a cette largeur</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Second</source>
-   <translation>Second</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1194,29 +904,9 @@
    <translation>Les sections se tiennent comme celles de poutres, ou en lamelles plate:ÉPAISSEURxLARGEUR : debout, couchées ou inclinées comme le réseau le demande</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi axes</source>
-   <translation>Demi-axes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of lambda = 0, falling</source>
-   <translation>Demi-axes de lambda = 0, décroissants</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of the quadric</source>
-   <translation>Demi-axes de la quadrique</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>Shape that is drawn: the frame, or how it moves</source>
    <translation>Forme dessinée : l'ossature, ou comment elle bouge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
-   <translation>Raideur de cisaillement G t des panneaux avec ce qui les tient, kN/mm ; à 0 ils ne sont que charge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1295,18 +985,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Size</source>
-   <translation>Taille</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Size of the imperfection; 0 is 1/300 of the second longest side of the box</source>
-   <translation>Grandeur de l'imperfection ; 0 est 1/300 du deuxième plus long côté de la boîte</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers: slivers at the border become part of their neighbours where they can, or are left out</source>
    <translation>Chutes : les chutes au bord rejoignent leurs voisines si possible, ou sont omises</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slots leave this part of the height of lamellas that cross in one layer; with 1 there are none</source>
+   <translation>Les entailles laissent cette part de la hauteur des lamelles qui se croisent en une couche ; avec 1 il n'y en a pas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1315,18 +1000,43 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow by the plan, kN/m2</source>
-   <translation>Neige sur le plan, kN/m2</translation>
+   <source>Snow also lies on one half, as a case of its own: the half towards this direction</source>
+   <translation>La neige est aussi sur une moitié, comme un cas à part : celle dans cette direction</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow on one half as a case of its own: the half towards a direction</source>
-   <translation>Neige sur une moitié comme cas à part : la moitié vers une direction</translation>
+   <source>Snow weighs this much by the plan, kN/m2</source>
+   <translation>La neige pèse autant en plan, kN/m2</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
    <source>So many mm are drawn for a kN or kNm of the diagram; 0: as it fits</source>
    <translation>Tant de mm sont tracés pour un kN ou kNm du diagramme ; 0 : comme cela tient</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many modes of buckling are found</source>
+   <translation>Autant de modes de flambement sont cherchés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rings of faces are cut off at the border</source>
+   <translation>Tant d'anneaux de faces sont coupés au bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rows are cut off at the starts and ends of u and v</source>
+   <translation>Tant de rangées sont coupées aux débuts et aux fins de u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many times four faces are made of one</source>
+   <translation>Tant de fois quatre faces sont faites d'une</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many vertices stand along u and along v</source>
+   <translation>Il y a tant de sommets selon u et selon v</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1350,48 +1060,53 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stock: strips are cut from this length; longer ones are spliced</source>
-   <translation>Longueur en stock : les bandes sont coupées dans cette longueur ; les plus longues sont éclissées</translation>
+   <source>Stock: strips are cut from this length; longer ones are spliced; 0 is as long as it takes</source>
+   <translation>Longueur en stock : les bandes sont coupées dans cette longueur ; les plus longues sont éclissées ; 0 : aussi longue qu'il faut</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load at every vertex</source>
-   <translation>Réseaux de contraintes : charge vers le bas à chaque sommet</translation>
+   <source>Stress nets: a millimetre of edge has this weight</source>
+   <translation>Réseaux de contraintes : un millimètre d'arête a ce poids</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load of a square millimetre</source>
-   <translation>Réseaux de contraintes : charge vers le bas par millimètre carré</translation>
+   <source>Stress nets: a square millimetre carries this load, downwards</source>
+   <translation>Réseaux de contraintes : un millimètre carré porte cette charge, vers le bas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: forces that edges may carry</source>
-   <translation>Réseaux de contraintes : forces que les arêtes peuvent porter</translation>
+   <source>Stress nets: edges may carry these forces</source>
+   <translation>Réseaux de contraintes : les arêtes peuvent porter ces forces</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: weight of a millimetre of edge</source>
-   <translation>Réseaux de contraintes : poids d'un millimètre d'arête</translation>
+   <source>Stress nets: every vertex carries this load, downwards</source>
+   <translation>Réseaux de contraintes : chaque sommet porte cette charge, vers le bas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
-   <translation>Réseaux de contraintes : ce qui porte les charges : le bord (boundary), qui glisse sur sa propre courbe sauf à ses coins ; les coins (corners) ou des sommets comme 0,5,12, qui restent ; vide : selon le besoin du réseau</translation>
+   <source>Stress nets: the shell whose stresses the lines follow stands on this</source>
+   <translation>Réseaux de contraintes : la coque dont les lignes suivent les contraintes repose sur ceci</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
-   <translation>Réseaux de contraintes : appuis de la coque dont les lignes suivent les contraintes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress of the membrane, force / length</source>
-   <translation>Contrainte de la membrane, force / longueur</translation>
+   <source>Stress nets: this carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Réseaux de contraintes : ceci porte les charges : boundary, le bord, qui glisse le long de sa propre courbe sauf en ses coins ; corners ou des sommets comme 0,5,12, qui restent ; vide : ce que le réseau demande</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Strip: the strips are made of plane faces or twisted</source>
    <translation>Bande : les bandes sont faites de faces planes ou tordues</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along u have this angle to the surface: 90 stands, 180 lies; 0 is free</source>
+   <translation>Les bandes selon u ont cet angle avec la surface : 90 debout, 180 couchées ; 0 : libre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along v have this angle to the surface: 90 stands, 180 lies; 0 is free</source>
+   <translation>Les bandes selon v ont cet angle avec la surface : 90 debout, 180 couchées ; 0 : libre</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structural_check.py" />
@@ -1405,8 +1120,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
-   <translation>Appuis à lever d'abord, SOMMET:HAUTEUR en mm, comme 0:1500; 20:900</translation>
+   <source>The arch along x rises by this, or hangs where it is negative</source>
+   <translation>L'arc selon x monte d'autant, ou pend si c'est négatif</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The arch along y rises by this, or hangs where it is negative</source>
+   <translation>L'arc selon y monte d'autant, ou pend si c'est négatif</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The border is left a zigzag, or closed by narrow quads</source>
+   <translation>Le bord reste en zigzag, ou est fermé par des quads étroits</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The cables have this force density, force / length</source>
+   <translation>Les câbles ont cette densité de force, force / longueur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1415,8 +1145,73 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The first holds the first vertex</source>
-   <translation>Le premier contient le premier sommet</translation>
+   <source>The curve goes through these points instead, about the centre</source>
+   <translation>La courbe passe plutôt par ces points, autour du centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The edges carry this load, force / mm</source>
+   <translation>Les arêtes portent cette charge, force / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The ends of a curve that is no preset are joined</source>
+   <translation>Les extrémités d'une courbe qui n'est pas prédéfinie sont jointes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this load, force / mm2</source>
+   <translation>Les faces portent cette charge, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this pressure along their normals, force / mm2</source>
+   <translation>Les faces portent cette pression selon leurs normales, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The families u and v change places</source>
+   <translation>Les familles u et v échangent leurs places</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of the two holds the first vertex</source>
+   <translation>Le premier des deux contient le premier sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of them follows this formula of s</source>
+   <translation>La première suit cette formule de s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix has this radius</source>
+   <translation>L'hélice a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix turns by this angle</source>
+   <translation>L'hélice tourne de cet angle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The imperfection is this large; 0 is 1/300 of the second longest side of the box</source>
+   <translation>L'imperfection a cette grandeur ; 0 : 1/300 du deuxième plus long côté de la boîte</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The inversion has its centre here</source>
+   <translation>L'inversion a son centre ici</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The largest displacement that passes is this part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Le plus grand déplacement admis est cette part du deuxième plus long côté de la boîte du réseau : 200 pour 1/200</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The last point is joined with the first</source>
+   <translation>Le dernier point est joint au premier</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
@@ -1425,8 +1220,108 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The lower end has this radius</source>
+   <translation>L'extrémité basse a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members are made of this</source>
+   <translation>Les barres sont faites de ceci</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members have this profile; groups another one after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Les barres ont ce profil ; des groupes un autre à la suite, comme tube:100x60x5,border=tube:120x60x5</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane has this stress, force / length</source>
+   <translation>La membrane a cette contrainte, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane's border cable has this force</source>
+   <translation>Le câble de bord de la membrane a cette force</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The middle of sections lies this far above the net, along its axes</source>
+   <translation>Le milieu des sections est à cette distance au-dessus du réseau, selon ses axes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>The mirror image comes alone</source>
    <translation>L'image miroir vient seule</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane goes through this point</source>
+   <translation>Le plan de symétrie passe par ce point</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane has this normal</source>
+   <translation>Le plan de symétrie a cette normale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The multi-net guide keeps patches of so many faces along and across orthogonal</source>
+   <translation>Le guide multi-réseau garde orthogonaux des morceaux de tant de faces en long et en travers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The narrowest circle has this radius</source>
+   <translation>Le cercle le plus étroit a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of u</source>
+   <translation>Le réseau couvre cette part de l'étendue de u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of v</source>
+   <translation>Le réseau couvre cette part de l'étendue de v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net follows these lines of the surface</source>
+   <translation>Le réseau suit ces lignes de la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these angles about the axis</source>
+   <translation>Le réseau va du premier au second de ces angles autour de l'axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these latitudes</source>
+   <translation>Le réseau va de la première à la seconde de ces latitudes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t of the confocal family</source>
+   <translation>Le réseau va du premier au second t de la famille confocale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t; with 0 and 0 it keeps clear of both ends</source>
+   <translation>Le réseau va du premier au second t ; avec 0 et 0 il reste à l'écart des deux bouts</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes on along these axes as its mirror image, as x,y</source>
+   <translation>Le réseau continue le long de ces axes comme son image en miroir, comme x,y</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is its own mirror image in these planes: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Le réseau est sa propre image en miroir dans ces plans : auto pour ceux de la surface, ou ceux perpendiculaires à un axe, par le milieu de la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is made of cables, or is a membrane of one stress</source>
+   <translation>Le réseau est fait de câbles, ou est une membrane de contrainte égale</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1439,14 +1334,99 @@
    <translation>Le réseau est mis à l'échelle par ce facteur</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this long along x</source>
+   <translation>Le réseau a cette longueur selon x</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this wide across</source>
+   <translation>Le réseau a cette largeur en travers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Le réseau doit devenir celui-ci ; les lignes asymptotiques et cmc vont à 45 degrés de la courbure, celles de contraintes comme une coque porte son poids</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is turned by these angles about x, then y, then z</source>
+   <translation>Le réseau est tourné de ces angles autour de x, puis y, puis z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches so far over the surface, farther where this is larger</source>
+   <translation>Le réseau s'étend d'autant sur la surface, plus loin si c'est plus grand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches this far from the axis on both sides</source>
+   <translation>Le réseau s'étend d'autant de part et d'autre de l'axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net runs along these lines, drawn on the surface</source>
+   <translation>Le réseau suit ces lignes dessinées sur la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net stands here, turned like this</source>
+   <translation>Le réseau est ici, tourné ainsi</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>The net that optimising and editing aim at</source>
    <translation>Le réseau visé par l'optimisation et l'édition</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The offset lies this far along the normals, below where it is negative</source>
+   <translation>Le décalage est à cette distance selon les normales, au-dessous si elle est négative</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The other side is turned up</source>
+   <translation>L'autre côté est tourné vers le haut</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
    <source>The other side is up than where the net came from</source>
    <translation>L'autre côté est en haut que là d'où vient le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline goes through these points, in the frame of the quadric</source>
+   <translation>La ligne brisée passe par ces points, dans le repère de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline lies on this quadric</source>
+   <translation>La ligne brisée est sur cette quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The result may be this far off the surface, or the start where none is given; 0 is not limited</source>
+   <translation>Le résultat peut s'écarter d'autant de la surface, ou du départ si aucune n'est donnée ; 0 : sans limite</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The second of them follows this formula of s</source>
+   <translation>La seconde suit cette formule de s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes are this long, the largest comes first</source>
+   <translation>Les demi-axes ont ces longueurs, le plus grand vient d'abord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of lambda = 0 are this long, the largest comes first</source>
+   <translation>Les demi-axes de lambda = 0 ont ces longueurs, le plus grand vient d'abord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of the quadric are this long</source>
+   <translation>Les demi-axes de la quadrique ont ces longueurs</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/outdated.py" />
@@ -1460,8 +1440,123 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has its centre here</source>
+   <translation>La sphère a son centre ici</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has this radius</source>
+   <translation>La sphère a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface grows in proportion to this length</source>
+   <translation>La surface grandit en proportion de cette longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has so many waves along its axis</source>
+   <translation>La surface a tant d'ondes le long de son axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has this radius</source>
+   <translation>La surface a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface is this high</source>
+   <translation>La surface a cette hauteur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The tangents of these points make the sheet; empty for a helix</source>
+   <translation>Les tangentes en ces points font la surface ; vide pour une hélice</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two directions meet at this angle; 0 is as the net has it</source>
+   <translation>Les deux directions se rencontrent sous cet angle ; 0 : selon le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates follow this curve</source>
+   <translation>Les deux autres coordonnées suivent cette courbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates have these values instead</source>
+   <translation>Les deux autres coordonnées ont plutôt ces valeurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The upper end has this radius</source>
+   <translation>L'extrémité haute a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The weight of the members is a load</source>
+   <translation>Le poids des barres est une charge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The widest circle has this radius</source>
+   <translation>Le cercle le plus large a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>The wind has this pressure in kN/m2 and blows this way, as 0.6@x; a case each</source>
+   <translation>Le vent a cette pression en kN/m2 et souffle par là, comme 0.6@x ; un cas chacun</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>There may be so many kinds; 0 is as few as can be found</source>
+   <translation>Il peut y avoir tant de types ; 0 : aussi peu que possible</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Ceci est tenu : boundary, corners ou des numéros de sommets, chacun avec :pinned, :fixed, :sliding (de haut en bas seulement) ou :springs=X/Y/Z (kN/mm), joints par +</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Ceci est tenu : boundary, corners ou des sommets comme 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These lines lie in planes of their own</source>
+   <translation>Ces lignes sont dans des plans à elles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These points (radius, height) are turned about z</source>
+   <translation>Ces points (rayon, hauteur) sont tournés autour de z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These supports are raised first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Ces appuis sont d'abord levés, SOMMET:HAUTEUR en mm comme 0:1500; 20:900</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/objects/structural_check.py" />
+   <source>These vertices carry these forces in kN, as 12:0,0,-5</source>
+   <translation>Ces sommets portent ces forces en kN, comme 12:0,0,-5</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Thickness: the plates are this thick</source>
    <translation>Épaisseur : les plats ont cette épaisseur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This elliptic coordinate has the role of t</source>
+   <translation>Cette coordonnée elliptique a le rôle de t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This part of the range is left free at each end</source>
+   <translation>Cette part de l'étendue reste libre à chaque bout</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1480,23 +1575,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Top radius</source>
-   <translation>Rayon supérieur</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Trim: the stock loses this much at each end</source>
    <translation>Éboutage : la longueur en stock perd autant à chaque bout</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turn the other side up</source>
-   <translation>Tourner l'autre côté vers le haut</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turning angle of the spine</source>
-   <translation>Angle de rotation de la courbe directrice</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1504,24 +1584,24 @@
    <translation>Unité du fichier d'où vient le réseau</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Unrolled axes pass that are off straight by this at most; 0: any</source>
+   <translation>Les axes déroulés qui s'écartent d'autant au plus d'une droite passent ; 0 : tous</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Unrolled axes pass that are off their arc by this at most; 0: any</source>
+   <translation>Les axes déroulés qui s'écartent d'autant au plus de leur arc passent ; 0 : tous</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>Utilisation of each member, 1 is all</source>
    <translation>Taux de travail de chaque barre, 1 est tout</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Values of the two other coordinates in place of it</source>
-   <translation>Valeurs des deux autres coordonnées à sa place</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/fem_loads.py" />
    <source>Version of this object's properties</source>
    <translation>Version des propriétés de cet objet</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/objects/structural_check.py" />
-   <source>Vertex and force in kN, as 12:0,0,-5</source>
-   <translation>Sommet et force en kN, comme 12:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net.py" />
@@ -1530,8 +1610,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Vertices along u and v</source>
-   <translation>Sommets selon u et v</translation>
+   <source>Vertices that are nearer than this are merged</source>
+   <translation>Les sommets plus proches que ceci sont fusionnés</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
@@ -1540,38 +1620,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Waist</source>
-   <translation>Taille</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length</source>
-   <translation>Longueur d'arête voulue</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length, instead of the sampling</source>
-   <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of panels by their surface, kN/m2</source>
-   <translation>Poids des panneaux par leur surface, kN/m2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of the members is a load</source>
-   <translation>Le poids des barres est une charge</translation>
+   <source>Vertices, edges or faces keep the distance, or edges stay parallel</source>
+   <translation>Sommets, arêtes ou faces gardent la distance, ou les arêtes restent parallèles</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What each part exceeds, 'ok' if nothing</source>
    <translation>Ce que chaque pièce dépasse, 'ok' si rien</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
-   <translation>Ce qui est tenu : boundary (bord), corners (coins) ou des numéros de sommets, chacun avec :pinned (articulé), :fixed (encastré), :sliding (tenu verticalement seulement) ou :springs=X/Y/Z (kN/mm), reliés par +</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
@@ -1589,16 +1644,6 @@
    <translation>Ce qu'il faut savoir du modèle</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What keeps the distance</source>
-   <translation>Ce qui garde la distance</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
-   <translation>Ce que les entailles laissent de la hauteur des lamelles qui se croisent en une couche, en fraction ; avec 1 il n'y en a pas</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
    <source>What the check comes to, in one line</source>
    <translation>Ce que donne la vérification, en une ligne</translation>
@@ -1609,11 +1654,6 @@
    <translation>Ce que disent les couleurs des barres</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the members are made of</source>
-   <translation>De quoi sont les barres</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>What the net is built with</source>
    <translation>Ce avec quoi le réseau est construit</translation>
@@ -1622,11 +1662,6 @@
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>What the net is made by</source>
    <translation>Ce par quoi le réseau est fait</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Ce que le réseau doit devenir ; les lignes asymptotiques et CMC vont à 45 degrés de la courbure, celles de contrainte comme une coque porte son poids</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/drawings.py" />
@@ -1640,8 +1675,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
-   <translation>Où ne se croisent pas quatre lignes : auto pour le minimum qu'exige la surface, none, ou un fichier de lignes x y z et 3, 5 ou 6</translation>
+   <source>Where lines u and v cross, in slots of one layer or about the bolts of two, they turn like this about their axis: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Là où les lignes u et v se croisent, dans les entailles d'une couche ou autour des boulons de deux, elles tournent ainsi autour de leur axe : rigid, hinged ou la raideur d'un ressort en kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/check_results.py" />
@@ -1654,11 +1689,6 @@
    <translation>Où sont les noms</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where the net stands and how it is turned</source>
-   <translation>Où se trouve le réseau et comment il est tourné</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>Where the shape stands while nobody has moved it</source>
    <translation>Où se trouve la forme tant que personne ne l'a déplacée</translation>
@@ -1669,24 +1699,9 @@
    <translation>Si tout ce qui a été vérifié tient</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Which lines of the surface the net follows</source>
-   <translation>Quelles lignes de la surface le réseau suit</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/net_settings.py" />
    <source>Which vertices glide on each: their numbers, empty for those near it</source>
    <translation>Quels sommets glissent sur chacune : leurs numéros, vide pour les proches</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Widest</source>
-   <translation>Le plus large</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Width</source>
-   <translation>Largeur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/objects/flat_patterns.py" />
@@ -1707,11 +1722,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Width: the strips are this wide</source>
    <translation>Largeur : les bandes ont cette largeur</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Zigzag border, or closed by narrow quads</source>
-   <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1813,18 +1823,13 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>A net that came from far away lies about a point nearby, where CAD kernels keep their accuracy; its file's coordinates are put back on demand</source>
-   <translation>Un réseau venu de loin est placé autour d'un point proche, où les noyaux CAO gardent leur précision ; les coordonnées de son fichier sont rétablies sur demande</translation>
+   <source>A net that came from far away lies about a point nearby, where CAD kernels keep their accuracy; its file's coordinates are put back on demand.</source>
+   <translation>Un réseau venu de loin est placé autour d'un point proche, où les noyaux CAO gardent leur précision ; les coordonnées de son fichier sont rétablies sur demande.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>A parallel net at a distance that is constant where the net allows it</source>
    <translation>Un réseau parallèle à une distance constante là où le réseau le permet</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>A point of the plane</source>
-   <translation>Un point du plan</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
@@ -1850,6 +1855,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Alike within</source>
    <translation>Égaux à</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>All parts are made of this.</source>
+   <translation>Toutes les pièces sont faites de ceci.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -1883,28 +1893,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along u: 90 stands, 180 lies</source>
-   <translation>Angle entre la surface et les bandes le long de u : 90 debout, 180 couchées</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the surface and strips along v: 90 stands, 180 lies</source>
-   <translation>Angle entre la surface et les bandes le long de v : 90 debout, 180 couchées</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angle between the two directions</source>
-   <translation>Angle entre les deux directions</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Angles</source>
    <translation>Angles</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Angles of turns about x, then y, then z</source>
-   <translation>Angles des rotations autour de x, puis y, puis z</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1925,11 +1915,6 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Arrow on the upper side</source>
    <translation>Flèche sur le dessus</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ask it of the diagonals of the faces, not of the edges</source>
-   <translation>Le demander aux diagonales des faces, non aux arêtes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -1968,6 +1953,16 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>At its vertex the surface has this radius of curvature, the larger one</source>
+   <translation>En son sommet la surface a ce rayon de courbure, le plus grand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>At its vertex the surface has this radius of curvature, the smaller one</source>
+   <translation>En son sommet la surface a ce rayon de courbure, le plus petit</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>At the border</source>
    <translation>Au bord</translation>
   </message>
@@ -1975,11 +1970,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>At the border the net overhangs the surface, to be trimmed, or bends to follow it</source>
    <translation>Au bord, le réseau dépasse la surface, pour être coupé, ou se plie pour le suivre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Axes to extend the net along by mirror images, as x,y</source>
-   <translation>Axes le long desquels des images miroir prolongent le réseau, par exemple x,y</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
@@ -1992,19 +1982,24 @@
    <translation>Efforts normaux</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>BTLx says how parts of timber are cut, drilled and marked</source>
+   <translation>BTLx dit comment les pièces de bois sont coupées, percées et marquées</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/baking.py" />
    <source>Bake</source>
    <translation>Figer</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Balance in the deformed, imperfect shape</source>
-   <translation>Équilibre dans la forme déformée et imparfaite</translation>
+   <source>Balance is found in the deformed, imperfect shape</source>
+   <translation>L'équilibre est trouvé dans la forme déformée et imparfaite</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
-   <source>Begin a new polyline: click its points on the quadric</source>
-   <translation>Commencer une polyligne : cliquer ses points sur la quadrique</translation>
+   <source>Begin a new polyline: click its points on the quadric.</source>
+   <translation>Commencer une polyligne : cliquer ses points sur la quadrique.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2053,6 +2048,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Border cables have this force density; 0 is the same</source>
+   <translation>Les câbles de bord ont cette densité de force ; 0 : la même</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Border cut</source>
    <translation>Coupe au bord</translation>
   </message>
@@ -2075,11 +2075,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Buckling length</source>
    <translation>Flambement</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Buckling length of members by their length</source>
-   <translation>Longueur de flambement des barres, rapportée à leur longueur</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
@@ -2113,13 +2108,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>CMC nets: radius of the vertex spheres</source>
-   <translation>Réseaux CMC : rayon des sphères aux sommets</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Cables of given force density, or constant stress</source>
-   <translation>Câbles de densité de force donnée, ou contrainte constante</translation>
+   <source>CMC nets: the vertex spheres have this radius</source>
+   <translation>Réseaux CMC : les sphères des sommets ont ce rayon</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2130,16 +2120,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Centre</source>
    <translation>Centre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the inversion</source>
-   <translation>Centre de l'inversion</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Centre of the sphere</source>
-   <translation>Centre de la sphère</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/sources.py" />
@@ -2168,8 +2148,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Chebyshev nets: length of the edges</source>
-   <translation>Réseaux de Tchebychev : longueur des arêtes</translation>
+   <source>Chebyshev nets: the edges are this long</source>
+   <translation>Réseaux de Tchebychev : les arêtes ont cette longueur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2183,8 +2163,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
-   <source>Choose the recommended net</source>
-   <translation>Choisir le réseau recommandé</translation>
+   <source>Choose the recommended net.</source>
+   <translation>Choisir le réseau recommandé.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2233,18 +2213,18 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
-   <source>Click edges in the 3D view, or wires and sketches in the tree, that lines of the net run along; a second click leaves them out</source>
-   <translation>Cliquez des arêtes dans la vue 3D, ou des fils et esquisses dans l'arbre, le long desquels courent des lignes du réseau ; un second clic les retire</translation>
+   <source>Click edges in the 3D view, or wires and sketches in the tree, that lines of the net run along; a second click leaves them out.</source>
+   <translation>Cliquez des arêtes dans la vue 3D, ou des fils et esquisses dans l'arbre, le long desquels courent des lignes du réseau ; un second clic les retire.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click edges, faces or planes that the boundary near them (on a curved face: every vertex) glides on, exactly</source>
-   <translation>Cliquer arêtes, faces ou plans sur lesquels le bord proche (sur une face courbe : chaque sommet) glisse exactement</translation>
+   <source>Click edges, faces or planes that the boundary near them (on a curved face: every vertex) glides on, exactly.</source>
+   <translation>Cliquer arêtes, faces ou plans sur lesquels le bord proche (sur une face courbe : chaque sommet) glisse exactement.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click faces that the net stays near as far as it can</source>
-   <translation>Cliquer les faces dont le réseau reste proche autant que possible</translation>
+   <source>Click faces that the net stays near as far as it can.</source>
+   <translation>Cliquer les faces dont le réseau reste proche autant que possible.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
@@ -2253,13 +2233,13 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/form_panel.py" />
-   <source>Click vertices in the 3D view to hold them; click again to free</source>
-   <translation>Cliquer des sommets dans la vue 3D pour les tenir ; cliquer à nouveau pour les libérer</translation>
+   <source>Click vertices in the 3D view to hold them; click again to free.</source>
+   <translation>Cliquer des sommets dans la vue 3D pour les tenir ; cliquer à nouveau pour les libérer.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>Click vertices that are held softly, or drag them to a place</source>
-   <translation>Cliquer les sommets tenus souplement, ou les tirer vers un lieu</translation>
+   <source>Click vertices that are held softly, or drag them to a place.</source>
+   <translation>Cliquer les sommets tenus souplement, ou les tirer vers un lieu.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -2268,8 +2248,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/multi_net_panel.py" />
-   <source>Clicks add points at the end; Backspace takes the last one away</source>
-   <translation>Les clics ajoutent des points à la fin ; Retour arrière enlève le dernier</translation>
+   <source>Clicks add points at the end; Backspace takes the last one away.</source>
+   <translation>Les clics ajoutent des points à la fin ; Retour arrière enlève le dernier.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
@@ -2353,11 +2333,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Curve of the two other coordinates</source>
-   <translation>Courbe des deux autres coordonnées</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Cutter</source>
    <translation>Fraise</translation>
   </message>
@@ -2410,11 +2385,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Distance</source>
    <translation>Distance</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Distance along the normals, negative for below</source>
-   <translation>Distance le long des normales, négative pour dessous</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2473,8 +2443,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Each time four faces are made of one</source>
-   <translation>Chaque fois, quatre faces sont faites d'une</translation>
+   <source>Each vertex carries this load, a force along x, y and z</source>
+   <translation>Chaque sommet porte cette charge, une force selon x, y et z</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2542,6 +2512,26 @@
    <translation>Arêtes le long des contraintes principales, en équilibre.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long</source>
+   <translation>Les arêtes ont à peu près cette longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges are about this long, whatever the sampling</source>
+   <translation>Les arêtes ont à peu près cette longueur, quel que soit l'échantillonnage</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of nodes may be turned this far from the shape of their kind</source>
+   <translation>Les arêtes des nœuds peuvent être tournées d'autant par rapport à la forme de leur type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Edges of the other family of lines are so many times as long</source>
+   <translation>Les arêtes de l'autre famille de lignes sont autant de fois plus longues</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Edit net</source>
    <translation>Éditer le réseau</translation>
@@ -2558,18 +2548,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Elliptic coordinate in the role of t</source>
-   <translation>Coordonnée elliptique dans le rôle de t</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Ends</source>
    <translation>Extrémités</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Ends of members: rigid, hinged, or the stiffness of their springs in kNm/rad</source>
-   <translation>Extrémités des barres : rigid (rigides), hinged (articulées) ou la raideur de leurs ressorts en kNm/rad</translation>
+   <source>Ends of members are rigid, hinged, or have springs of this stiffness in kNm/rad</source>
+   <translation>Les extrémités des barres sont rigides, articulées, ou ont des ressorts de cette raideur en kNm/rad (rigid, hinged ou le nombre)</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2608,11 +2593,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Even lengths or equal steps of the parameters</source>
-   <translation>Longueurs égales ou pas égaux des paramètres</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Evenness</source>
    <translation>Régularité</translation>
   </message>
@@ -2632,11 +2612,6 @@
    <translation>Une ligne de u et de v reste sur ce nombre</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Exchange u and v</source>
-   <translation>Échanger u et v</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>Export fabrication files</source>
    <translation>Fichiers de fabrication</translation>
@@ -2653,8 +2628,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Faces along and across the patches that the multi-net guide keeps orthogonal</source>
-   <translation>Faces en long et en travers des carreaux que le guide multi-réseau garde orthogonaux</translation>
+   <source>Faces at inner irregular vertices are left out, or asked for right angles too, which no smooth surface has there</source>
+   <translation>Les faces aux sommets irréguliers intérieurs sont laissées de côté, ou on leur demande aussi des angles droits, qu'aucune surface lisse n'a là</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2675,6 +2650,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Few kinds</source>
    <translation>Peu de types</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Few kinds are wanted of these parts, once the net is reached</source>
+   <translation>On veut peu de types de ces pièces, une fois le réseau atteint</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/commands/structural_check.py" />
@@ -2700,26 +2680,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>First</source>
    <translation>Premier</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last angle around the axis</source>
-   <translation>Premier et dernier angle autour de l'axe</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last latitude</source>
-   <translation>Première et dernière latitude</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t (0 and 0: clear of both ends)</source>
-   <translation>Premier et dernier t (0 et 0 : à distance des deux bouts)</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>First and last t of the confocal family</source>
-   <translation>Premier et dernier t de la famille homofocale</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2812,29 +2772,19 @@
    <translation>Platine de pied</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>For buckling and second order each member has so many pieces</source>
+   <translation>Pour le flambement et le second ordre chaque barre a tant de morceaux</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>For developable nets: the sheet bends and hardly stretches</source>
-   <translation>Pour les réseaux développables : la feuille se courbe et ne s'étire guère</translation>
+   <source>For developable nets: the sheet bends and hardly stretches.</source>
+   <translation>Pour les réseaux développables : la feuille se courbe et ne s'étire guère.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Force</source>
    <translation>Force</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of border cables; 0: the same</source>
-   <translation>Densité de force des câbles de bord ; 0 : la même</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force density of the cables, force / length</source>
-   <translation>Densité de force des câbles, force / longueur</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Force in the membrane's border cable</source>
-   <translation>Force dans le câble de bord de la membrane</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2845,16 +2795,6 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Forces under equal loads</source>
    <translation>Forces sous charges égales</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the first of them</source>
-   <translation>Formule en s pour la première</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Formula of s for the second</source>
-   <translation>Formule en s pour la seconde</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -2973,18 +2913,13 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
-   <source>Have them found: the fewest that the surface needs</source>
-   <translation>Les faire trouver : le minimum qu'exige la surface</translation>
+   <source>Have them found: the fewest that the surface needs.</source>
+   <translation>Les faire trouver : le minimum qu'exige la surface.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Height</source>
    <translation>Hauteur</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Held: boundary, corners or vertices as 0,5,12</source>
-   <translation>Tenus : boundary, corners ou sommets comme 0,5,12</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3002,49 +2937,9 @@
    <translation>Trou</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far edges of nodes may be turned from the shape of their kind</source>
-   <translation>De combien les arêtes d'un nœud peuvent être tournées par rapport à son type</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far panels and lengths of edges may be from the shape of their kind</source>
-   <translation>De combien panneaux et longueurs d'arêtes peuvent s'écarter de la forme de leur type</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the middle of sections lies above the net, along its axes</source>
-   <translation>De combien le milieu des sections est au-dessus du réseau, le long de ses axes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the net reaches over the surface</source>
-   <translation>Jusqu'où le réseau s'étend sur la surface</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How far the result may be off the surface, or the start where none is given</source>
-   <translation>Écart admis entre le résultat et la surface, ou le départ si aucune n'est donnée</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How lines u and v turn about their axis where they cross, in slots of one layer or about the bolts of two: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
-   <translation>Comment les lignes u et v tournent autour de leur axe à leur croisement, dans les encoches d'une couche ou autour des boulons de deux : rigid, hinged, ou la raideur d'un ressort en kNm/rad</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many kinds there may be; 0 is as few as can be found</source>
-   <translation>Combien de types il peut y avoir ; 0 : aussi peu que possible</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
-   <source>How many lines meet in the one to be added</source>
-   <translation>Combien de lignes se rencontrent dans celui qui est ajouté</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>How many times as long edges of the other family of lines are</source>
-   <translation>Combien de fois plus longues sont les arêtes de l'autre famille de lignes</translation>
+   <source>How many lines meet in the one to be added.</source>
+   <translation>Combien de lignes se rencontrent dans celui qui est ajouté.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3060,6 +2955,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>I</source>
    <translation>I</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>IFC 4 holds all parts, with quantities and properties</source>
+   <translation>IFC 4 contient toutes les pièces, avec quantités et propriétés</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3118,8 +3018,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Isometric nets: net whose faces give the shape; empty: as it starts</source>
-   <translation>Réseaux isométriques : réseau dont les faces donnent la forme ; vide : celle du départ</translation>
+   <source>Isometric nets: faces keep the shape that this net has; empty: as it starts</source>
+   <translation>Réseaux isométriques : les faces gardent la forme qu'a ce réseau ; vide : comme il commence</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3128,13 +3028,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the ends of a curve that is no preset</source>
-   <translation>Joindre les extrémités d'une courbe qui n'est pas prédéfinie</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Join the last point with the first</source>
-   <translation>Relier le dernier point au premier</translation>
+   <source>It is asked of the diagonals of the faces, not of the edges</source>
+   <translation>On le demande aux diagonales des faces, pas aux arêtes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3198,16 +3093,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest displacement that passes, as a part of the second longest side of the net's box: 200 for 1/200</source>
-   <translation>Plus grand déplacement admis, en part du deuxième plus long côté de la boîte du réseau : 200 pour 1/200</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Largest residual that counts as zero</source>
-   <translation>Plus grand résidu qui compte pour zéro</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Latitudes</source>
    <translation>Latitudes</translation>
   </message>
@@ -3248,7 +3133,7 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Less than 1 moves the centre away</source>
+   <source>Less than 1 moves the centre farther away</source>
    <translation>Moins de 1 éloigne le centre</translation>
   </message>
   <message>
@@ -3287,14 +3172,14 @@
    <translation>Lignes</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines drawn on the surface that the net runs along</source>
-   <translation>Lignes dessinées sur la surface, que le réseau suit</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/objects/fem_analysis.py" />
    <source>Lines of the members</source>
    <translation>Lignes des barres</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Lines stand at even distances, or at equal steps of the parameters</source>
+   <translation>Les lignes sont à distances égales ou à pas égaux des paramètres</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3308,18 +3193,13 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines that lie in planes of their own</source>
-   <translation>Lignes qui sont chacune dans un plan</translation>
+   <source>Lines u and v lie in two layers, u above, the middles of their sections this far apart</source>
+   <translation>Les lignes u et v sont en deux couches, u au-dessus, les milieux de leurs sections à cette distance</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines u and v in two layers, u above: distance between the middles of their sections</source>
-   <translation>Lignes u et v en deux couches, u au-dessus : distance entre les milieux de leurs sections</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Lines, lines and diagonals of a web: a asymptotic, g geodesic</source>
-   <translation>Lignes, lignes et diagonales d'une toile : a asymptotiques, g géodésiques</translation>
+   <source>Lines u, lines v and diagonals of a web are these: a asymptotic, g geodesic</source>
+   <translation>Lignes u, lignes v et diagonales d'un tissu sont : a asymptotiques, g géodésiques</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3328,23 +3208,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load at each vertex, force</source>
-   <translation>Charge à chaque sommet, force</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Load of 1 mm2</source>
    <translation>Charge par mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the edges, force / mm</source>
-   <translation>Charge des arêtes, force / mm</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Load of the faces, force / mm2</source>
-   <translation>Charge des faces, force / mm2</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -3418,8 +3283,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Merge vertices nearer than this</source>
-   <translation>Fusionner les sommets plus proches que cela</translation>
+   <source>Members buckle in so many times their length</source>
+   <translation>Les barres flambent sur tant de fois leur longueur</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3435,11 +3300,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Modes</source>
    <translation>Modes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Modes of buckling</source>
-   <translation>Modes de flambement</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3553,8 +3413,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>New vertices in the middle, or smoothed</source>
-   <translation>Nouveaux sommets au milieu, ou lissés</translation>
+   <source>New vertices lie in the middle, or all are smoothed</source>
+   <translation>Les nouveaux sommets sont au milieu, ou tous sont lissés</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_view.py" />
@@ -3602,11 +3462,6 @@
    <translation>Normale</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Normal of the plane</source>
-   <translation>Normale du plan</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>Not now</source>
    <translation>Pas maintenant</translation>
@@ -3630,6 +3485,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>One of the two meshes of face diagonals</source>
    <translation>Un des deux maillages des diagonales de faces</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>One turn rises by this</source>
+   <translation>Un tour monte d'autant</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
@@ -3683,6 +3543,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Other than four lines meet here: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
+   <translation>Ici se rencontrent plus ou moins de quatre lignes : auto pour le moins que la surface demande, none pour aucune, ou un fichier de lignes x y z et 3, 5 ou 6</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Outside</source>
    <translation>Extérieur</translation>
   </message>
@@ -3733,6 +3598,21 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels and lengths of edges may be this far from the shape of their kind</source>
+   <translation>Panneaux et longueurs d'arêtes peuvent s'écarter d'autant de la forme de leur type</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels weigh this much by their surface, kN/m2</source>
+   <translation>Les panneaux pèsent autant par surface, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Panels with what holds them have this shear stiffness G t, kN/mm; with 0 they are load only</source>
+   <translation>Les panneaux avec ce qui les tient ont cette rigidité de cisaillement G t, kN/mm ; avec 0 ils ne sont que charge</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Paper</source>
    <translation>Papier</translation>
   </message>
@@ -3747,19 +3627,9 @@
    <translation>Lignes paramétriques u et v</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of u that is sampled</source>
-   <translation>Part de la plage de u échantillonnée</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range of v that is sampled</source>
-   <translation>Part de la plage de v échantillonnée</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Part of the range that is left free at the ends</source>
-   <translation>Part de la plage laissée libre aux bouts</translation>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>Parts are made along lines of these families.</source>
+   <translation>Les pièces sont faites le long des lignes de ces familles.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/structure_panel.py" />
@@ -3767,14 +3637,14 @@
    <translation>Des pièces ne sont faites que le long de ces lignes, numérotées par exemple 0, 3.</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Parts in 3DM</source>
-   <translation>Pièces en 3DM</translation>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>Parts are nested on sheets.</source>
+   <translation>Les pièces sont imbriquées sur des tôles.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Parts of which few kinds are wanted, once the net is reached</source>
-   <translation>Pièces dont peu de types sont voulus, une fois le réseau atteint</translation>
+   <source>Parts in 3DM</source>
+   <translation>Pièces en 3DM</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3823,11 +3693,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pieces of each member for buckling and second order</source>
-   <translation>Morceaux de chaque barre pour le flambement et le second ordre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pitch</source>
    <translation>Pas</translation>
   </message>
@@ -3838,8 +3703,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planar nets: largest distance between the diagonals of a face</source>
-   <translation>Réseaux plans : plus grande distance entre les diagonales d'une face</translation>
+   <source>Planar nets: the diagonals of a face are this far apart at most</source>
+   <translation>Réseaux plans : les diagonales d'une face sont distantes d'autant au plus</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3850,11 +3715,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Plane lines</source>
    <translation>Lignes planes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Planes in which the net is its own mirror image: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
-   <translation>Plans dans lesquels le réseau est sa propre image : auto pour ceux de la surface, ou ceux en travers d'un axe, par le milieu de la surface</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3873,28 +3733,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points (radius, height) that are turned about z</source>
-   <translation>Points (rayon, hauteur) tournés autour de z</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of a curve in place of it, about the centre</source>
-   <translation>Points d'une courbe à sa place, autour du centre</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points of the polyline, in the frame of the quadric</source>
-   <translation>Points de la polyligne, dans le repère de la quadrique</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Points where the medial lines of the faces cross</source>
    <translation>Points où les lignes médianes des faces se croisent</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Points whose tangents make the sheet; empty for a helix</source>
-   <translation>Points dont les tangentes forment la feuille ; vide pour une hélice</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3913,28 +3753,18 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/stroke_box.py" />
-   <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out</source>
-   <translation>Pressez la souris sur la surface et dessinez une ligne que le réseau suit ; Échap l'abandonne</translation>
+   <source>Press the mouse on the surface and draw a line that the net runs along; Esc leaves it out.</source>
+   <translation>Pressez la souris sur la surface et dessinez une ligne que le réseau suit ; Échap l'abandonne.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
-   <source>Press the mouse on the surface where there is to be one more</source>
-   <translation>Appuyer la souris sur la surface là où il doit y en avoir un de plus</translation>
+   <source>Press the mouse on the surface where there is to be one more.</source>
+   <translation>Appuyer la souris sur la surface là où il doit y en avoir un de plus.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Pressure</source>
    <translation>Pression</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Pressure along the normals, force / mm2</source>
-   <translation>Pression le long des normales, force / mm2</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
-   <source>Pressure in kN/m2 and where it blows to: 0.6@x; 0.6@-y</source>
-   <translation>Pression en kN/m2 et où il souffle : 0.6@x; 0.6@-y</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3952,11 +3782,6 @@
    <translation>Profil de points (rayon, hauteur) tourné autour de z, n points le long par interpolation.</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Profile of the members; of groups after it, as tube:100x60x5,border=tube:120x60x5</source>
-   <translation>Profil des barres ; celui de groupes ensuite, comme tube:100x60x5,border=tube:120x60x5</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
    <source>Put back.</source>
    <translation>Remis en place.</translation>
@@ -3972,19 +3797,14 @@
    <translation>Quadrique</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quadric that carries the polyline</source>
-   <translation>Quadrique qui porte la polyligne</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/documents/sources.py" />
    <source>Quads from triangles</source>
    <translation>Quads de triangles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Quads that the border cuts: set onto it, or left out</source>
-   <translation>Quadrilatères coupés par le bord : posés dessus, ou omis</translation>
+   <source>Quads that the border cuts are set onto it, or left out</source>
+   <translation>Les quads que le bord coupe sont mis dessus ou laissés de côté</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4000,11 +3820,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Radius</source>
    <translation>Rayon</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Radius of the sphere</source>
-   <translation>Rayon de la sphère</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4053,23 +3868,23 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Residuals up to this count as zero</source>
+   <translation>Les résidus jusqu'à cette valeur comptent pour zéro</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Reverse</source>
    <translation>Inverser</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Right angles of faces at inner irregular vertices, which no smooth surface has there</source>
-   <translation>Angles droits des faces aux sommets irréguliers intérieurs, qu'aucune surface lisse n'a là</translation>
+   <source>Rhino gets parts, the net, its lines and axes, on layers</source>
+   <translation>Rhino reçoit les pièces, le réseau, ses lignes et ses axes, sur des calques</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Rings</source>
    <translation>Anneaux</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rings of faces at the border</source>
-   <translation>Anneaux de faces au bord</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4090,11 +3905,6 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Rows</source>
    <translation>Rangées</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Rows at the starts and ends of u and v</source>
-   <translation>Rangées au début et à la fin de u et v</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4187,6 +3997,11 @@
    <translation>Section</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>Section and material are those of these beams or lamellas.</source>
+   <translation>Section et matériau sont ceux de ces poutres ou lamelles.</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Section tolerance</source>
    <translation>Tolérance</translation>
@@ -4217,24 +4032,9 @@
    <translation>Demi-axes</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of lambda = 0, falling</source>
-   <translation>Demi-axes de lambda = 0, décroissants</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Semi-axes of the quadric</source>
-   <translation>Demi-axes de la quadrique</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/documents/nets.py" />
    <source>Settings of the net</source>
    <translation>Réglages du réseau</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Shear stiffness G t of panels with what holds them, kN/mm; with 0 they are load only</source>
-   <translation>Raideur de cisaillement G t des panneaux avec ce qui les tient, kN/mm ; à 0 ils ne sont que charge</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4308,11 +4108,6 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Size of the imperfection</source>
-   <translation>Grandeur de l'imperfection</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Slivers</source>
    <translation>Chutes</translation>
   </message>
@@ -4320,6 +4115,11 @@
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Slots</source>
    <translation>Entailles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Slots leave this part of the height of lamellas that cross in one layer; with 1 there are none</source>
+   <translation>Les entailles laissent cette part de la hauteur des lamelles qui se croisent en une couche ; avec 1 il n'y en a pas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4338,13 +4138,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow by the plan, kN/m2</source>
-   <translation>Neige sur le plan, kN/m2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Snow on one half as a case of its own: the half towards a direction</source>
-   <translation>Neige sur une moitié comme cas à part : la moitié vers une direction</translation>
+   <source>Snow also lies on one half, as a case of its own: the half towards this direction</source>
+   <translation>La neige est aussi sur une moitié, comme un cas à part : celle dans cette direction</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4352,9 +4147,39 @@
    <translation>Côté enneigé</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Snow weighs this much by the plan, kN/m2</source>
+   <translation>La neige pèse autant en plan, kN/m2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many modes of buckling are found</source>
+   <translation>Autant de modes de flambement sont cherchés</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
    <source>So many processes share the work.</source>
    <translation>Autant de processus se partagent le travail.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rings of faces are cut off at the border</source>
+   <translation>Tant d'anneaux de faces sont coupés au bord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many rows are cut off at the starts and ends of u and v</source>
+   <translation>Tant de rangées sont coupées aux débuts et aux fins de u et v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many times four faces are made of one</source>
+   <translation>Tant de fois quatre faces sont faites d'une</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>So many vertices stand along u and along v</source>
+   <translation>Il y a tant de sommets selon u et selon v</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4478,38 +4303,33 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load at every vertex</source>
-   <translation>Réseaux de contraintes : charge vers le bas à chaque sommet</translation>
+   <source>Stress nets: a millimetre of edge has this weight</source>
+   <translation>Réseaux de contraintes : un millimètre d'arête a ce poids</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: downward load of a square millimetre</source>
-   <translation>Réseaux de contraintes : charge vers le bas par millimètre carré</translation>
+   <source>Stress nets: a square millimetre carries this load, downwards</source>
+   <translation>Réseaux de contraintes : un millimètre carré porte cette charge, vers le bas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: forces that edges may carry</source>
-   <translation>Réseaux de contraintes : forces que les arêtes peuvent porter</translation>
+   <source>Stress nets: edges may carry these forces</source>
+   <translation>Réseaux de contraintes : les arêtes peuvent porter ces forces</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: weight of a millimetre of edge</source>
-   <translation>Réseaux de contraintes : poids d'un millimètre d'arête</translation>
+   <source>Stress nets: every vertex carries this load, downwards</source>
+   <translation>Réseaux de contraintes : chaque sommet porte cette charge, vers le bas</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
-   <translation>Réseaux de contraintes : ce qui porte les charges : le bord (boundary), qui glisse sur sa propre courbe sauf à ses coins ; les coins (corners) ou des sommets comme 0,5,12, qui restent ; vide : selon le besoin du réseau</translation>
+   <source>Stress nets: the shell whose stresses the lines follow stands on this</source>
+   <translation>Réseaux de contraintes : la coque dont les lignes suivent les contraintes repose sur ceci</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress nets: what the shell stands on whose stresses the lines follow</source>
-   <translation>Réseaux de contraintes : appuis de la coque dont les lignes suivent les contraintes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Stress of the membrane, force / length</source>
-   <translation>Contrainte de la membrane, force / longueur</translation>
+   <source>Stress nets: this carries the loads: boundary, which slides along its own curve but for its corners; corners or vertices such as 0,5,12, which stay; empty: as the net needs</source>
+   <translation>Réseaux de contraintes : ceci porte les charges : boundary, le bord, qui glisse le long de sa propre courbe sauf en ses coins ; corners ou des sommets comme 0,5,12, qui restent ; vide : ce que le réseau demande</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4523,8 +4343,18 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along u have this angle to the surface: 90 stands, 180 lies</source>
+   <translation>Les bandes selon u ont cet angle avec la surface : 90 debout, 180 couchées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Strips along v</source>
    <translation>Bandes suivant v</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Strips along v have this angle to the surface: 90 stands, 180 lies</source>
+   <translation>Les bandes selon v ont cet angle avec la surface : 90 debout, 180 couchées</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
@@ -4545,11 +4375,6 @@
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Supports</source>
    <translation>Appuis</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Supports to raise first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
-   <translation>Appuis à lever d'abord, SOMMET:HAUTEUR en mm, comme 0:1500; 20:900</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4596,18 +4421,103 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
-   <source>The Python package {} is not installed</source>
-   <translation>Le paquet Python {} n'est pas installé</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>The chosen vertices are no handles any more</source>
-   <translation>Les sommets choisis ne sont plus des poignées</translation>
+   <source>The Python package {} is not installed.</source>
+   <translation>Le paquet Python {} n'est pas installé.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The first holds the first vertex</source>
-   <translation>Le premier contient le premier sommet</translation>
+   <source>The arch along x rises by this, or hangs where it is negative</source>
+   <translation>L'arc selon x monte d'autant, ou pend si c'est négatif</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The arch along y rises by this, or hangs where it is negative</source>
+   <translation>L'arc selon y monte d'autant, ou pend si c'est négatif</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The border is left a zigzag, or closed by narrow quads</source>
+   <translation>Le bord reste en zigzag, ou est fermé par des quads étroits</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The cables have this force density, force / length</source>
+   <translation>Les câbles ont cette densité de force, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The chosen vertex goes to this place.</source>
+   <translation>Le sommet choisi va à cet endroit.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The chosen vertices are no handles any more.</source>
+   <translation>Les sommets choisis ne sont plus des poignées.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The curve goes through these points instead, about the centre</source>
+   <translation>La courbe passe plutôt par ces points, autour du centre</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The edges carry this load, force / mm</source>
+   <translation>Les arêtes portent cette charge, force / mm</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The ends of a curve that is no preset are joined</source>
+   <translation>Les extrémités d'une courbe qui n'est pas prédéfinie sont jointes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this load, force / mm2</source>
+   <translation>Les faces portent cette charge, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The faces carry this pressure along their normals, force / mm2</source>
+   <translation>Les faces portent cette pression selon leurs normales, force / mm2</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The families u and v change places</source>
+   <translation>Les familles u et v échangent leurs places</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of the two holds the first vertex</source>
+   <translation>Le premier des deux contient le premier sommet</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The first of them follows this formula of s</source>
+   <translation>La première suit cette formule de s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix has this radius</source>
+   <translation>L'hélice a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The helix turns by this angle</source>
+   <translation>L'hélice tourne de cet angle</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The imperfection is this large</source>
+   <translation>L'imperfection a cette grandeur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The inversion has its centre here</source>
+   <translation>L'inversion a son centre ici</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The largest displacement that passes is this part of the second longest side of the net's box: 200 for 1/200</source>
+   <translation>Le plus grand déplacement admis est cette part du deuxième plus long côté de la boîte du réseau : 200 pour 1/200</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -4625,9 +4535,44 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Les plus grands résidus par pas. Sous la ligne tiretée, ils comptent pour zéro.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The last point is joined with the first</source>
+   <translation>Le dernier point est joint au premier</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The lower end has this radius</source>
+   <translation>L'extrémité basse a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members are made of this</source>
+   <translation>Les barres sont faites de ceci</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The members have this profile; groups another one after it, as tube:100x60x5,border=tube:120x60x5</source>
+   <translation>Les barres ont ce profil ; des groupes un autre à la suite, comme tube:100x60x5,border=tube:120x60x5</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane has this stress, force / length</source>
+   <translation>La membrane a cette contrainte, force / longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The membrane's border cable has this force</source>
+   <translation>Le câble de bord de la membrane a cette force</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_choice.py" />
    <source>The mesh is {:.1e} from it on average</source>
    <translation>Le maillage en est à {:.1e} en moyenne</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The middle of sections lies this far above the net, along its axes</source>
+   <translation>Le milieu des sections est à cette distance au-dessus du réseau, selon ses axes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4636,13 +4581,78 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane goes through this point</source>
+   <translation>Le plan de symétrie passe par ce point</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The mirror plane has this normal</source>
+   <translation>Le plan de symétrie a cette normale</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/edit_panel.py" />
+   <source>The mouse draws handles this way.</source>
+   <translation>La souris tire les poignées de cette façon.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The multi-net guide keeps patches of so many faces along and across orthogonal</source>
+   <translation>Le guide multi-réseau garde orthogonaux des morceaux de tant de faces en long et en travers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The narrowest circle has this radius</source>
+   <translation>Le cercle le plus étroit a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>The net and its mirror image, the seam merged</source>
    <translation>Le réseau et son image miroir, la couture fusionnée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of u</source>
+   <translation>Le réseau couvre cette part de l'étendue de u</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net covers this part of the range of v</source>
+   <translation>Le réseau couvre cette part de l'étendue de v</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>The net follows in a moment.</source>
    <translation>Le réseau suit dans un instant.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net follows these lines of the surface</source>
+   <translation>Le réseau suit ces lignes de la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these angles about the axis</source>
+   <translation>Le réseau va du premier au second de ces angles autour de l'axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second of these latitudes</source>
+   <translation>Le réseau va de la première à la seconde de ces latitudes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t of the confocal family</source>
+   <translation>Le réseau va du premier au second t de la famille confocale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes from the first to the second t; with 0 and 0 it keeps clear of both ends</source>
+   <translation>Le réseau va du premier au second t ; avec 0 et 0 il reste à l'écart des deux bouts</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net goes on along these axes as its mirror image, as x,y</source>
+   <translation>Le réseau continue le long de ces axes comme son image en miroir, comme x,y</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
@@ -4661,6 +4671,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is its own mirror image in these planes: auto for those that the surface has, or those across an axis, through the middle of the surface</source>
+   <translation>Le réseau est sa propre image en miroir dans ces plans : auto pour ceux de la surface, ou ceux perpendiculaires à un axe, par le milieu de la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is made of cables, or is a membrane of one stress</source>
+   <translation>Le réseau est fait de câbles, ou est une membrane de contrainte égale</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>The net is moved by this</source>
    <translation>Le réseau est déplacé de ceci</translation>
   </message>
@@ -4675,9 +4695,49 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Le réseau l'est déjà : {}</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this long along x</source>
+   <translation>Le réseau a cette longueur selon x</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is this wide across</source>
+   <translation>Le réseau a cette largeur en travers</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
+   <translation>Le réseau doit devenir celui-ci ; les lignes asymptotiques et cmc vont à 45 degrés de la courbure, celles de contraintes comme une coque porte son poids</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net is turned by these angles about x, then y, then z</source>
+   <translation>Le réseau est tourné de ces angles autour de x, puis y, puis z</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
-   <source>The net keeps being its own mirror image in the plane through 0</source>
-   <translation>Le réseau reste sa propre image miroir dans le plan par 0</translation>
+   <source>The net keeps being its own mirror image in the plane through 0.</source>
+   <translation>Le réseau reste sa propre image miroir dans le plan par 0.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches so far over the surface, farther where this is larger</source>
+   <translation>Le réseau s'étend d'autant sur la surface, plus loin si c'est plus grand</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net reaches this far from the axis on both sides</source>
+   <translation>Le réseau s'étend d'autant de part et d'autre de l'axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net runs along these lines, drawn on the surface</source>
+   <translation>Le réseau suit ces lignes dessinées sur la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The net stands here, turned like this</source>
+   <translation>Le réseau est ici, tourné ainsi</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/editing.py" />
@@ -4685,9 +4745,34 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Le réseau a été modifié.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The offset lies this far along the normals, below where it is negative</source>
+   <translation>Le décalage est à cette distance selon les normales, au-dessous si elle est négative</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The other side is turned up</source>
+   <translation>L'autre côté est tourné vers le haut</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/installer.py" />
    <source>The packages could not be installed:</source>
    <translation>Les paquets n'ont pas pu être installés :</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structure_panel.py" />
+   <source>The parts lie on these beams.</source>
+   <translation>Les pièces reposent sur ces poutres.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline goes through these points, in the frame of the quadric</source>
+   <translation>La ligne brisée passe par ces points, dans le repère de la quadrique</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The polyline lies on this quadric</source>
+   <translation>La ligne brisée est sur cette quadrique</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
@@ -4695,9 +4780,44 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>La plage va par puissances de dix, par exemple -6.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The result may be this far off the surface, or the start where none is given</source>
+   <translation>Le résultat peut s'écarter d'autant de la surface, ou du départ si aucune n'est donnée</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The second of them follows this formula of s</source>
+   <translation>La seconde suit cette formule de s</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes are this long, the largest comes first</source>
+   <translation>Les demi-axes ont ces longueurs, le plus grand vient d'abord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of lambda = 0 are this long, the largest comes first</source>
+   <translation>Les demi-axes de lambda = 0 ont ces longueurs, le plus grand vient d'abord</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The semi-axes of the quadric are this long</source>
+   <translation>Les demi-axes de la quadrique ont ces longueurs</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/optimise_panel.py" />
    <source>The shape moved by up to {} ({:.1f} mean edges). Its size was {} and is {}.</source>
    <translation>La forme s'est déplacée jusqu'à {} ({:.1f} arêtes moyennes). Sa taille était {} et est {}.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>The sheets are this high.</source>
+   <translation>Les tôles ont cette hauteur.</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/workshop_panels.py" />
+   <source>The sheets are this wide.</source>
+   <translation>Les tôles ont cette largeur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
@@ -4710,9 +4830,119 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>La source de ce réseau a changé. Démarrer recommence avec ce qu'elle fait à présent.</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has its centre here</source>
+   <translation>La sphère a son centre ici</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The sphere has this radius</source>
+   <translation>La sphère a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface grows in proportion to this length</source>
+   <translation>La surface grandit en proportion de cette longueur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has so many waves along its axis</source>
+   <translation>La surface a tant d'ondes le long de son axe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface has this radius</source>
+   <translation>La surface a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The surface is this high</source>
+   <translation>La surface a cette hauteur</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The tangents of these points make the sheet; empty for a helix</source>
+   <translation>Les tangentes en ces points font la surface ; vide pour une hélice</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two directions meet at this angle</source>
+   <translation>Les deux directions se rencontrent sous cet angle</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
-   <source>The two directions that lines follow; grey where curvature does not say much</source>
-   <translation>Les deux directions que suivent les lignes ; gris où la courbure ne dit pas grand-chose</translation>
+   <source>The two directions that lines follow; grey where curvature does not say much.</source>
+   <translation>Les deux directions que suivent les lignes ; gris où la courbure ne dit pas grand-chose.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates follow this curve</source>
+   <translation>Les deux autres coordonnées suivent cette courbe</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The two other coordinates have these values instead</source>
+   <translation>Les deux autres coordonnées ont plutôt ces valeurs</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The upper end has this radius</source>
+   <translation>L'extrémité haute a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The weight of the members is a load</source>
+   <translation>Le poids des barres est une charge</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>The weight of this structure is a load by the surface.</source>
+   <translation>Le poids de cette structure est une charge de surface.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>The widest circle has this radius</source>
+   <translation>Le cercle le plus large a ce rayon</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>The wind has this pressure in kN/m2 and blows this way: 0.6@x; 0.6@-y.</source>
+   <translation>Le vent a cette pression en kN/m2 et souffle par là : 0.6@x; 0.6@-y.</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>There may be so many kinds; 0 is as few as can be found</source>
+   <translation>Il peut y avoir tant de types ; 0 : aussi peu que possible</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
+   <translation>Ceci est tenu : boundary, corners ou des numéros de sommets, chacun avec :pinned, :fixed, :sliding (de haut en bas seulement) ou :springs=X/Y/Z (kN/mm), joints par +</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These are held: boundary, corners or vertices as 0,5,12</source>
+   <translation>Ceci est tenu : boundary, corners ou des sommets comme 0,5,12</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These lines lie in planes of their own</source>
+   <translation>Ces lignes sont dans des plans à elles</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These points (radius, height) are turned about z</source>
+   <translation>Ces points (rayon, hauteur) sont tournés autour de z</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>These supports are raised first, VERTEX:HEIGHT in mm as 0:1500; 20:900</source>
+   <translation>Ces appuis sont d'abord levés, SOMMET:HAUTEUR en mm comme 0:1500; 20:900</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
+   <source>These vertices carry these forces in kN: 12:0,0,-5; 13:0,0,-5.</source>
+   <translation>Ces sommets portent ces forces en kN : 12:0,0,-5; 13:0,0,-5.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -4726,8 +4956,23 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>This elliptic coordinate has the role of t</source>
+   <translation>Cette coordonnée elliptique a le rôle de t</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>This part of the range is left free at each end</source>
+   <translation>Cette part de l'étendue reste libre à chaque bout</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>This point stays where it is</source>
    <translation>Ce point reste où il est</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/display_panel.py" />
+   <source>This quantity colours the net.</source>
+   <translation>Cette grandeur colore le réseau.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4796,16 +5041,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turn the other side up</source>
-   <translation>Tourner l'autre côté vers le haut</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Turning angle of the spine</source>
-   <translation>Angle de rotation de la courbe directrice</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>Twist</source>
    <translation>Torsion</translation>
   </message>
@@ -4845,19 +5080,9 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>Part de v</translation>
   </message>
   <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Values of the two other coordinates in place of it</source>
-   <translation>Valeurs des deux autres coordonnées à sa place</translation>
-  </message>
-  <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
    <source>Vertex</source>
    <translation>Sommet</translation>
-  </message>
-  <message>
-   <location filename="../../../freecad_ortho/panels/structural_panel.py" />
-   <source>Vertex and force in kN: 12:0,0,-5; 13:0,0,-5</source>
-   <translation>Sommet et force en kN : 12:0,0,-5; 13:0,0,-5</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4871,23 +5096,18 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Vertices along u and v</source>
-   <translation>Sommets selon u et v</translation>
+   <source>Vertices that are nearer than this are merged</source>
+   <translation>Les sommets plus proches que ceci sont fusionnés</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>Vertices, edges or faces keep the distance, or edges stay parallel</source>
+   <translation>Sommets, arêtes ou faces gardent la distance, ou les arêtes restent parallèles</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Waist</source>
    <translation>Taille</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length</source>
-   <translation>Longueur d'arête voulue</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Wanted edge length, instead of the sampling</source>
-   <translation>Longueur d'arête souhaitée, au lieu de l'échantillonnage</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4906,58 +5126,13 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of panels by their surface, kN/m2</source>
-   <translation>Poids des panneaux par leur surface, kN/m2</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Weight of the members is a load</source>
-   <translation>Le poids des barres est une charge</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What is held: boundary, corners or numbers of vertices, each with :pinned, :fixed, :sliding (up and down only) or :springs=X/Y/Z (kN/mm), joined by +</source>
-   <translation>Ce qui est tenu : boundary (bord), corners (coins) ou des numéros de sommets, chacun avec :pinned (articulé), :fixed (encastré), :sliding (tenu verticalement seulement) ou :springs=X/Y/Z (kN/mm), reliés par +</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What keeps the distance</source>
-   <translation>Ce qui garde la distance</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What slots leave of the height of lamellas that cross in one layer, as a part; with 1 there are none</source>
-   <translation>Ce que les entailles laissent de la hauteur des lamelles qui se croisent en une couche, en fraction ; avec 1 il n'y en a pas</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the members are made of</source>
-   <translation>De quoi sont les barres</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>What the net is to become; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Ce que le réseau doit devenir ; les lignes asymptotiques et CMC vont à 45 degrés de la courbure, celles de contrainte comme une coque porte son poids</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where other than four lines meet: auto for the fewest that the surface needs, none, or a file of rows x y z and 3, 5 or 6 lines</source>
-   <translation>Où ne se croisent pas quatre lignes : auto pour le minimum qu'exige la surface, none, ou un fichier de lignes x y z et 3, 5 ou 6</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Where the net stands and how it is turned</source>
-   <translation>Où se trouve le réseau et comment il est tourné</translation>
+   <source>Where lines u and v cross, in slots of one layer or about the bolts of two, they turn like this about their axis: rigid, hinged, or the stiffness of a spring in kNm/rad</source>
+   <translation>Là où les lignes u et v se croisent, dans les entailles d'une couche ou autour des boulons de deux, elles tournent ainsi autour de leur axe : rigid, hinged ou la raideur d'un ressort en kNm/rad</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>Which</source>
    <translation>Lequel</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Which lines of the surface the net follows</source>
-   <translation>Quelles lignes de la surface le réseau suit</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5008,11 +5183,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/documents/structural_checks.py" />
    <source>Writing files of the check</source>
    <translation>Écriture des fichiers de la vérification</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>Zigzag border, or closed by narrow quads</source>
-   <translation>Bord en zigzag, ou fermé par des quadrilatères étroits</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5253,6 +5423,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>bars and strips are this long; longer lamellas are spliced</source>
    <translation>barres et bandes ont cette longueur ; les lamelles plus longues sont aboutées</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>bars are listed with lengths and angles of both ends, and how to read them</source>
+   <translation>les barres sont listées, avec longueurs et angles des deux bouts, et comment les lire</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5525,6 +5700,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>omettre</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>each part has a file for machines that saw, drill and cut steel (DSTV)</source>
+   <translation>chaque pièce a un fichier pour les machines qui scient, percent et coupent l'acier (DSTV)</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>each part has a label with a QR code of its name</source>
+   <translation>chaque pièce a une étiquette avec un code QR de son nom</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
    <source>edge</source>
    <translation>arête</translation>
@@ -5688,6 +5873,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/singular_box.py" />
    <source>given: {}</source>
    <translation>donnés : {}</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>glTF holds all parts, with names and colours, for viewers</source>
+   <translation>glTF contient toutes les pièces, avec noms et couleurs, pour les visionneuses</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5986,6 +6176,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>one workbook holds all lists, and masses with a column for prices</source>
+   <translation>un classeur contient toutes les listes, et les masses avec une colonne pour les prix</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>one, in place</source>
    <translation>un, en place</translation>
   </message>
@@ -6083,6 +6278,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>plain lines</source>
    <translation>simples lignes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>plan, sheets, a typical node and typical parts are drawn with dimensions, to scale</source>
+   <translation>plan, tôles, un nœud type et des pièces types sont dessinés avec cotes, à l'échelle</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6206,11 +6406,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>rows of item, unit and price, for the lists' costs</source>
-   <translation>lignes d'article, d'unité et de prix, pour les coûts des listes</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
    <source>scherk</source>
    <translation>Scherk</translation>
   </message>
@@ -6218,11 +6413,6 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>second</source>
    <translation>second</translation>
-  </message>
-  <message>
-   <location filename="../../../scripts/catalogue_words.py" />
-   <source>seconds that the library may take</source>
-   <translation>secondes accordées à la bibliothèque</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6480,6 +6670,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>le niveau de son sommet le plus bas</translation>
   </message>
   <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>the library may take so many seconds</source>
+   <translation>la bibliothèque peut prendre tant de secondes</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the lines do not follow the curvature of the surface, as this net has to, but those of its diagonal mesh do: make a diagonal mesh first</source>
    <translation>les lignes ne suivent pas la courbure de la surface, comme ce réseau le doit, mais celles de son maillage diagonal la suivent : faire d'abord un maillage diagonal</translation>
@@ -6613,6 +6808,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the walls of the posts are this thick</source>
    <translation>épaisseur des parois des poteaux</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>these lists have order of assembly, weights, what meets at nodes, points to be surveyed</source>
+   <translation>ces listes ont l'ordre de montage, les poids, ce qui se rencontre aux nœuds, les points à relever</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>these rows of item, unit and price give the lists' costs</source>
+   <translation>ces lignes de poste, unité et prix donnent les coûts des listes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
