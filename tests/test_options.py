@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 
+import numpy as np
 import pytest
 
 from freecad_ortho.cli import options as arguments
@@ -65,6 +66,23 @@ def test_what_says_no_value_is_refused_by_the_name_of_the_argument(option, text,
     with pytest.raises(InputError) as caught:
         arguments.read(option, text)
     assert str(caught.value).startswith(words)
+
+
+@pytest.mark.parametrize(
+    ("kind", "of_mm", "of_metres"),
+    [
+        ("length", 250.0, 0.25),
+        ("distance", -250.0, -0.25),
+        ("area", (1e6, 4e6), (1.0, 4.0)),
+        ("points", ((1000.0, 0.0, 2000.0),), ((1.0, 0.0, 2.0),)),
+        ("per_length", 0.002, 2.0),
+        ("per_area", 3e-6, 3.0),
+        ("angle", 30.0, 30.0),
+    ],
+)
+def test_defaults_are_told_in_the_unit_asked_for(kind, of_mm, of_metres):
+    told = Option("it", of_mm, kind, "").default_in(1000.0)
+    assert np.array(told) == pytest.approx(np.array(of_metres), rel=1e-14)
 
 
 def test_only_what_was_given_counts():

@@ -80,13 +80,14 @@ def untold(panel):
     boxes = panel.findChildren(QtGui.QWidget)
     _alive.append(boxes)
     for box in boxes:
-        if not isinstance(box, QtGui.QAbstractSpinBox):
+        # PySide may take one widget for another that was deleted, Qt does not.
+        if not box.inherits("QAbstractSpinBox"):
             continue
         # Of several in a row the row has the sentence.
         words = box.toolTip() or box.parentWidget().toolTip()
         told = words.rpartition(" (")[0] if words.endswith(")") else words
         if not told.endswith(".") or len(told.split()) < 4 or not told[0].isupper():
-            found.append(f"{box.text()} '{words}'")
+            found.append(f"{box.metaObject().className()} '{words}'")
     return found
 
 

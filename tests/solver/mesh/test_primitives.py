@@ -117,6 +117,12 @@ def test_too_few_vertices_for_a_turn_are_refused():
     assert len(primitive("helicoid", 4, 3).faces) == 6
 
 
+@pytest.mark.parametrize("lines", ["principal", "asymptotic"])
+def test_a_catenoid_is_as_high_as_was_asked_for(lines):
+    z = primitive("catenoid", 9, 9, lines=lines, waist=2.0, height=3.0).vertices[:, 2]
+    assert (z.min(), z.max()) == pytest.approx((-1.5, 1.5), rel=1e-14)
+
+
 def test_points_lie_on_their_surfaces():
     x, y, z = primitive("ellipsoid", 12, 9, semi_axes=(3.0, 2.0, 1.2)).vertices.T
     assert np.abs(x**2 / 9 + y**2 / 4 + z**2 / 1.44 - 1).max() < 1e-13
