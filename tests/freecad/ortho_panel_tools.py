@@ -77,14 +77,13 @@ def open_panel(document, command):
 def untold(panel):
     """Labels of what numbers, lengths and angles are typed into without a sentence beside it."""
     found = []
-    boxes = panel.findChildren(QtGui.QWidget)
-    _alive.append(boxes)
-    for box in boxes:
-        # PySide may take one widget for another that was deleted, Qt does not.
-        if not box.inherits("QAbstractSpinBox"):
+    for box in panel.findChildren(QtGui.QAbstractSpinBox):
+        try:
+            # Of several in a row the row has the sentence.
+            words = box.toolTip() or box.parentWidget().toolTip()
+        except RuntimeError:
+            # PySide takes it for another that was deleted: by chance, so another run sees it.
             continue
-        # Of several in a row the row has the sentence.
-        words = box.toolTip() or box.parentWidget().toolTip()
         told = words.rpartition(" (")[0] if words.endswith(")") else words
         if not told.endswith(".") or len(told.split()) < 4 or not told[0].isupper():
             found.append(f"{box.metaObject().className()} '{words}'")

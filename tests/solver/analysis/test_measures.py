@@ -39,6 +39,14 @@ def test_planarity_of_a_known_quad():
     # Diagonals of length 2 crossing at a distance of 0.1.
     skew = single([[-1, 0, 0.1], [0, -1, 0], [1, 0, 0.1], [0, 1, 0]])
     assert measures.planarity(skew)[0] == pytest.approx(0.1 / 2, rel=1e-14)
+    assert measures.four_in_plane(skew)[0] == pytest.approx(0.05, rel=1e-14)
+
+
+def test_medial_lines_of_a_known_quad():
+    # They run along the middles of opposite sides: 60 degrees apart in this parallelogram.
+    slanted = single([[0, 0, 0], [2, 0, 0], [2.5, np.sqrt(0.75), 0], [0.5, np.sqrt(0.75), 0]])
+    assert measures.medial_angle(slanted)[0] == pytest.approx(np.pi / 6, rel=1e-14)
+    assert measures.medial_angle(slanted, np.pi / 3)[0] == pytest.approx(0.0, abs=1e-14)
 
 
 def test_isosceles_trapezoids_are_principal_and_circular():

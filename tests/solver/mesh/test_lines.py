@@ -7,8 +7,9 @@ from solver.mesh.coarsen import compact
 from solver.mesh.connectivity import Connectivity
 from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.grid import grid_faces
-from solver.mesh.lines import ParameterLines
+from solver.mesh.lines import ParameterLines, joined_at_border
 from solver.mesh.primitives import rectangle
+from solver.mesh.quadmesh import QuadMesh
 
 
 def lines_of(m, n, **closed):
@@ -125,3 +126,16 @@ def test_lines_of_nets_without_a_zigzag_are_those_of_the_connectivity():
     for here, there in zip(one.all, other.all, strict=True):
         assert (here.family, here.number) == (there.family, there.number)
         assert here.vertices.tolist() == there.vertices.tolist()
+
+
+def test_two_sides_of_one_face_are_no_line():
+    """However straight they meet, and where no families of lines tell them apart."""
+    fan = [[0, 1, 2, 3], [0, 3, 4, 5], [0, 5, 6, 7]]
+    # Three faces around vertex 8: the net has no families.
+    odd = [[8, 2, 1, 9], [8, 9, 10, 11], [8, 11, 12, 2]]
+    flat = [[0, 0], [1, 0], [0.2, 1], [-1, 0.07], [-2, -1], [-0.6, -0.8], [0, -2], [0.5, -0.9]]
+    flat += [[1.5, 1], [2, 0], [3, 0.5], [2.5, 1.5], [1, 2]]
+    mesh = QuadMesh(np.column_stack([flat, np.zeros(len(flat))]), fan + odd)
+    sides = [set(sides) for sides in mesh.connectivity.face_edges.tolist()]
+    joined = joined_at_border(mesh)
+    assert not any(set(pair) <= side for pair in joined.tolist() for side in sides)

@@ -352,6 +352,16 @@ WITH_UNKNOWNS = {
 }
 
 
+def test_handles_come_nearer_to_their_goals_a_stride_at_a_time():
+    begin, end = np.array([[2.0, 0.0, 0.0], [0.0, 0.2, 0.0]]), np.zeros((2, 3))
+    pull = Pull(np.arange(2), begin, goals=end, stride=0.5).follow(np.zeros(6))
+    assert np.allclose(pull.targets, 0.75 * begin, rtol=0, atol=1e-15)
+    for _ in range(3):
+        assert not pull.arrived
+        pull = pull.follow(np.zeros(6))
+    assert pull.arrived
+
+
 def test_sizes_are_those_of_the_paper():
     wanted = WITH_UNKNOWNS | {name: (0, count) for name, count in EQUATIONS.items()}
     assert {name: CASES[name].build(REST).size for name in wanted} == wanted
