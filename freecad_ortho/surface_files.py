@@ -140,17 +140,18 @@ class SurfaceFile:
             InputError: as that.
         """
         if self.mesh is None:
-            scale = millimetres_per(self.unit)
+            # In the unit of what is asked for, as whatever is said of places and lengths is too.
+            factor = 1.0 / millimetres_per(self.unit)
             made = aligned_on(
-                self.faces,
-                edge=scale * edge,
+                [face.scaled(factor) for face in self.faces],
+                edge=edge,
                 ratio=ratio,
-                strokes=[scale * np.asarray(stroke) for stroke in strokes],
-                singularities=singularities and singularities.scaled(scale),
+                strokes=strokes,
+                singularities=singularities,
                 waiting=waiting,
                 **told,
             )
-            return Found(made.scaled(1.0 / scale), self.unit, LocalOrigin(np.zeros(3)))
+            return Found(made, self.unit, LocalOrigin(np.zeros(3)))
         points, triangles = self.mesh
         origin = LocalOrigin.of(points)
         near = origin.near(points)

@@ -96,14 +96,14 @@ def aligned_on(
     """A net along lines of CAD faces that meet smoothly; vertices on the faces themselves.
 
     Args:
-        surfaces: in mm.
+        surfaces: in the model's unit.
         net: what the net is to become, of :data:`solver.align.guides.TURNED`.
-        edge: wanted edge length in mm, 0 for about 600 faces.
+        edge: wanted edge length, 0 for about 600 faces.
         ratio: edge length of the other family of lines over that.
         border: ``trim`` lets the net overhang, ``follow`` bends it to the border.
-        strokes: polylines (n, 3) on the faces, in mm, along which lines of the net run.
-        singularities: where the net has vertices with 3, 5 or 6 faces, in mm; the fewest that it
-            needs by default.
+        strokes: polylines (n, 3) on the faces, along which lines of the net run.
+        singularities: where the net has vertices with 3, 5 or 6 faces; the fewest that it needs
+            by default.
         waiting: called with the name of each stage, some of them several times; what it raises is
             passed on.
         stands_on: ``boundary`` or ``corners``: what carries the shell that a stress net follows.

@@ -27,7 +27,7 @@ from solver.align.guides import (
 from solver.align.options import OPTIONS
 from solver.align.overhang import carried_on
 from solver.align.prepare import Work, openings, prepared
-from solver.align.remarks import say_border, say_bunched, say_strokes
+from solver.align.remarks import BUNCHED, say_border, say_bunched, say_strokes, short_edges
 from solver.align.seamless import FIRM, seamless_map
 from solver.align.seams import seams
 from solver.align.symmetry import (
@@ -261,7 +261,13 @@ class _Attempt:
     close: bool
     mesh: QuadMesh | None = None
     folded: int = 0
+    bunched: bool = False
     refusal: str = ""
+
+    @property
+    def faults(self) -> tuple[int, bool]:
+        """What is wrong with the net, the worst first."""
+        return self.folded, self.bunched
 
 
 def _mapped(
@@ -271,16 +277,17 @@ def _mapped(
     best: _Attempt | None = None
     refusal = ""
     for attempt in _attempts(asked, waiting):
-        if attempt.mesh is not None and (best is None or attempt.folded < best.folded):
+        if attempt.mesh is not None and (best is None or attempt.faults < best.faults):
             best = attempt
-        if best is not None and not best.folded:
+        if best is not None and not any(best.faults):
             break
         refusal = refusal or attempt.refusal
     if best is None or best.mesh is None:
         raise InputError(refusal)
     if not best.close:
         remarks.append(
-            "lines that follow curvature closely would run into each other here; these do less so"
+            "lines that follow the surface's own directions closely would run into each other, or "
+            "bunch, here; these do less so"
         )
     if best.folded:
         some = "1 face is" if best.folded == 1 else f"{best.folded} faces are"
@@ -334,7 +341,11 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
             except InputError as error:
                 yield _Attempt(field, close, refusal=str(error))
                 continue
-            yield _Attempt(field, close, net, int(flipped(net).sum()))
+            bunched = short_edges(net) < BUNCHED * min(edges)
+            yield _Attempt(field, close, net, int(flipped(net).sum()), bunched)
+            if bunched:
+                # Lines are drawn together by their directions: others have to be smoother.
+                break
 
 
 def _crossing(found: Quads) -> FloatArray | None:

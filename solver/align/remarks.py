@@ -19,7 +19,7 @@ _ASKEW, _ACROSS = 2.0, 10.0
 # Curvature that says less than this says nothing of a stroke.
 _SILENT = 0.05
 # Lines bunch where this part of all edges is shorter than that part of what was wanted.
-_SOME, _SHORT = 0.05, 0.25
+_SOME, BUNCHED = 0.05, 0.25
 
 
 def say_border(mesh: TriangleMesh, guide: GuidingField, edge: float, remarks: list[str]) -> None:
@@ -101,6 +101,11 @@ def say_strokes(
             )
 
 
+def short_edges(mesh: QuadMesh) -> float:
+    """The length that one edge in twenty is shorter than."""
+    return float(np.quantile(mesh.edge_lengths, _SOME))
+
+
 def say_bunched(mesh: QuadMesh, edge: float, remarks: list[str]) -> None:
     """Say where lines come much closer together than was wanted.
 
@@ -109,11 +114,10 @@ def say_bunched(mesh: QuadMesh, edge: float, remarks: list[str]) -> None:
         edge: wanted length of its shorter edges.
         remarks: gets the sentence.
     """
-    lengths = mesh.edge_lengths
-    short = float(np.quantile(lengths, _SOME))
-    if short > _SHORT * edge:
+    short = short_edges(mesh)
+    if short > BUNCHED * edge:
         return
-    ends = mesh.connectivity.edges[lengths <= short]
+    ends = mesh.connectivity.edges[mesh.edge_lengths <= short]
     at = ", ".join(f"{x:.4g}" for x in np.median(mesh.vertices[ends].mean(axis=1), axis=0))
     remarks.append(
         f"lines bunch near ({at}): one edge in {round(1 / _SOME)} is shorter than "

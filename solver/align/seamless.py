@@ -34,6 +34,8 @@ FIRM = (1000.0, 30.0, 2.0)
 _STIFFER, _BY, _RINGS = 12, 4.0, 4
 # How many times as dense lines may be asked for, so that there are as many as are wanted.
 _DENSER = 2.0
+# A map with so many times as many faces as are wanted is asked for once more.
+_TOO_DENSE = 1.15
 # A triangle smaller than this part of its wanted size counts as folded.
 _FOLDED = 1e-3
 # Coordinates are rounded to this, so that turns and whole shifts of them are exact.
@@ -109,7 +111,17 @@ def seamless_map(
         near = _widened(neighbours, bad)
         spacing = np.where(near, _BY * spacing, spacing)
         direction = np.where(near, 1 + (direction - 1) / _BY**1.5, direction)
-    return Map(corners, np.flatnonzero(bad[:covered]))
+    dense = signed[:covered].sum() / wanted[:covered].sum()
+    found = Map(corners, np.flatnonzero(bad[:covered]))
+    if dense > _TOO_DENSE:
+        # Stiffer as it is now, it has more lines than were wanted.
+        system.shorter(dense**-0.5)
+        step()
+        corners = _on_grid(layout, system.solved(spacing, direction, None), whole)
+        bad = _doubled_areas(corners) / GRID**2 < _FOLDED * wanted
+        fewer = Map(corners, np.flatnonzero(bad[:covered]))
+        found = fewer if len(fewer.folded) <= len(found.folded) else found
+    return found
 
 
 def _doubled_areas(corners: IntArray) -> FloatArray:

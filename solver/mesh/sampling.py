@@ -79,6 +79,16 @@ class ParametricSurface:
         cut = (u[0] > 0, u[1] < 1, v[0] > 0, v[1] < 1)
         return replace(self, u=ends[0], v=ends[1], cut=cut)
 
+    def scaled(self, factor: float) -> ParametricSurface:
+        """The same in another unit, with the same parameters."""
+        evaluate, foot = self.evaluate, self.foot
+        return replace(
+            self,
+            evaluate=lambda u, v: factor * evaluate(u, v),
+            border=tuple(factor * line for line in self.border),
+            foot=None if foot is None else lambda points: factor * foot(points / factor),
+        )
+
     def points(self, u: FloatArray, v: FloatArray) -> FloatArray:
         """(m, n, 3) points at (m, n) parameters."""
         return np.asarray(self.evaluate(u.ravel(), v.ravel())).reshape(*u.shape, 3)

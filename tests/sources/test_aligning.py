@@ -7,7 +7,9 @@ import pytest
 
 from freecad_ortho.sources.aligning import aligned_on, edge_for
 from freecad_ortho.sources.catalogue import source
+from freecad_ortho.surface_files import SurfaceFile
 from solver.analysis import measures
+from solver.errors import InputError
 from solver.mesh.sampling import ParametricSurface
 from tests.design_surfaces import saddle
 
@@ -45,6 +47,15 @@ def test_vertices_are_on_the_exact_surface_but_for_what_overhangs():
     assert (far < 1e-6).mean() > 0.6
     # What is not on it is beyond the border, not a little above.
     assert not ((far > 1e-6) & (far < 20)).any()
+
+
+def test_cad_faces_are_spoken_of_in_the_unit_that_was_asked_for():
+    with pytest.raises(InputError, match=r"edge: 40 leaves room .*; \d\.\d or less"):
+        SurfaceFile("m", [WHOLE]).aligned(edge=40.0, net="principal")
+    made = SurfaceFile("m", [WHOLE]).aligned(edge=2.5, net="principal").net
+    far = np.linalg.norm(foot(1000 * made.mesh.vertices) / 1000 - made.mesh.vertices, axis=1)
+    assert (far < 1e-9).mean() > 0.6
+    assert made.mesh.mean_edge == pytest.approx(2.5, rel=0.1)
 
 
 def test_two_faces_that_meet_are_one_surface():

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from examples import demo_surface
 from solver.align.align import aligned
 from solver.align.guides import net_guide
-from solver.align.remarks import say_bunched, say_strokes
+from solver.align.remarks import say_bunched, say_strokes, short_edges
 from solver.align.triangle_mesh import one_surface
 from solver.mesh.grid import grid_mesh
 from tests.conftest import grid_faces
@@ -47,3 +48,17 @@ def test_strokes_across_curvature_and_lines_that_bunch_are_said():
     x = np.array([0, 1, 2, 2.1, 2.2, 2.3, 3, 4, 5])
     say_bunched(grid_mesh(np.stack(np.meshgrid(x, x, [0.0]), -1)[:, :, 0]), 1.0, said)
     assert "bunch near (2.25, 2.25, 0)" in said[0] and "10 % of what was wanted" in said[0]
+
+
+def test_stress_lines_that_run_together_are_spread_over_the_surface():
+    def roof(u, v):
+        return np.moveaxis(demo_surface.surface(2 * u - 1, 2 * v - 1), -1, 0) / 1000
+
+    points, faces = triangles(roof, 41, 33)
+    edge = 1.6
+    made = aligned(points, faces, net="stress", edge=edge)
+    wanted = one_surface(points, faces).areas.sum() / edge**2
+    # The net overhangs the border all round.
+    assert abs(len(made.mesh.faces) / wanted - 1) < 1 / 3
+    assert short_edges(made.mesh) > 0.5 * edge
+    assert any("bunch, here" in remark for remark in made.remarks)
