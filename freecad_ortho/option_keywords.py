@@ -113,8 +113,8 @@ class Sizes(TypedDict, total=False):
     least_width: Length
     slivers: Literal["join", "leave-out"]
     frame: Literal["none", "plate", "silicone"]
-    frame_width: Length
-    edge_cover: Length
+    frame_width: Length | None
+    edge_cover: Length | None
     gasket: Length
     bite: Length
     bending: Literal["none", "cold"]

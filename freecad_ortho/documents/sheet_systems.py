@@ -51,8 +51,8 @@ def add_panels(
     least_width: Length = 60.0,
     slivers: SliversWord = "join",
     frame: FrameWord = "none",
-    frame_width: Length = 50.0,
-    edge_cover: Length = 15.0,
+    frame_width: Length | None = None,
+    edge_cover: Length | None = None,
     gasket: Length = 5.0,
     bite: Length = 12.0,
     bending: BendingWord = "none",
@@ -80,8 +80,10 @@ def add_panels(
         slivers: ``"join"`` makes them part of neighbours where they fit, ``"leave-out"`` does not.
         frame: ``"plate"``: pressure plates and caps hold them, ``"silicone"``: adapters that they
             are glued onto, or ``"none"``.
-        frame_width: of pressure plates; the joint is that less twice the edge cover.
-        edge_cover: how far panels reach under pressure plates.
+        frame_width: of pressure plates, by default 50 mm; the joint is that less twice the edge
+            cover.
+        edge_cover: how far panels reach under pressure plates, by default 15 mm. Where neither is
+            given both grow with the same joint where the material needs it.
         gasket: thickness of gaskets.
         bite: of structural silicone.
         fold: depth by which edges of metal panels are folded down.

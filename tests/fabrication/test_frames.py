@@ -167,7 +167,7 @@ def test_caps_are_coped_where_the_beams_are(roof):
 
 
 def test_plates_and_caps_are_sawn_from_bars_and_listed(roof, tmp_path):
-    structure = framed(roof)
+    structure = framed(roof, frame_width=50.0)
     plates = of_kind(structure, "pressure-plate")
     bars = stock_list(structure.parts, Workshop()).bars
     sections = {bar.section for bar in bars}
@@ -196,6 +196,25 @@ def test_plates_that_cover_too_little_do_not_pass(roof):
     failed = {part.kind: words for part, words in pairs if words != "ok"}
     assert "glass:6/16/44.2 needs 10 mm" in failed["pressure-plate"]
     assert any("pressure plates cover them by" in words for words in structure.report()["messages"])
+
+
+def test_plates_are_wider_where_glass_is_not_covered_enough():
+    """Over a ridge of 24 degrees square edges lean away below the plate; the joint stays."""
+    x, y = np.meshgrid(np.arange(3.0), np.arange(3.0), indexing="ij")
+    net = grid(x, y, -np.tan(np.radians(12)) * np.abs(x - 1)).scaled(1000.0)
+    wide = framed(net)
+    given = framed(net, frame_width=50.0)
+    least = [one.report()["panels"]["frame"]["cover_min_mm"] for one in (given, wide)]
+    added = 5 * np.ceil((10 - least[0]) / 5)
+    assert least[0] < 10 <= least[1] == pytest.approx(least[0] + added)
+    assert {part.section_width for part in of_kind(wide, "cap")} == {50 + 2 * added}
+    areas = [sum(part.area for part in of_kind(one, "panel")) for one in (given, wide)]
+    assert areas[0] == areas[1]
+    assert check_clashes(wide.parts).clashes == ()
+    said = [" ".join(one.report()["messages"]) for one in (given, wide)]
+    assert f"take a frame width of {50 + 2 * added:g} mm with an edge cover of" in said[0]
+    assert f"caps are {50 + 2 * added:g} mm wide and cover {15 + added:g} mm" in said[1]
+    assert not any("covers panels" in words for words in wide.verdicts)
 
 
 def test_setting_blocks_stand_below_and_carry_the_panel():

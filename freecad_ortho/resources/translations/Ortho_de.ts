@@ -210,8 +210,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge cover: panels reach this far under pressure plates</source>
-   <translation>Einstand: so weit reichen Platten unter die Pressleisten</translation>
+   <source>Edge cover: panels reach this far under pressure plates, by default 15 mm or as glass needs; 0 is automatic</source>
+   <translation>Einstand: so weit reichen Platten unter die Pressleisten, standardmäßig 15 mm oder wie Glas es braucht; 0 heißt automatisch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -360,8 +360,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Frame width: pressure plates and caps are this wide</source>
-   <translation>Rahmenbreite: so breit sind Press- und Deckleisten</translation>
+   <source>Frame width: pressure plates and caps are this wide, by default 50 mm or as wide as glass needs; 0 is automatic</source>
+   <translation>Rahmenbreite: so breit sind Press- und Deckleisten, standardmäßig 50 mm oder wie Glas es braucht; 0 heißt automatisch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6211,8 +6211,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>panels reach this far under pressure plates</source>
-   <translation>so weit reichen Platten unter die Pressleisten</translation>
+   <source>panels reach this far under pressure plates, by default 15 mm or as glass needs</source>
+   <translation>so weit reichen Platten unter die Pressleisten, standardmäßig 15 mm oder wie Glas es braucht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6321,8 +6321,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>pressure plates and caps are this wide</source>
-   <translation>so breit sind Press- und Deckleisten</translation>
+   <source>pressure plates and caps are this wide, by default 50 mm or as wide as glass needs</source>
+   <translation>so breit sind Press- und Deckleisten, standardmäßig 50 mm oder wie Glas es braucht</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

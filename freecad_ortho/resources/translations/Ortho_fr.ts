@@ -210,8 +210,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Edge cover: panels reach this far under pressure plates</source>
-   <translation>Recouvrement : prise des panneaux sous les serreurs</translation>
+   <source>Edge cover: panels reach this far under pressure plates, by default 15 mm or as glass needs; 0 is automatic</source>
+   <translation>Recouvrement : prise des panneaux sous les serreurs, par défaut 15 mm ou selon le besoin du verre ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -360,8 +360,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>Frame width: pressure plates and caps are this wide</source>
-   <translation>Largeur de cadre : largeur des serreurs et capots</translation>
+   <source>Frame width: pressure plates and caps are this wide, by default 50 mm or as wide as glass needs; 0 is automatic</source>
+   <translation>Largeur de cadre : largeur des serreurs et capots, par défaut 50 mm ou selon le besoin du verre ; 0 : automatique</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6211,8 +6211,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>panels reach this far under pressure plates</source>
-   <translation>prise des panneaux sous les serreurs</translation>
+   <source>panels reach this far under pressure plates, by default 15 mm or as glass needs</source>
+   <translation>prise des panneaux sous les serreurs, par défaut 15 mm ou selon le besoin du verre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6321,8 +6321,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>pressure plates and caps are this wide</source>
-   <translation>largeur des serreurs et capots</translation>
+   <source>pressure plates and caps are this wide, by default 50 mm or as wide as glass needs</source>
+   <translation>largeur des serreurs et capots, par défaut 50 mm ou selon le besoin du verre</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -13,16 +13,17 @@ from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 
 SECTIONS = ("plate", "tube", "round", "strip")
-# Beside beams with a section welded from plates, which are wide enough for panels.
-_BESIDE = {"plate": "plate", "hollow": "tube", "I": "tube", "T": "tube"}
 
 
 def edge_section_beside(section: str) -> str:
     """What an edge beam's section is unless told: as wide as the beams' for what lies on both.
 
-    The same beside one of the catalogue; beside a section that there is none of a plate.
+    A plate beside plates, a tube beside sections that are welded, the same beside one of the
+    catalogue.
     """
-    return _BESIDE.get(section, "plate" if section.isalpha() else section)
+    if section.isalpha():
+        return "plate" if section == "plate" else "tube"
+    return section
 
 
 @dataclass(frozen=True)

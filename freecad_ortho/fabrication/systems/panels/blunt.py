@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 _MORE = (1.001, 1.25, 1.5, 2.0)
 # So many corners of one piece are cut off at most.
 _CUTS = 12
-# Sum of cotangents from which on a side hardly grows as it moves inwards.
-_GROWS = -0.15
+# Least by which a side grows as it moves inwards by 1: tips of less than 3 degrees take too much.
+_GROWS = 0.05
 # A point nearer to another, mm, is that.
 _NEAR = 1e-6
 
@@ -90,11 +90,11 @@ def _less_sharp(plate: shapely.Polygon, limits: PlateLimits, side: float) -> sha
             return plate
         ends = turns[numbers[shortest]], turns[numbers[(shortest + 1) % len(numbers)]]
         # The angle within is 180 degrees less the turn: its cotangent is minus that of the turn.
-        grows = float(-sum(1 / np.tan(np.radians(ends))))
-        if min(ends) <= 0 or grows > _GROWS:
+        grows = float(sum(1 / np.tan(np.radians(ends))))
+        if min(ends) <= 0 or grows < _GROWS:
             return None
         inward = unit_rows(np.array([[-ahead[shortest, 1], ahead[shortest, 0]]]))[0]
-        depth = (side - float(length[shortest])) / -grows
+        depth = (side - float(length[shortest])) / grows
         plate = _without(plate, corners[shortest], inward, depth)
     return None
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,7 @@ from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.profiled import ProfiledBody
-from freecad_ortho.fabrication.profiles import Profile, polygon
+from freecad_ortho.fabrication.profiles import Profile
 from freecad_ortho.fabrication.profiles.end import End
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import rounded_down
@@ -34,13 +33,17 @@ from freecad_ortho.fabrication.systems.beams.frames import (
 from freecad_ortho.fabrication.systems.beams.geometry import Cuts, coped, mitred, square
 from freecad_ortho.fabrication.systems.beams.options import COPED
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
+from freecad_ortho.fabrication.systems.panels.pressure_frame import (
+    PLATE,
+    WALL,
+    WIDEST,
+    PressureFrame,
+)
 from freecad_ortho.fabrication.systems.system import Table
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
-# Sizes that stick systems have in common, mm: the plate, and the cap that is clipped onto it.
-_PLATE, _CAP, _WALL = 6.0, 15.0, 2.0
 # Screws are no further apart, mm, in what makers of systems publish.
 _SCREWS = 250.0
 _SAW_WORDS = (
@@ -51,51 +54,6 @@ COLUMNS = (
     *("plate", "cap", "panels", "length_mm", "screws"),
     *("gasket_least_mm", "gasket_most_mm", "cover_least_mm"),
 )
-
-
-@dataclass(frozen=True)
-class PressureFrame:
-    """A pressure plate and its cap.
-
-    Args:
-        width: of both, mm.
-        cover: how far panels reach under the plate, mm.
-        gasket: thickness of the gaskets under and above the panels, mm.
-
-    Raises:
-        InputError: sizes that leave no joint.
-    """
-
-    width: float = 50.0
-    cover: float = 15.0
-    gasket: float = 5.0
-
-    def __post_init__(self) -> None:
-        if self.joint <= 0:
-            raise InputError(
-                f"edge cover: {self.cover:g} mm on both sides leave no joint under a frame of "
-                f"{self.width:g} mm; take less than {rounded_down(self.width / 2)} mm"
-            )
-
-    @property
-    def joint(self) -> float:
-        """Between two panels, mm."""
-        return self.width - 2 * self.cover
-
-    @cached_property
-    def plate(self) -> Profile:
-        """The section of the pressure plate."""
-        half = self.width / 2
-        ring = np.array([[-half, 0.0], [half, 0.0], [half, _PLATE], [-half, _PLATE]])
-        return polygon(f"pressure plate {self.width:g}x{_PLATE:g}", ring)
-
-    @cached_property
-    def cap(self) -> Profile:
-        """The section of the cap, a channel that is open below."""
-        half, inner = self.width / 2, self.width / 2 - _WALL
-        right = [[half, 0.0], [half, _CAP], [-half, _CAP], [-half, 0.0]]
-        left = [[-inner, 0.0], [-inner, _CAP - _WALL], [inner, _CAP - _WALL], [inner, 0.0]]
-        return polygon(f"cap {self.width:g}x{_CAP:g}x{_WALL:g}", np.array(right + left))
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,6 +91,8 @@ class Framed:
         table: the list of them.
         report: sums, and the extremes of gaskets and of what plates cover, mm.
         supplies: gaskets and screws.
+        frame: the sizes that they have.
+        words: on sizes that grew.
         frames: planes of the members.
         heights: (E,) of the plates' lower sides above the edges, mm; NaN where there is none.
     """
@@ -141,6 +101,8 @@ class Framed:
     table: Table
     report: dict[str, Any]
     supplies: tuple[Supply, ...]
+    frame: PressureFrame
+    words: tuple[str, ...]
     frames: Frames
     heights: FloatArray
 
@@ -164,8 +126,7 @@ def framed(
     Raises:
         InputError: a frame too wide for an edge of the net.
     """
-    members = _Members.of(site, frame.width, faces)
-    beside = _Beside.of(members, frame, geometry, faces)
+    frame, members, beside, words = _fitted(site, frame, geometry, faces)
     names = part_names("F", len(members.built))
     own = {part.face: part.name for part in reversed(panels)}
     panel_names = {face: own.get(faces.of(face), "") for face in range(len(faces.made))}
@@ -176,11 +137,13 @@ def framed(
     for edge in edges:
         under = float(heights[edge])
         name = names[edge]
-        plate = members.part(f"{name}-plate", edge, under, (frame.plate, _PLATE))
-        cap = members.part(f"{name}-cap", edge, under + _PLATE, (frame.cap, _WALL))
+        plate = members.part(f"{name}-plate", edge, under, (frame.plate, PLATE))
+        cap = members.part(f"{name}-cap", edge, under + PLATE, (frame.cap, WALL))
         if beside.cover[edge] < site.material.bearing:
-            words = f"covers panels by {beside.cover[edge]:.3g} mm only, {site.material.name} needs"
-            plate = replace(plate, assembly=f"{words} {site.material.bearing:g} mm")
+            little = (
+                f"covers panels by {beside.cover[edge]:.3g} mm only, {site.material.name} needs"
+            )
+            plate = replace(plate, assembly=f"{little} {site.material.bearing:g} mm")
         parts += [plate, cap]
         around = site.mesh.connectivity.edge_faces[edge].tolist()
         beside_it = [panel_names[face] for face in around if face >= 0 and panel_names[face]]
@@ -209,7 +172,35 @@ def framed(
         Supply("screw", "by the system", screws, "piece", "pressure plates"),
     )
     table = Table("frames.csv", COLUMNS, tuple(rows))
-    return Framed(tuple(parts), table, report, supplies, members.frames, heights)
+    return Framed(
+        *(tuple(parts), table, report, supplies),
+        *(frame, words, members.frames, heights),
+    )
+
+
+def _fitted(
+    site: Site, frame: PressureFrame, geometry: PanelGeometry, faces: Covered
+) -> tuple[PressureFrame, _Members, _Beside, tuple[str, ...]]:
+    """The frame that covers panels as their material needs, where it may grow and there is room."""
+    members = _Members.of(site, frame.width, faces)
+    beside = _Beside.of(members, frame, geometry, faces)
+    short = site.material.bearing - float(beside.cover[members.built].min())
+    if short <= 0 or not frame.grows:
+        return frame, members, beside, ()
+    wider = frame.covering(short)
+    if wider.width > WIDEST:
+        return frame, members, beside, ()
+    try:
+        members = _Members.of(site, wider.width, faces)
+    except InputError:
+        # The net has no room for it: the verdicts say what is missing.
+        return frame, members, beside, ()
+    words = (
+        f"panels: pressure plates and caps are {wider.width:g} mm wide and cover {wider.cover:g} "
+        f"mm, as {frame.width:g} mm would leave less than the {site.material.bearing:g} mm that "
+        f"{site.material.name} needs where faces meet at an angle"
+    )
+    return wider, members, _Beside.of(members, wider, geometry, faces), (words,)
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,20 +17,18 @@ from freecad_ortho.fabrication.systems.panels.blocks import (
     block_supplies,
     setting_blocks,
 )
-from freecad_ortho.fabrication.systems.panels.frame import (
-    Covered,
-    Framed,
-    PressureFrame,
-    framed,
-)
+from freecad_ortho.fabrication.systems.panels.frame import Covered, Framed, framed
 from freecad_ortho.fabrication.systems.panels.gaskets import Gaskets, Seats, beam_seats
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
+from freecad_ortho.fabrication.systems.panels.pressure_frame import PressureFrame
 from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone_table
 from freecad_ortho.fabrication.systems.system import Table
 from freecad_ortho.words import counted
 from solver.mesh.quadmesh import FloatArray
 
 FRAMES = ("none", "plate", "silicone")
+# Usual sizes of pressure plates, and of what they cover of the panels, mm.
+_WIDTH, _COVER = 50.0, 15.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,8 +58,9 @@ class Framing:
 
     Args:
         kind: one of ``FRAMES``.
-        width: of pressure plates, mm.
-        cover: how far panels reach under them, mm.
+        given_width: of pressure plates, mm, None for the usual one.
+        given_cover: how far panels reach under them, mm, None for the usual one; where neither is
+            given both grow where panels need it.
         gasket: thickness of the gaskets, mm.
         bite: of structural silicone, mm.
 
@@ -70,8 +69,8 @@ class Framing:
     """
 
     kind: str
-    width: float
-    cover: float
+    given_width: float | None
+    given_cover: float | None
     gasket: float
     bite: float
 
@@ -80,10 +79,23 @@ class Framing:
         # Both refuse what cannot be used.
         _ = self.frame, self.silicone
 
+    @property
+    def width(self) -> float:
+        """Of pressure plates, mm, unless they grow."""
+        return _WIDTH if self.given_width is None else self.given_width
+
+    @property
+    def cover(self) -> float:
+        """How far panels reach under them then, mm."""
+        return _COVER if self.given_cover is None else self.given_cover
+
     @cached_property
     def frame(self) -> PressureFrame | None:
         """Pressure plates and caps, where it is these."""
-        return PressureFrame(self.width, self.cover, self.gasket) if self.kind == "plate" else None
+        if self.kind != "plate":
+            return None
+        grows = self.given_width is None and self.given_cover is None
+        return PressureFrame(self.width, self.cover, self.gasket, grows)
 
     @cached_property
     def silicone(self) -> Silicone | None:
@@ -135,9 +147,9 @@ class Framing:
                 plates.parts,
                 (plates.table, setting_blocks(panels)),
                 {"frame": plates.report},
-                _covered(plates.report["cover_min_mm"], site.material.bearing, site.material.name),
+                (*plates.words, *_covered(plates.report["cover_min_mm"], plates.frame, site)),
                 (*plates.supplies, *block_supplies(panels)),
-                lambda: _loose(site, plates, self, panels, rims, beams),
+                lambda: _loose(site, plates, panels, rims, beams),
             )
         if self.silicone is not None:
             pairs = zip(panels, rims, strict=True)
@@ -161,18 +173,17 @@ class Framing:
 def _loose(
     site: Site,
     plates: Framed,
-    framing: Framing,
     panels: tuple[Part, ...],
     rims: Sequence[tuple[FloatArray, FloatArray]],
     beams: BeamGeometry | None,
 ) -> tuple[Part, ...]:
     """Gaskets and setting blocks of framed panels; panels that are bent have no gaskets here."""
-    joint = framing.width - 2 * framing.cover
+    joint = plates.frame.joint
     blocks = tuple(block_parts(panels, joint))
     if any(panel.measures.warp_mm is not None for panel in panels):
         return blocks
-    seats = Seats(plates.heights, framing.width / 2)
-    made = Gaskets(site, plates.frames, seats, beam_seats(beams), joint, framing.cover)
+    seats = Seats(plates.heights, plates.frame.width / 2)
+    made = Gaskets(site, plates.frames, seats, beam_seats(beams), joint, plates.frame.cover)
     return (*made.parts(panels, rims), *blocks)
 
 
@@ -187,11 +198,14 @@ def _narrow(names: Sequence[str]) -> tuple[str, ...]:
     )
 
 
-def _covered(cover: float, needed: float, material: str) -> tuple[str, ...]:
+def _covered(cover: float, frame: PressureFrame, site: Site) -> tuple[str, ...]:
     """A message where plates cover less of the panels than their material needs."""
+    needed = site.material.bearing
     if cover >= needed:
         return ()
+    wider = frame.covering(needed - cover)
     return (
-        f"panels: pressure plates cover them by {cover:.3g} mm at the narrowest, {material} needs "
-        f"{needed:g} mm; take a wider frame or more edge cover",
+        f"panels: pressure plates cover them by {cover:.3g} mm at the narrowest, "
+        f"{site.material.name} needs {needed:g} mm; take a frame width of {wider.width:g} mm with "
+        f"an edge cover of {wider.cover:g} mm, or bevelled edges",
     )

@@ -85,8 +85,9 @@ class Panels(System):
             theirs, others and those of bevelled panels are left out; "leave-out" leaves all out.
         frame: "plate": pressure plates and caps along the edges hold them, which say how wide the
             joints are; "silicone": adapters that they are glued onto; "none".
-        frame_width: of pressure plates, mm.
-        edge_cover: how far panels reach under these, mm.
+        frame_width: of pressure plates, mm; by default 50.
+        edge_cover: how far panels reach under these, mm; by default 15. Where neither is given both
+            are larger where the panels' material needs it.
         gasket: thickness of the gaskets below and above panels in frames, mm.
         bite: width of joints of structural silicone, mm.
         fold: depth by which the edges of metal panels are folded down, mm; 0 for none.
@@ -108,8 +109,8 @@ class Panels(System):
     least_width: float = 60.0
     slivers: str = "join"
     frame: str = "none"
-    frame_width: float = 50.0
-    edge_cover: float = 15.0
+    frame_width: float | None = None
+    edge_cover: float | None = None
     gasket: float = 5.0
     bite: float = 12.0
     bending: str = "none"
@@ -157,8 +158,14 @@ class Panels(System):
             "pressure plates and caps hold the panels, or structural silicone on adapters",
             FRAMES,
         ),
-        size("frame_width", 50.0, "pressure plates and caps are this wide"),
-        size("edge_cover", 15.0, "panels reach this far under pressure plates"),
+        Option(
+            *("frame_width", None, "length"),
+            "pressure plates and caps are this wide, by default 50 mm or as wide as glass needs",
+        ),
+        Option(
+            *("edge_cover", None, "length"),
+            "panels reach this far under pressure plates, by default 15 mm or as glass needs",
+        ),
         size("gasket", 5.0, "gaskets below and above framed panels are this thick"),
         size("bite", 12.0, "joints of structural silicone are this wide"),
         Option(
@@ -203,7 +210,7 @@ class Panels(System):
             )
         joint = self.framing.joint(self.gap)
         if self.gap not in (_GAP, joint):
-            words = gap_words(self.frame_width, self.edge_cover, joint, self.gap)
+            words = gap_words(self.framing.width, self.framing.cover, joint, self.gap)
             object.__setattr__(self, "unheeded", words)
         object.__setattr__(self, "gap", joint)
 
@@ -233,7 +240,9 @@ class Panels(System):
     @property
     def framing(self) -> Framing:
         """How the panels are held."""
-        return Framing(self.frame, self.frame_width, self.edge_cover, self.gasket, self.bite)
+        return Framing(
+            *(self.frame, self.frame_width, self.edge_cover, self.gasket, self.bite),
+        )
 
     @property
     def levels(self) -> tuple[float, float]:
