@@ -127,7 +127,9 @@ def of_ifc(folder: Path) -> Iterator[Seen]:
         if product.Representation:
             made = geom.create_shape(settings, product).geometry
             corners = 1000 * np.reshape(made.verts, (-1, 3))
-            colour = np.array([*made.materials[0].diffuse.components, 1.0])
+            style = made.materials[0]
+            clear = style.transparency if style.has_transparency() else 0.0
+            colour = np.array([*style.diffuse.components, 1 - clear])
             yield Seen(product.Name, corners[np.reshape(made.faces, (-1, 3))], colour)
 
 

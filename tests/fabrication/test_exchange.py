@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import FILES, Beams, Lamellas, Panels, Workshop, build, write
+from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.exchange import WRITERS, facets
 from freecad_ortho.fabrication.exchange.assembly import write_assembly
 from freecad_ortho.fabrication.exchange.ifc import write_ifc
@@ -194,6 +195,10 @@ def test_ifc_shapes_are_where_the_parts_are(jobs, folders):
         volume = shapes.get_volume(made.geometry) * 1e9
         exact = facets.facets(part).exact and not is_shared(product)
         assert volume == pytest.approx(part.volume, rel=1e-6 if exact else 1e-3)
+        (style,) = made.geometry.materials
+        *colour, opacity = np.array(colour_of(part.material)) / 255
+        assert style.diffuse.components == pytest.approx(colour)
+        assert style.transparency == pytest.approx(1 - opacity, abs=1e-3)
         corners = job.place.points(part.points)
         assert np.abs(points.min(axis=0) - corners.min(axis=0)).max() < 0.1
         assert np.abs(points.max(axis=0) - corners.max(axis=0)).max() < 0.1

@@ -16,16 +16,19 @@ import numpy as np
 
 from freecad_ortho import __version__
 from freecad_ortho.fabrication.bolts import GRADE
+from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.datum import Datum
 from freecad_ortho.fabrication.equal import copies
 from freecad_ortho.fabrication.exchange.facets import Facets, facets
 from freecad_ortho.fabrication.exchange.ifc_assemblies import assembly_names
+from freecad_ortho.fabrication.exchange.ifc_colours import Styles
 from freecad_ortho.fabrication.exchange.ifc_facts import Facts, class_of
 from freecad_ortho.fabrication.exchange.ifc_fasteners import fastener_type
 from freecad_ortho.fabrication.exchange.ifc_grid import grid
 from freecad_ortho.fabrication.exchange.ifc_profiles import profile_definition
 from freecad_ortho.fabrication.fasteners import Fasteners, named
 from freecad_ortho.fabrication.hardware import bolt_frames
+from freecad_ortho.fabrication.material import material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.profiled import ProfiledBody
@@ -41,6 +44,7 @@ _TIME = "2000-01-01T00:00:00"
 _DIGITS = 7
 # What the coordinates of the site are called; which grid they are of is known there.
 _SITE = "site"
+_BOLT_STEEL = f"bolt steel {GRADE}"
 
 
 def write_ifc(
@@ -93,6 +97,7 @@ class _Model:
         self.file, self.project = file, project
         self.space = uuid.uuid5(uuid.NAMESPACE_URL, f"freecad_ortho/{project}")
         self.materials: dict[tuple[str, str], list[Any]] = {}
+        self.styles = Styles(self.make)
 
     def make(self, kind: str, *values: Any) -> Any:
         """An entity of attributes in their order."""
@@ -250,6 +255,7 @@ class _Model:
                 say(number)
             if copy.first == number:
                 shape = self._shape(facets(part), body)
+                self.styles.paint(shape.Items, part.material.name, colour_of(part.material))
                 if number in shared:
                     maps[number] = self._type(part, shape)
             else:
@@ -271,6 +277,8 @@ class _Model:
             return
         key = f"bolts from {names[0]}"
         kind, shared = fastener_type(self.make, self.guid, key, bolts, body)
+        items = shared.MappedRepresentation.Items
+        self.styles.paint(items, _BOLT_STEEL, colour_of(material("steel")))
         origin = self.make("IfcCartesianPoint", [0.0, 0.0, 0.0])
         operator = self.make("IfcCartesianTransformationOperator3D", None, None, origin, None, None)
         found = []
@@ -290,7 +298,7 @@ class _Model:
                 )
             )
             owner.elements.append(found[-1])
-        self.materials.setdefault((f"bolt steel {GRADE}", ""), []).extend(found)
+        self.materials.setdefault((_BOLT_STEEL, ""), []).extend(found)
         self.make("IfcRelDefinesByType", self.guid(f"of type {key}"), None, None, None, found, kind)
 
     def _shape(self, sides: Facets, body: Any) -> Any:
@@ -324,7 +332,7 @@ class _Model:
         self, shared: tuple[Any, Any], turn: FloatArray, shift: FloatArray, body: Any
     ) -> Any:
         point = self.make("IfcCartesianPoint", shift.tolist())
-        x, y, z = (self.make("IfcDirection", row.tolist()) for row in turn)
+        x, y, z = (self.make("IfcDirection", row.tolist()) for row in turn.astype(float))
         operator = self.make("IfcCartesianTransformationOperator3D", x, y, point, 1.0, z)
         item = self.make("IfcMappedItem", shared[0], operator)
         return self.make("IfcShapeRepresentation", body, "Body", "MappedRepresentation", [item])
