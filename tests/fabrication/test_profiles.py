@@ -209,3 +209,9 @@ def test_beams_name_the_section_that_statics_take_for_theirs(section, area):
     assert found.height == pytest.approx(160)
     if section == "I":
         assert found.inertia_y == pytest.approx((60 * 160**3 - 50 * 142**3) / 12)
+
+
+@pytest.mark.parametrize("name", ["tube:100x100x5", "chs:88.9x5", "GL24h:80x80", "HEB160"])
+def test_what_is_symmetric_has_no_product_moment(name):
+    """Not even the last digits of a sum, which would turn axes of equal second moments."""
+    assert profile(name).inertia_yz == 0.0
