@@ -20,6 +20,7 @@ from freecad_ortho.fabrication.material import Material
 STRENGTH, SAFETY = 800.0, 1.25
 # Stress areas by diameter, mm2.
 AREAS = {12: 84.3, 16: 157.0, 20: 245.0, 24: 353.0, 27: 459.0, 30: 561.0}
+_SMALL = {5: 14.2, 6: 20.1, 8: 36.6, 10: 58.0}
 # Tensile strengths of what plates are made of, MPa; of plain steel that of the weakest.
 _TENSILE = {"steel": 360.0, "S235": 360.0, "S275": 430.0, "S355": 490.0}
 
@@ -51,7 +52,7 @@ class Clamped:
     @property
     def tension(self) -> float:
         """Of the bolt, or of the plate that its head is pulled through, N."""
-        own = 0.9 * STRENGTH * AREAS[round(self.bolt.diameter)] / SAFETY
+        own = 0.9 * STRENGTH * _area(self.bolt) / SAFETY
         strength = _TENSILE.get(self.material.name)
         if strength is None:
             return own
@@ -63,8 +64,7 @@ class Clamped:
         """In all planes together, N; None where it is pulled alone."""
         if not self.planes:
             return None
-        area = AREAS[round(self.bolt.diameter)]
-        return self.planes * 0.6 * STRENGTH * area / SAFETY
+        return self.planes * 0.6 * STRENGTH * _area(self.bolt) / SAFETY
 
     @property
     def bearing(self) -> float | None:
@@ -91,6 +91,11 @@ class Clamped:
         pairs = zip(COLUMNS, self.row(), strict=True)
         found = {f"bolt_{name}": value for name, value in pairs if isinstance(value, float)}
         return {"bolts_an_end": count, **found}
+
+
+def _area(bolt: Bolt) -> float:
+    """Stress area, mm2."""
+    return (AREAS | _SMALL)[round(bolt.diameter)]
 
 
 def bolts_used(nodes: Mapping[str, Any], forces: Mapping[str, float]) -> str:

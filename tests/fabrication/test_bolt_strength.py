@@ -1,11 +1,20 @@
 """What bolts bear: values of EN 1993-1-8, table 3.4, worked out by hand."""
 
+import math
+from html import unescape
+
 import pytest
 
 from freecad_ortho import api
+from freecad_ortho.fabrication import build
 from freecad_ortho.fabrication.bolt_strength import AREAS, Clamped, bolts_used
-from freecad_ortho.fabrication.bolts import BOLTS, bolt_of
+from freecad_ortho.fabrication.bolts import BOLTS, bolt_in, bolt_of
+from freecad_ortho.fabrication.cleat import CleatSizes
+from freecad_ortho.fabrication.cleat_strength import cleat_report, cleats_used
 from freecad_ortho.fabrication.material import MATERIALS
+from freecad_ortho.fabrication.report.check_section import check_section
+from freecad_ortho.fabrication.systems import Lamellas
+from tests.fabrication.test_lamellas import helicoid
 
 STEEL = MATERIALS["steel"]
 
@@ -95,3 +104,62 @@ def test_how_far_bolts_are_used_by_the_forces_of_a_check():
     words = bolts_used(ball, forces)
     assert "used to 44 %" in words
     assert "The shear and moments there, 1.5 kNm at most, are not counted" in words
+
+
+@pytest.fixture(scope="module")
+def net_of_cleats():
+    sizes = {"width": 80.0, "thickness": 6.0, "strip": "twisted", "hole": 11.0}
+    return build(helicoid(4, 4).scaled(6000.0), [Lamellas(cleats=True, **sizes)])
+
+
+def cleat(levels, plate=8.0):
+    """M10 in holes of 11 mm, 40 mm from the corner, in legs of 8 mm."""
+    bolt = bolt_in(11.0)
+    return CleatSizes(bolt, 11.0, 8.0, 100.0, levels, 40.0, 54.0, plate)
+
+
+def test_bolts_of_cleats_by_hand():
+    """Two M10 8.8 (58 mm2), 60 mm apart and 14 mm from the end of the leg, in 6 mm of S355."""
+    found = cleat_report([cleat((-30.0, 30.0), 6.0)], MATERIALS["S355"])
+    # ab = 14 / 33, k1 = min(2.8 x 14 / 11 - 1.7, 1.4 x 60 / 11 - 1.7, 2.5).
+    bearing = (2.8 * 14 / 11 - 1.7) * 14 / 33 * 490 * 10 * 6 / 1.25
+    assert found["cleat_bolt_shear_kN"] == pytest.approx(0.6 * 800 * 58 / 1.25 / 1e3, abs=0.05)
+    assert found["cleat_bolt_bearing_kN"] == pytest.approx(bearing / 1e3, abs=0.05)
+    forces = {"tension_kN": 2.0, "compression_kN": 3.0, "shear_kN": 4.0, "moment_kNm": 0.5}
+    least = min(found["cleat_bolt_shear_kN"], found["cleat_bolt_bearing_kN"])
+    own = math.hypot(4 / 2, 3 / 2 + 4 * 40 / 60) / least
+    tension = 0.9 * 800 * 58 / 1.25 / 1e3
+    other = math.hypot(4 / 2, 4 * 40 / 60) / least + 3 / (1.4 * 2 * tension)
+    words = cleats_used(found, forces)
+    assert f"used to {100 * max(own, other):.0f} % (with the moment" in words
+    assert "0.5 kNm at most, and fins of feet are not checked" in words
+
+
+def test_cleats_with_the_fewest_bolts_count_and_wood_is_said_not_to_be_checked():
+    found = cleat_report([cleat((-30.0, 30.0)), cleat((0.0,))], MATERIALS["timber"])
+    assert (found["cleat_bolts_a_leg"], found["cleat_bolt_bearing_kN"]) == (1, None)
+    forces = {"tension_kN": 2.0, "compression_kN": 3.0, "shear_kN": 4.0, "moment_kNm": 0.5}
+    words = cleats_used(found, forces)
+    assert "as they are not of steel" in words
+    shear, tension = found["cleat_bolt_shear_kN"], found["cleat_bolt_tension_kN"]
+    used = max(5 / shear, 4 / shear + 3 / 1.4 / tension)
+    assert f"{100 * used:.0f} % (one bolt takes no moment)" in words
+
+
+def test_cleats_are_in_the_report_and_beside_a_check(net_of_cleats):
+    """The section of a check says how far they are used; without cleats there is no word."""
+    report = net_of_cleats.report()["lamellas"]
+    assert report["cleat_bolt"] == "M10"
+    forces = {"tension_kN": 2.0, "compression_kN": 3.0, "shear_kN": 4.0, "moment_kNm": 0.5}
+    check = {
+        "largest_end_forces": forces,
+        "verdict": {"passed": True, "words": "stands"},
+        "section": "plate:8x100",
+        "material": "S355",
+        "governing_members": [],
+        "members": 40,
+        "warnings": [],
+        "not_checked": [],
+    }
+    assert cleats_used(report, forces) in unescape(check_section(check, None, report))
+    assert "cleats" not in check_section(check, None, {"cleats": 0})

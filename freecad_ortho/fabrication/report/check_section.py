@@ -7,6 +7,7 @@ from html import escape
 from typing import Any
 
 from freecad_ortho.fabrication.bolt_strength import bolts_used
+from freecad_ortho.fabrication.cleat_strength import cleats_used
 
 # Columns of the governing members: of the numbers, in the table.
 _COLUMNS = {
@@ -22,17 +23,24 @@ _COLUMNS = {
 }
 
 
-def check_section(check: Mapping[str, Any], nodes: Mapping[str, Any] | None = None) -> str:
+def check_section(
+    check: Mapping[str, Any],
+    nodes: Mapping[str, Any] | None = None,
+    lamellas: Mapping[str, Any] | None = None,
+) -> str:
     """A section of the page.
 
     Args:
         check: what a structural check writes into its ``check.json``.
         nodes: what the report says of bolted nodes, None where there are none.
+        lamellas: what it says of these.
     """
     forces = check.get("largest_end_forces")
     bolts = ""
     if forces is not None and nodes is not None and "bolts_an_end" in nodes:
         bolts = f"<p>{escape(bolts_used(nodes, forces))}</p>"
+    if forces is not None and lamellas is not None and "cleat_bolt" in lamellas:
+        bolts += f"<p>{escape(cleats_used(lamellas, forces))}</p>"
     verdict, design = check["verdict"], escape(f"{check['section']} of {check['material']}")
     bad = "" if verdict["passed"] else " bad"
     head = "".join(f"<th>{escape(words)}</th>" for words in _COLUMNS.values())

@@ -82,6 +82,8 @@ def report_page(
     """
     joints = production.structure.results.get("nodes")
     nodes = None if joints is None else joints.report
+    of_lamellas = production.structure.results.get("lamellas")
+    lamellas = None if of_lamellas is None else of_lamellas.report
     title = escape(f"Fabrication report: {project}" if project else "Fabrication report")
     sections = [
         f"<h1>{title}</h1>",
@@ -89,7 +91,7 @@ def report_page(
         _summary(production),
         _views(production),
         _messages(production.messages),
-        "" if check is None else check_section(check, nodes),
+        "" if check is None else check_section(check, nodes, lamellas),
         "" if nodes is None else adjustment(nodes),
         groups_of_parts(production),
         _plots(production),

@@ -12,6 +12,7 @@ import numpy as np
 from freecad_ortho.fabrication.assembly import judged
 from freecad_ortho.fabrication.bolts import SMALL, bolt_in
 from freecad_ortho.fabrication.cleat import Cleat, OnCleats
+from freecad_ortho.fabrication.cleat_strength import cleat_report
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.feet.places import standing
@@ -124,6 +125,7 @@ class Lamellas(LamellaSettings, System):
         parts += plates + tuple(cleat_part(cleat, site) for cleat in cleats.values()) + above.parts
         report = self._report(lamellas, met, parts, pattern)
         report |= {"splices": len(splices), "cleats": len(cleats)} | above.report
+        report |= cleat_report([cleat.sizes for cleat in cleats.values()], site.material)
         report["not_put_on"] = sum(bool(part.assembly) for part in parts)
         messages = self._messages(site.mesh, lamellas, pattern) + self._said(whole, splices)
         messages += self._said_of_layers(lamellas, met) + border.words() + doubts
